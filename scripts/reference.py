@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes docs/reference/, Python's records and results from `prs schema` and `prs help --json`.
 
-    scripts/reference.py PRS            writes the files
-    scripts/reference.py PRS --check    says which of them are not current
+scripts/reference.py PRS            writes the files
+scripts/reference.py PRS --check    says which of them are not current
 """
 
 import ast
@@ -314,8 +314,8 @@ def reference(
 def python_records(records: dict, studied: list[str]) -> str:
     text = '''"""What stands inside the result documents; names and units are those of `prs --json`.
 
-A quantity that a case does not define is absent: attribute access raises, `get` gives its default.
-What each is: docs/reference. Written by scripts/reference.py from the program's table.
+Of what a case may not define the attribute is None; `record["name"]` raises and says why.
+Written by scripts/reference.py from the program's table.
 """
 
 from __future__ import annotations
@@ -334,11 +334,20 @@ Array = npt.NDArray[np.float64]  #: Read-only.
     words = ", ".join(f'"{word}"' for word in studied)
     text += f"Command = Literal[{words}]\n"
     for name, record in records.items():
-        text += f'\n\nclass {name}(Record):\n    """{record["meaning"]}"""\n\n    __slots__ = ()\n'
+        said = "".join(f"\n{told_of(q)}" for q in record["quantities"])
+        said = docstring(f"{record['meaning']}\n{said}", " " * 4)
+        text += f"\n\nclass {name}(Record):\n{said}\n    __slots__ = ()\n"
         for q in record["quantities"]:
             kind = KINDS.get(q["kind"], q.get("record", ""))
-            text += f"    {q['key']}: {f'list[{kind}]' if q['kind'] == 'records' else kind}\n"
+            kind = f"list[{kind}]" if q["kind"] == "records" else kind
+            text += f"    {q['key']}: {kind}{' | None' * q.get('optional', False)}\n"
     return text
+
+
+def told_of(q: dict) -> str:
+    """A quantity in a docstring: `efficiency: power out over power in; source`."""
+    said = "; ".join(q[name] for name in ("meaning", "validity", "source") if name in q)
+    return f"{q['key']}{' [' + q['unit'] + ']' if 'unit' in q else ''}: {said or q['title']}"
 
 
 def classes_in(module: str) -> dict[str, ast.ClassDef]:
@@ -402,9 +411,11 @@ def python_results(results: dict, schemas: dict[str, dict]) -> str:
                 bases = [f"views.{view.name}", *(other for other in others if other in names)]
             stated = stated_in(view) if view else set()
             said = (view and ast.get_docstring(view)) or analysis["help"] + "."
-            lines = [] if "_block" in stated else [f'_block = "{block}"']
+            lines = [f'_command = "{command}"']
+            lines += [] if "_block" in stated else [f'_block = "{block}"']
             for key, value in own.items():
                 kind = python_type(value, results["records"])
+                kind += " | None" * (key not in form["required"])
                 if key not in stated or "Values" not in kind:  # By hand more may be said.
                     lines.append(f"{key}: {kind}")
             classes += f"\n\nclass {name}({', '.join(bases)}):\n{docstring(said, ' ' * 4)}\n"

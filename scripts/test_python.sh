@@ -21,7 +21,7 @@ import tomllib
 read = tomllib.load(open("pyproject.toml", "rb"))
 extras = read["project"]["optional-dependencies"]
 for part in (read["build-system"]["requires"], read["project"]["dependencies"],
-             extras["test"], extras["notebooks"], extras["lint"]):
+             extras["test"], extras["examples"], extras["notebooks"], extras["lint"]):
     print(*part, sep="\n")')
 }
 

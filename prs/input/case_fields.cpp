@@ -521,6 +521,7 @@ void fields(const Fields& io, CsvColumn& c) {
 void fields(const Fields& io, HistorySource& h) {
   io("file", h.file, Text{"forces.csv"}, required,
      "Comma-separated values with a heading, one row per sample; relative to this file");
+  io("sha256", h.sha256, Text{}, "Of the file, which then may stand anywhere; another is refused");
   io("force", h.force, Block{}, required, "Axial force, > 0 in tension");
   io("position", h.position, Block{}, "Axial position of the nut on the screw");
   io("speed", h.speed, Block{}, optional_only_if(!h.position, "in place of `position`"),

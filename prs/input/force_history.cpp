@@ -16,6 +16,7 @@
 #include "prs/input/document.h"
 #include "prs/input/units.h"
 #include "prs/regular_file.h"
+#include "prs/sha256.h"
 
 namespace prs::input {
 namespace {
@@ -222,20 +223,19 @@ bool names_file_by_override(const Source& source) {
   return locate(read_document(source, errors), "life.history.file").argument >= 0;
 }
 
-}  // namespace
-
-std::string force_history_text(const HistorySource& history, const Source& source) {
+std::string text_of_file(const HistorySource& history, const Source& source) {
   const auto refuse = [&](const std::string& why) {
     fail_at(source, "life.history.file", fmt::format("got {}; {}", shown(history.file), why));
   };
   if (source.files) {
     const auto found = source.files->find(history.file);
-    if (found == source.files->end())
+    if (found != source.files->end()) return found->second;
+    if (source.folder.empty())
       refuse("expected the name of a history that was given; give its text under this name");
-    return found->second;
   }
   const std::filesystem::path path = path_of(history, source);
-  const bool may_stand_anywhere = names_file_by_override(source);
+  // Who knows the hash knows the file.
+  const bool may_stand_anywhere = history.sha256 || names_file_by_override(source);
   const auto require_place = [&](const std::filesystem::path& place) {
     if (!may_stand_anywhere && !stands_with_case(place, source))
       refuse(
@@ -262,6 +262,30 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
     refuse(fmt::format("expected a file that can be read; check the rights of {}",
                        shown(shown_path(history, source).string())));
   return *std::move(text);
+}
+
+}  // namespace
+
+std::string force_history_text(const HistorySource& history, const Source& source) {
+  std::string text = text_of_file(history, source);
+  if (history.sha256 && sha256(text) != *history.sha256)
+    fail_at(source, "life.history.sha256",
+            fmt::format("got {}; expected that of {}, which is another file or has changed; give "
+                        "the file that is meant, or leave this key out",
+                        shown(*history.sha256), shown(history.file)));
+  return text;
+}
+
+std::filesystem::path place_of_history(const HistorySource& history, const Source& source) {
+  if (source.files && source.folder.empty()) return history.file;
+  return std::filesystem::absolute(path_of(history, source)).lexically_normal();
+}
+
+Source with_files(Source source, const HistorySource& history) {
+  std::string text = force_history_text(history, source);
+  source.files.emplace();
+  source.files->emplace(history.file, std::move(text));
+  return source;
 }
 
 LoadHistory read_force_history(const HistorySource& history, const Source& source) {

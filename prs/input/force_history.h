@@ -21,8 +21,14 @@ LoadHistory parse_force_history(std::string_view text, const std::string& name,
 
 /// The file that the history names, relative to the input file: at most 1 GiB. It must lie in the
 /// folder of the input or below it, links followed, unless an override names it: inputs come from
-/// others too. Throws InputError.
+/// others too; with its SHA-256 it may stand anywhere. Throws InputError, also for another hash.
 std::string force_history_text(const HistorySource& history, const Source& source);
+
+/// Where that file stands, absolute; its name where there is no folder to find it in.
+std::filesystem::path place_of_history(const HistorySource& history, const Source& source);
+
+/// The source with the text of that file, which no run reads again.
+Source with_files(Source source, const HistorySource& history);
 
 /// The history of that file.
 LoadHistory read_force_history(const HistorySource& history, const Source& source);

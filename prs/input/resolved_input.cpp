@@ -1,6 +1,7 @@
 #include "prs/input/resolved_input.h"
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -8,7 +9,9 @@
 
 #include "prs/input/document.h"
 #include "prs/input/field.h"
+#include "prs/input/force_history.h"
 #include "prs/input/reader.h"
+#include "prs/sha256.h"
 
 namespace prs::input {
 namespace {
@@ -91,6 +94,35 @@ Json json_of(const Node* node, const Value& value) {
   return std::visit([&](const auto& v) { return json_of(node, v); }, value.as);
 }
 
+/// The text of the file that a case names; none where it cannot be read, as only `life` needs it.
+std::optional<std::string> history_text(const HistorySource& history, const Source& source) {
+  try {
+    return force_history_text(history, source);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// The history that a source names.
+std::optional<HistorySource> history_of(const Source& source) {
+  ErrorList errors(source);
+  const CaseFile file = read_case_file(read_document(source, errors), errors);
+  return file.values.life ? file.values.life->history : std::nullopt;
+}
+
+/// The history with the place of its file, wherever the case is written to, and its hash.
+Json located(const Json& history, const HistorySource& read, const Source& source) {
+  const std::optional<std::string> text = history_text(read, source);
+  Json whole;
+  for (const auto& [key, value] : history.items()) {
+    whole[key] = value;
+    if (key != "file" || !text) continue;
+    whole[key] = place_of_history(read, source).string();
+    whole["sha256"] = sha256(*text);
+  }
+  return whole;
+}
+
 }  // namespace
 
 Json resolved_input(const Source& source) {
@@ -98,7 +130,23 @@ Json resolved_input(const Source& source) {
   const Node root = read_document(source, errors);
   CaseFile file = read_case_file(root, errors);
   errors.throw_if_any();
-  return json_of(&root, value_of(file, Block{}));
+  Json json = json_of(&root, value_of(file, Block{}));
+  if (file.values.life && file.values.life->history) {
+    Json& history = json["life"]["history"];
+    history = located(history, *file.values.life->history, source);
+  }
+  return json;
+}
+
+std::string input_sha256(const Source& source) {
+  const std::optional<HistorySource> history = history_of(source);
+  if (source.overrides.empty() && !history) return sha256(source.text);
+  std::string all = source.text;
+  for (const std::string& override : source.overrides) all.append(1, '\0').append(override);
+  if (history)
+    if (const std::optional<std::string> text = history_text(*history, source))
+      all.append(1, '\0').append(sha256(*text));
+  return sha256(all);
 }
 
 }  // namespace prs::input

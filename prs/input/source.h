@@ -39,7 +39,7 @@ struct Source {
   std::vector<std::string> overrides;  ///< `path=value` each.
   /// Where the files that it names are looked for; empty: in the folder of `name`.
   std::filesystem::path folder = {};
-  /// The texts of the files that it names, by their names: no file is read then.
+  /// The texts of the files that it names, by their names. Without a folder no other is read.
   std::optional<std::map<std::string, std::string>> files = {};
 };
 

@@ -80,9 +80,12 @@ constexpr std::string_view kFlankEdgeValidity =
     "where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a "
     "fifth";
 constexpr std::string_view kFlankEdgeSource = "Hertz; geometry";
-constexpr std::string_view kBodyValidity =
-    "bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; "
-    "without carrier, gears and seals";
+#define BODIES                                                                               \
+  "bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; " \
+  "without carrier, gears and seals"
+constexpr std::string_view kBodyValidity = BODIES;
+constexpr std::string_view kWeightValidity = "needs materials.density of these parts; " BODIES;
+#undef BODIES
 constexpr std::string_view kBodySource = "geometry; Jung 2017, (5.1) to (5.4), corrected";
 constexpr std::string_view kInertiaValidity =
     "standard: the screw turns, the nut travels; inverted: the nut turns, the screw travels; "
@@ -186,13 +189,13 @@ constexpr Quantity<Measures> kMeasures[] = {
      kFlankEdgeFormula, kFlankEdgeSource, "load at the edge of a flank, roller-nut", kStaticGroup,
      kFlankEdgeValidity},
     {"roller_weight_kg", of<&Measures::roller_weight>, "N_r rho pi/4 (d_R^2 N p + 2 d_end^2 L_end)",
-     kBodySource, "weight of all rollers", kWeightGroup, kBodyValidity},
+     kBodySource, "weight of all rollers", kWeightGroup, kWeightValidity},
     {"nut_weight_kg", of<&Measures::nut_weight>, "rho pi/4 integral of (D(x)^2 - d_N^2) dx",
-     kBodySource, "weight of the nut", kWeightGroup, kBodyValidity},
+     kBodySource, "weight of the nut", kWeightGroup, kWeightValidity},
     {"weight_kg", of<&Measures::weight>, "sum of both", kBodySource, "weight of rollers and nut",
-     kWeightGroup, kBodyValidity},
+     kWeightGroup, kWeightValidity},
     {"screw_weight_kg_per_m", of<&Measures::screw_weight_per_length>, "rho pi/4 (d_S^2 - d_bore^2)",
-     kGeometry, "weight of the screw per length", kWeightGroup, kBodyValidity},
+     kGeometry, "weight of the screw per length", kWeightGroup, kWeightValidity},
     {"material_volume_cm3", of<&Measures::material_volume>,
      "pi/4 (integral of (D(x)^2 - d_N^2) dx + N_r (d_R^2 N p + 2 d_end^2 L_end))",
      "Jung 2017, (7.2), which lacks pi/4", "material of rollers and nut", kWeightGroup,
@@ -338,7 +341,7 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
      "pressure | deformation | flank_edge | given", kStaticSource,
      "what limits static safety, most loaded thread", kStrengthGroup,
      "that of thread_static_safety"},
-    {"yang_load_rate_percent", of<&LoadMeasures::yang_load_rate>,
+    {"yang_load_rate_percent", filled<&LoadMeasures::yang_load_rate>,
      "h (F_k^(2/3) - F_(k+1)^(2/3)) = what screw and nut stretch between threads k and k + 1; sum "
      "F/N_r",
      "Yang, in Jung 2017, (4.1), (8.20), corrected", "load rate of each thread after Yang",

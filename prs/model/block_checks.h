@@ -10,8 +10,6 @@
 
 namespace prs {
 
-inline bool is_solved(const LoadCase& load) { return load.share == LoadCase::Share::solved; }
-
 void check_threads(const Mechanism& m, Problems& problems);
 /// Whether the threads reach each other and the rollers clear each other.
 void check_meshing(const Mechanism& m, Problems& problems);

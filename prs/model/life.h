@@ -21,6 +21,7 @@ struct CsvColumn {
 /// the time.
 struct HistorySource {
   std::string file;  ///< Relative to the input file.
+  std::optional<std::string> sha256 = {};  ///< Of the file that is meant, hexadecimal.
   CsvColumn force;   ///< > 0 in tension.
   std::optional<CsvColumn> time;
   std::optional<double> interval;  ///< Between two samples [s], in place of `time`.

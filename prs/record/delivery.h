@@ -20,7 +20,7 @@ namespace prs {
 struct DocumentInfo {
   std::string version;                      ///< Version of the program.
   std::string schema_version;               ///< Version of the input's schema.
-  std::string input_sha256;                 ///< SHA-256 of the input file, hexadecimal.
+  std::string input_sha256;                 ///< Of file, overrides and history, `input::input_sha256`.
   std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
   std::string command = {};                 ///< The command that was run.
   std::string case_file = {};               ///< As it was given.

@@ -96,6 +96,7 @@ struct Form {
   bool whole = false;     ///< A series of integers.
   bool in_rows = false;   ///< A series that stands in rows where there are several rollers.
   bool by_key = false;    ///< An object with any keys; the kind is that of its values.
+  bool optional = false;  ///< Not defined by every case.
 };
 
 /// The values of an object with any keys, in their order.

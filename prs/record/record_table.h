@@ -222,6 +222,7 @@ struct Access {
   using Item = Held<std::remove_cvref_t<Given>>;
 
   static constexpr bool kGuarded = !std::is_null_pointer_v<std::remove_cv_t<decltype(guard)>>;
+  static constexpr bool kOptional = kGuarded || !std::is_same_v<Item, std::remove_cvref_t<Given>>;
 
   static bool defined(const Owner& owner) {
     if constexpr (!kGuarded)
@@ -272,7 +273,8 @@ struct Access {
                    .finite = always,
                    .whole = is_whole_series<Item>,
                    .in_rows = in_place && HasRows<Owner>,
-                   .by_key = is_by_key<Item>};
+                   .by_key = is_by_key<Item>,
+                   .optional = kOptional};
     if constexpr (kind == Kind::number && !is_by_key<Item>) {
       getter.number = number;
     } else if constexpr (kind == Kind::series && in_place) {
@@ -325,7 +327,7 @@ struct OfTable {
     using All = Access<get, guard, always, Owner>;
     using Item = typename All::Item;
     Getter<Owner> getter{is_vector<Item> && !is_by_key<Item> ? Kind::records : Kind::record};
-    getter.form = {.required = always, .by_key = is_by_key<Item>};
+    getter.form = {.required = always, .by_key = is_by_key<Item>, .optional = All::kOptional};
     getter.json = [](const Owner& owner, const ShownUnit& unit) {
       return All::used(owner, nlohmann::ordered_json(),
                        [&](const Item& item) { return json_by<quantities>(item, unit); });
@@ -468,6 +470,7 @@ RecordInfo described(std::string_view name, std::string_view meaning,
     if (q.key.empty())
       for (QuantityInfo among : q.value.record().quantities) {
         among.form.required = among.form.required && q.value.form.required;
+        among.form.optional = among.form.optional || q.value.form.optional;
         info.quantities.push_back(std::move(among));
       }
     else

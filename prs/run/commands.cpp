@@ -12,7 +12,6 @@
 #include "prs/measures/measures_analysis.h"
 #include "prs/preload/preload_analysis.h"
 #include "prs/run/check.h"
-#include "prs/sha256.h"
 #include "prs/version.h"
 
 namespace prs {
@@ -56,7 +55,7 @@ Delivery run(const AnyAnalysis& analysis, const input::Source& source) {
 DocumentInfo document_info(const input::Source& source, Command command) {
   return {kVersion,
           kSchemaVersion,
-          sha256(source.text),
+          input::input_sha256(source),
           source.overrides,
           std::string(name(command)),
           source.name,

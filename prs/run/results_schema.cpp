@@ -46,6 +46,7 @@ Json quantity_json(const QuantityInfo& q) {
   put_text("source", q.source);
   if (q.record) json["record"] = q.record().name;
   if (q.delivery == Reach::document) json["response"] = false;
+  if (q.form.optional) json["optional"] = true;
   return json;
 }
 
@@ -53,7 +54,12 @@ Json quantity_json(const QuantityInfo& q) {
 void put_record(Json& records, const RecordInfo& record) {
   for (const QuantityInfo& q : record.quantities)
     if (q.record) put_record(records, q.record());
-  if (records.contains(record.name)) return;
+  if (records.contains(record.name)) {  // Of another type, which may lack others.
+    for (std::size_t k = 0; k < record.quantities.size(); ++k)
+      if (record.quantities[k].form.optional)
+        records[record.name]["quantities"][k]["optional"] = true;
+    return;
+  }
   Json& json = records[record.name];
   json["meaning"] = record.meaning;
   for (const QuantityInfo& q : record.quantities) json["quantities"].push_back(quantity_json(q));
@@ -103,6 +109,7 @@ std::vector<DocumentRecord> records_at(std::span<const Place> places) {
     added.title = words_of(key);
     added.meaning = place.meaning;
     added.record = place.record;
+    added.form.optional = true;
   }
   return records;
 }

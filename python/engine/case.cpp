@@ -1,16 +1,20 @@
 #include "python/engine/case.h"
 
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <filesystem>
+#include <map>
 #include <utility>
 
 #include "prs/export/system_model.h"
 #include "prs/input/document.h"
+#include "prs/input/force_history.h"
 #include "prs/input/reader.h"
+#include "prs/input/written_case.h"
 #include "prs/output/staged_file.h"
 #include "prs/page/page.h"
 #include "prs/run/commands.h"
@@ -29,11 +33,36 @@ input::Source load(const std::string& file, std::vector<std::string> overrides) 
   return source;
 }
 
+using Files = std::map<std::string, nb::bytes>;
+
+std::optional<Files> files_of(const input::Source& source) {
+  if (!source.files) return std::nullopt;
+  Files files;
+  for (const auto& [name, text] : *source.files)
+    files.emplace(name, nb::bytes(text.data(), text.size()));
+  return files;
+}
+
+input::Source of_text(std::string name, std::string text, std::vector<std::string> overrides,
+                      const std::string& folder, const std::optional<Files>& files) {
+  input::Source source =
+      input::source_of_text(std::move(name), std::move(text), std::move(overrides), folder);
+  if (files) source.files.emplace();
+  if (files)
+    for (const auto& [file, content] : *files)
+      source.files->emplace(file, std::string(content.c_str(), content.size()));
+  return source;
+}
+
 }  // namespace
 
 CaseSource::CaseSource(input::Source source)
     : source_(std::make_shared<const input::Source>(std::move(source))) {
-  input(Command::check);
+  const std::shared_ptr<const input::CaseInput> read = input(Command::check);
+  if (!read->values.life || !read->values.life->history) return;
+  const GilRelease released;
+  source_ = std::make_shared<const input::Source>(
+      input::with_files(*source_, *read->values.life->history));
 }
 
 std::shared_ptr<const input::CaseInput> CaseSource::input(Command command) const {
@@ -53,7 +82,8 @@ std::shared_ptr<Document> CaseSource::run(const AnyAnalysis& row) const {
       [delivery, source = source_, command = row.command] {
         return delivery->document(document_info(*source, command));
       },
-      delivery->pictures ? keeping(delivery->pictures(), delivery) : Pictures{});
+      delivery->pictures ? keeping(delivery->pictures(), delivery) : Pictures{},
+      delivery->converged);
 }
 
 bool CaseSource::report(const std::string& file, const std::vector<std::string>& results) const {
@@ -110,18 +140,16 @@ std::vector<std::string> CaseSource::export_model(const std::string& file,
 void bind_case(nb::module_& module) {
   nb::class_<input::Source>(module, "Source", "A case as it was written.")
       .def_static(
-          "of_text",
-          [](std::string name, std::string text, std::vector<std::string> overrides,
-             const std::string& folder) {
-            return input::source_of_text(std::move(name), std::move(text), std::move(overrides),
-                                         folder);
-          },
-          nb::arg("name"), nb::arg("text"), nb::arg("overrides"), nb::arg("folder"),
-          "A text of at most 1 MiB, which names files in that folder. InputError where it is "
-          "longer.")
+          "of_text", &of_text, nb::arg("name"), nb::arg("text"), nb::arg("overrides"),
+          nb::arg("folder"), nb::arg("files").none() = nb::none(),
+          "A text of at most 1 MiB, which names files in that folder; those in `files` are not "
+          "read. InputError where it is longer.")
       .def_static("load", &load, nb::arg("file"), nb::arg("overrides"),
                   "Reads a file of at most 1 MiB. InputError where that is not possible.")
       .def_prop_ro("folder", [](const input::Source& source) { return source.folder.string(); })
+      .def_prop_ro("files", &files_of, "Texts of the files that it names, once they are read.")
+      .def("written", &input::written_case,
+           "The text with the overrides written into it; None where one has no place there.")
       .def_ro("name", &input::Source::name)
       .def_prop_ro(
           "text",

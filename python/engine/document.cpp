@@ -1,6 +1,7 @@
 #include "python/engine/document.h"
 
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -174,6 +175,15 @@ void bind_document(nb::module_& module) {
             return keys;
           },
           nb::sig("def keys(self) -> list[str]"))
+      .def("text", [](const Node& node) { return json_text(*node.json); })
+      .def_static(
+          "of_text",
+          [](const std::string& text) {
+            const auto document =
+                std::make_shared<Document>([json = Json::parse(text)] { return json; });
+            return Node{document, &document->json()};
+          },
+          nb::arg("text"), "What `text` gave.")
       .def("__contains__",
            [](const Node& node, const std::string& key) { return node.json->contains(key); })
       .def(
@@ -195,6 +205,7 @@ void bind_document(nb::module_& module) {
           },
           nb::arg("text"), "Reads what `text` gave. ValueError where the text is no document.")
       .def("text", &Document::text)
+      .def_prop_ro("converged", &Document::converged)
       .def("figure", &Document::figure, nb::arg("name"), nb::arg("options") = "{}",
            nb::arg("one_panel") = false,
            "Description of a picture as JSON. ValueError where the result has none.")

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,17 @@ class Document : public std::enable_shared_from_this<Document> {
   using Json = nlohmann::ordered_json;
 
   /// `pictures` keep what they show.
-  explicit Document(std::function<Json()> make, Pictures pictures = {})
-      : make_(std::move(make)), pictures_(std::move(pictures)) {}
+  explicit Document(std::function<Json()> make, Pictures pictures = {},
+                    std::optional<bool> converged = std::nullopt)
+      : make_(std::move(make)), pictures_(std::move(pictures)), converged_(converged) {}
 
   /// A document of the program. Throws std::invalid_argument where the text is none.
   static std::shared_ptr<Document> from_text(const std::string& text);
 
   const Json& json() const;
+
+  /// Whether the command ends with 0; none of a document that was read.
+  std::optional<bool> converged() const { return converged_; }
 
   /// As `--json` prints it.
   std::string text() const;
@@ -44,6 +49,7 @@ class Document : public std::enable_shared_from_this<Document> {
  private:
   mutable std::function<Json()> make_;
   Pictures pictures_;
+  std::optional<bool> converged_;
   mutable std::unique_ptr<const Json> json_;
   mutable std::map<const Json*, std::shared_ptr<const std::vector<double>>> numbers_;
 };

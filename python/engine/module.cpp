@@ -1,9 +1,14 @@
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
 
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "fe/cholesky.h"
@@ -12,6 +17,8 @@
 #include "prs/input/units.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/record/table_units.h"
+#include "prs/run/lists.h"
+#include "prs/run/results_schema.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/version.h"
 #include "python/engine/case.h"
@@ -19,8 +26,26 @@
 #include "python/engine/interpreter_guard.h"
 #include "python/engine/optimization.h"
 #include "python/engine/study.h"
+#include "python/engine/theory.h"
 
 namespace nb = nanobind;
+
+namespace {
+
+/// As `rollerscrew.InputError`, which says its parts.
+void raise_input_errors(const std::exception_ptr& thrown, void*) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const prs::input::InputError& error) {
+    const std::string_view what = error.what();
+    const nb::object text = nb::steal(
+        PyUnicode_DecodeUTF8(what.data(), static_cast<Py_ssize_t>(what.size()), "replace"));
+    const nb::object made = nb::module_::import_("rollerscrew.errors").attr("input_error")(text);
+    PyErr_SetObject(made.type().ptr(), made.ptr());
+  }
+}
+
+}  // namespace
 
 NB_MODULE(_engine, module) {
   using namespace prs;
@@ -28,10 +53,30 @@ NB_MODULE(_engine, module) {
   module.doc() = "The engine of rollerscrew: cases, studies and documents as the program has them.";
   module.attr("version") = kVersion;
   fe::Cholesky::name();  // Loads its library: a fork must not find a thread that is about to.
-  nb::exception<input::InputError>(module, "InputError", PyExc_ValueError);
+  nb::register_exception_translator(raise_input_errors);
   module.def(
       "schema", [] { return json_text(input::schema()); },
       "JSON Schema of the input, as `prs schema` prints it.");
+  module.def(
+      "results_schema", [] { return json_text(results_schema()); },
+      "Every quantity of the results, as `prs schema results` prints it.");
+  module.def(
+      "lubricants", [] { return json_text(lubricants_json()); },
+      "Those known by name, as `prs list lubricants --json` prints them.");
+  module.def(
+      "units", [] { return json_text(units_json()); },
+      "Units of the input, as `prs list units --json` prints them.");
+  module.def(
+      "input_paths",
+      [] {
+        std::vector<std::string> paths;
+        for (const input::InputKey& key : input::input_keys()) paths.push_back(key.path);
+        return paths;
+      },
+      "Paths of all inputs, as `prs list inputs` prints them.");
+  module.def("known_responses", &known_responses, "Every path that a study may record.");
+  module.def("number_in", &input::number_in, nb::arg("value"), nb::arg("unit"),
+             "The number of a value such as `5 mm` in a unit; None where that is not possible.");
   module.def("knows_unit", &input::is_unit, nb::arg("unit"),
              "Whether values may be written in it.");
   module.def(
@@ -52,5 +97,6 @@ NB_MODULE(_engine, module) {
   bind_case(module);
   bind_study(module);
   bind_optimization(module);
+  bind_theory(module);
   shared_matrix_cache().keep_in(cache_directory());
 }

@@ -80,6 +80,11 @@ class StudySource : public std::enable_shared_from_this<StudySource> {
     return {key_of(in_, in_.study.command), in_.source, study().responses, designs(), Shard{}};
   }
 
+  void require_columns(std::size_t columns) const {
+    if (const std::size_t factors = study().factors.size(); columns != factors)
+      throw std::invalid_argument(
+          fmt::format("got {} columns; expected one of each of the {} inputs", columns, factors));
+  }
   void require_designs(std::size_t first, std::size_t count) const {
     if (first > designs() || count > designs() - first)
       throw nb::index_error(
@@ -290,6 +295,24 @@ void bind_study(nb::module_& module) {
           },
           nb::sig("def factor_values(self) -> numpy.typing.NDArray[numpy.float64]"))
       .def(
+          "overrides",
+          [](const StudySource& s, std::size_t design) {
+            s.require_designs(design, 1);
+            return overrides(s.study(), prs::design(s.study(), design));
+          },
+          nb::arg("design"), "What a design sets, as `--set` takes it.")
+      .def(
+          "overrides_of",
+          [](const StudySource& s, const Numbers& numbers) {
+            s.require_columns(numbers.shape(1));
+            if (numbers.shape(0) != 1) throw std::invalid_argument("expected one row");
+            return overrides(s.study(), draws_of(s.study(), numbers.data(), 1).front());
+          },
+          nb::arg("numbers"),
+          nb::sig("def overrides_of(self, numbers: numpy.typing.NDArray[numpy.float64]) -> "
+                  "list[str]"),
+          "What one row of numbers sets.")
+      .def(
           "record",
           [](const StudySource& s, std::size_t first, std::size_t count) {
             s.require_designs(first, count);
@@ -329,14 +352,21 @@ void bind_study(nb::module_& module) {
           nb::sig("def run(self, threads: int, progress: collections.abc.Callable[[int, int], "
                   "object] | None) -> StudyRows"))
       .def(
+          "answer",
+          [](const StudySource& s, const Numbers& numbers) {
+            s.require_columns(numbers.shape(1));
+            const GilRelease released;
+            Supervision supervision;
+            return evaluate(s, numbers.data(), numbers.shape(0), 1, supervision);
+          },
+          nb::arg("numbers"),
+          nb::sig("def answer(self, numbers: numpy.typing.NDArray[numpy.float64]) -> Designs"),
+          "A few designs, by this thread.")
+      .def(
           "evaluate",
           [](const StudySource& s, const Numbers& numbers, std::size_t threads,
              const nb::object& progress) {
-            const std::size_t factors = s.study().factors.size();
-            if (numbers.shape(1) != factors)
-              throw std::invalid_argument(
-                  fmt::format("got {} columns; expected one of each of the {} inputs",
-                              numbers.shape(1), factors));
+            s.require_columns(numbers.shape(1));
             return beside_interpreter(
                 [&](Supervision& supervision) {
                   return evaluate(s, numbers.data(), numbers.shape(0), threads, supervision);

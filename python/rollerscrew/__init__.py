@@ -1,31 +1,41 @@
 """Planetary roller screws: load distribution, stiffness, contact, slip, life and design.
 
 >>> import rollerscrew as rs
->>> case = rs.Case.from_yaml("configs/01_config_1_to_3.yaml")
->>> case.solve().load_cases[0].axial_stiffness_N_per_um
+>>> rs.lesson(1).solve().load_cases[0].axial_stiffness_N_per_um
+>>> rs.new("standard", screw_diameter="25 mm", lead="5 mm").check()
 """
 
 from rollerscrew import records, results
-from rollerscrew._engine import InputError, schema
+from rollerscrew._engine import schema
 from rollerscrew._engine import version as __version__
 from rollerscrew.cad import export_step
 from rollerscrew.case import Case, explore
 from rollerscrew.designs import Designs
+from rollerscrew.errors import InputError, InputProblem, MissingFileError
+from rollerscrew.function import Function
+from rollerscrew.library import configurations, lesson, lessons, lubricants, new, units
 from rollerscrew.record import Record, Values
 from rollerscrew.results import *  # noqa: F403
 
 __all__ = [
     "Case",
     "Designs",
+    "Function",
     "InputError",
+    "InputProblem",
+    "MissingFileError",
     "Record",
     "Values",
     "__version__",
+    "configurations",
     "explore",
     "export_step",
+    "lesson",
+    "lessons",
+    "lubricants",
+    "new",
     "records",
     "schema",
+    "units",
 ]
 __all__ += results.__all__
-
-InputError.__module__ = __name__

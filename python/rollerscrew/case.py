@@ -4,22 +4,51 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import reprlib
 import tempfile
 import webbrowser
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 from rollerscrew import _engine
-from rollerscrew.designs import Designs, evaluate, study_rows, thread_count
+from rollerscrew.designs import (
+    COMMAND_BLOCKS,
+    Designs,
+    OnError,
+    SourceParts,
+    batches,
+    evaluate,
+    history_columns,
+    parts_of,
+    response_in,
+    response_needs,
+    study_rows,
+    thread_count,
+)
+from rollerscrew.frames import frame_of
+from rollerscrew.function import Function
 from rollerscrew.progress import Progress, progress_callback
+from rollerscrew.record import Record, Result
 from rollerscrew.records import Command
-from rollerscrew.results import Analyses, DerivativesResult, OptimizationResult, StudyResult
-from rollerscrew.values import case_text, checked_text, override_text
+from rollerscrew.results import (
+    Analyses,
+    DerivativesResult,
+    LifeResult,
+    OptimizationResult,
+    StudyResult,
+)
+from rollerscrew.values import case_text, checked_text, number_text, override_text
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _FILE = "<case>"
+
+#: Stands for the file of a history that is given as arrays.
+_HISTORY = "history of arrays.csv"
 
 
 class Case(Analyses):
@@ -29,8 +58,12 @@ class Case(Analyses):
     >>> case.with_({"mechanism.rollers": 9}).solve().load_cases[0].axial_stiffness_N_per_um
 
     `blocks` are those of a file: dictionaries whose values are texts with their unit (`"45 kN"`),
-    pint quantities, numbers, lists. Cases do not change; `with_` gives another one. They may be
-    shared between threads, pickled and sent to other processes.
+    numbers and their unit (`(45, "kN")`), pint quantities, numbers, lists. `resolved_input` of a
+    result is a case too. Cases do not change; `with_` gives another one. The files that a case
+    names are read when it is made, and are part of it. Cases may be shared between threads, pickled
+    and sent to other processes.
+
+    `case["mechanism.lead"]` is a value as it was written, or its default.
 
     Raises InputError, with the text of `prs check`, where something is wrong. For a case from
     dictionaries line numbers are those of `text`.
@@ -38,7 +71,9 @@ class Case(Analyses):
 
     __slots__ = ("_case",)
 
-    def __init__(self, blocks: Mapping[str, Any], *, name: str = _FILE) -> None:
+    def __init__(self, blocks: Mapping[str, Any] | Record, *, name: str = _FILE) -> None:
+        if isinstance(blocks, Record):
+            blocks = blocks.to_dict()
         if not isinstance(blocks, Mapping):
             raise TypeError(
                 f"got {type(blocks).__name__}; expected a dictionary of blocks such as "
@@ -74,8 +109,65 @@ class Case(Analyses):
         source = self._case.source
         changed = [*_overrides({} if values is None else values), *_overrides(blocks)]
         return self._from_source(
-            _source(source.name, source.text, [*source.overrides, *changed], source.folder)
+            _source(
+                source.name,
+                source.text,
+                [*source.overrides, *changed],
+                source.folder,
+                source.files,
+            )
         )
+
+    def __getitem__(self, path: str) -> Any:
+        """The value at a path as it was written, `5 mm`, or its default; a block is a dictionary.
+
+        Entries of lists have their place or their name: `load_cases[pull].axial_force`.
+        """
+        value: Any = self.check().resolved_input.to_dict()
+        for step in _steps(path):
+            try:
+                value = value[_place(value, step) if isinstance(value, list) else step]
+            except (KeyError, IndexError, TypeError):
+                raise KeyError(f"{path!r}: this case has no {step!r} there") from None
+        return value
+
+    def __contains__(self, path: object) -> bool:
+        try:
+            self[path]  # type: ignore[index]
+        except (KeyError, TypeError):
+            return False
+        return True
+
+    def number(self, path: str, unit: str = "") -> float:
+        """The number at a path in a unit: `case.number("mechanism.lead", "mm")`."""
+        value = self[path]
+        number = _engine.number_in(value if isinstance(value, str) else repr(value), unit)
+        if number is None:
+            raise ValueError(
+                f"{path}: got {value!r} and the unit {unit!r}; expected a unit that the value can "
+                "be converted to; `rollerscrew.units()` lists them"
+            )
+        return number
+
+    def to_yaml(self, file: str | os.PathLike[str] | None = None) -> str:
+        """The text of the case with what `with_` changed written into it, comments and all.
+
+        Written to `file` too, if one is given; the files that the case names are written beside it.
+        """
+        text = self._case.source.written()
+        if text is None:
+            raise ValueError(
+                f"a value of {self!r} cannot be written into the text in its place; write "
+                "`resolved_input` of a result instead"
+            )
+        if file is not None:
+            path = Path(_file_name(file))
+            for name, content in (self._case.source.files or {}).items():
+                if not os.path.isabs(name):
+                    (path.parent / name).parent.mkdir(parents=True, exist_ok=True)
+                    (path.parent / name).write_bytes(content)
+            path.write_text(text, encoding="utf-8")
+        return text
 
     @property
     def name(self) -> str:
@@ -184,6 +276,30 @@ class Case(Analyses):
             return DerivativesResult(study.derivatives())._of(self)
         return StudyResult(rows.document(), None, study, rows)._of(self)
 
+    def life(
+        self, *, history: Mapping[str, Any] | pd.DataFrame | None = None, **options: Any
+    ) -> LifeResult:
+        """Life under a load history or spectrum, static safety.
+
+        `history` takes the place of that of the file: arrays `force` and, where they are known,
+        `position` or `speed`, and `time`, each with its unit: `{"force": (forces, "kN"), ..}`; or a
+        frame with such columns, their units in the names: `force_kN`. `options` are those of the
+        block `life.history`: `interval`, `hysteresis`, `bins`.
+        """
+        case = self if history is None else self._with_history(history, options)
+        return LifeResult._answer(case, "life")
+
+    def _with_history(self, history: Any, options: Mapping[str, Any]) -> Self:
+        columns = history_columns(history)
+        rows = zip(*(numbers for numbers, _ in columns.values()), strict=True)
+        text = ",".join(columns) + "\n"
+        text += "".join(",".join(map(number_text, row)) + "\n" for row in rows)
+        named = {name: {"column": name, "unit": unit} for name, (_, unit) in columns.items()}
+        name, case, overrides, folder, _ = self._parts()
+        block = {"file": _HISTORY, **named, **options}
+        changed = [*overrides, f"life.history={override_text(block)}"]
+        return self._from_source(_source(name, case, changed, folder, {_HISTORY: text.encode()}))
+
     def optimize(
         self, *, threads: int | None = None, progress: Progress = None
     ) -> OptimizationResult:
@@ -194,17 +310,18 @@ class Case(Analyses):
         )
         if chosen is None:
             return OptimizationResult(document)._of(self)
-        best = _source(f"{source.name} (optimized)", chosen, [], source.folder)
+        best = _source(f"{source.name} (optimized)", chosen, [], source.folder, source.files)
         return OptimizationResult(document, Case._from_source(best))._of(self)
 
     def evaluate(
         self,
-        inputs: Mapping[str, Any],
+        inputs: Mapping[str, Any] | pd.DataFrame,
         responses: Sequence[str] | None = None,
         *,
-        command: Command = "solve",
+        command: Command | Literal["preload"] = "solve",
         threads: int | None = None,
         progress: Progress = None,
+        on_error: OnError = "raise",
     ) -> Designs:
         """Answers many designs in one call: one for each element of the arrays in `inputs`.
 
@@ -212,20 +329,89 @@ class Case(Analyses):
         ...               ["axial_stiffness_N_per_um", "screw.peak_pressure_MPa.max"])
 
         `inputs` gives each path, as `--set` takes it, an array of numbers with its unit, a pint
-        array, or a list of what may stand there; single values are those of all designs.
-        `responses` are paths into the document of the command: those of the first load case may
-        leave `load_cases[0].` out, arrays take `[k]`, `.max`, `.min` and `.mean`. Without them
-        those that a study records are.
+        array, or a list of what may stand there; single values are those of all designs. A frame
+        does, too, with units in the names of its columns: `mechanism.lead_mm`.
+        `responses` are paths into the document of the command, see `Case.responses`: those of the
+        first load case may leave `load_cases[0].` out, others name theirs
+        (`load_cases[pull].axial_stiffness_N_per_um`), arrays are taken whole or with `[k]`, `.max`,
+        `.min` or `.mean`. Without them those that a study records are. `preload` has no such
+        default, and runs its designs one by one.
 
         Warns of inputs that move no load and no stiffness, as the case overrides what they give.
-        Raises InputError where a value cannot stand at its path, and ValueError for numbers that
-        are not finite or lengths that differ.
+        Raises InputError where a value cannot stand at its path, which with `on_error="row"` is a
+        row with its reason, and ValueError for numbers that are not finite or lengths that differ.
         """
-        return evaluate(self._case.source, inputs, responses, command, threads, progress)
+        return evaluate(self, inputs, responses, command, threads, progress, on_error)
+
+    def evaluate_to_parquet(
+        self,
+        file: str | os.PathLike[str],
+        inputs: Mapping[str, Any] | pd.DataFrame | Iterable[Mapping[str, Any] | pd.DataFrame],
+        responses: Sequence[str] | None = None,
+        *,
+        batch: int = 100_000,
+        **options: Any,
+    ) -> int:
+        """Writes the frames of `evaluate` into a Parquet file, batch by batch; how many designs.
+
+        `inputs` are those of `evaluate`, or an iterable of such batches, of which one is in memory
+        at a time. Needs pyarrow.
+        """
+        import pyarrow
+        import pyarrow.parquet
+
+        count, writer = 0, None
+        try:
+            for piece in batches(inputs, batch):
+                frame = self.evaluate(piece, responses, **options).to_frame()
+                table = pyarrow.Table.from_pandas(frame, preserve_index=False)
+                writer = writer or pyarrow.parquet.ParquetWriter(_file_name(file), table.schema)
+                writer.write_table(table)
+                count += len(frame)
+        finally:
+            if writer is not None:
+                writer.close()
+        return count
+
+    def function(
+        self,
+        inputs: Sequence[str] | Mapping[str, str],
+        responses: Sequence[str],
+        command: Command = "solve",
+    ) -> Function:
+        """The case as a function of numbers, compiled once.
+
+        >>> f = case.function(["mechanism.lead", "load_cases[0].axial_force"],
+        ...                   ["axial_stiffness_N_per_um"])
+        >>> f(f.x0), f.jacobian(f.x0)
+
+        `f(x)` of the n inputs of one design gives its m responses, of k x n gives k x m. Numbers
+        are in the units of the documents, `f.units`: mm, N, deg; `{path: unit}` asks for others.
+        """
+        return Function(self, inputs, responses, command)
+
+    def responses(self, command: Command = "solve") -> pd.DataFrame:
+        """What `evaluate` may answer for this case by a command, one row per path.
+
+        `defined` says whether the case has it, `needs` what it must state for what it has not.
+        """
+        result: Result = getattr(self, command)()
+        rows = []
+        for path in _engine.known_responses():
+            title, unit = _engine.response_title(path)
+            defined = response_in(result, path) is not None
+            needs = "" if defined else response_needs(path)
+            block = path.partition(".")[0]
+            if defined or needs or block in result or block in COMMAND_BLOCKS[command]:
+                rows.append(
+                    {"path": path, "unit": unit, "title": title, "defined": defined, "needs": needs}
+                )
+        return frame_of(rows)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        name, text, overrides, folder = self._parts()
-        return _restore, (type(self), name, text, list(overrides), folder)
+        name, text, overrides, folder, files = self._parts()
+        kept = None if files is None else dict(files)
+        return _restore, (type(self), name, text, list(overrides), folder, kept)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):
@@ -235,24 +421,57 @@ class Case(Analyses):
     def __hash__(self) -> int:
         return hash(self._parts())
 
-    def _parts(self) -> tuple[str, str, tuple[str, ...], str]:
-        source = self._case.source
-        return source.name, source.text, tuple(source.overrides), source.folder
+    def _parts(self) -> SourceParts:
+        return parts_of(self._case.source)
 
     def __repr__(self) -> str:
         changed = "".join(f", {override}" for override in self.overrides)
         return f"<Case {self.name}{changed}>"
 
 
-def _restore(kind: type[Case], name: str, text: str, overrides: list[str], folder: str) -> Case:
-    return kind._from_source(_source(name, text, overrides, folder))
+def _restore(
+    kind: type[Case],
+    name: str,
+    text: str,
+    overrides: list[str],
+    folder: str,
+    files: dict[str, bytes] | None,
+) -> Case:
+    return kind._from_source(_source(name, text, overrides, folder, files))
 
 
-def _source(name: str, text: str, overrides: list[str], folder: str) -> _engine.Source:
-    """A case that looks for the files it names in `folder`."""
+def _source(
+    name: str,
+    text: str,
+    overrides: list[str],
+    folder: str,
+    files: dict[str, bytes] | None = None,
+) -> _engine.Source:
+    """A case that looks in `folder` for files that it names and that are not in `files`."""
     return _engine.Source.of_text(
-        checked_text("name", name), checked_text("text", text), overrides, folder
+        checked_text("name", name), checked_text("text", text), overrides, folder, files
     )
+
+
+_STEP = re.compile(r"\.?([^.\[\]]+)|\[([^\[\]]+)\]")
+
+
+def _steps(path: str) -> list[str]:
+    """`load_cases[0].axial_force` -> `load_cases`, `0`, `axial_force`."""
+    if not isinstance(path, str):
+        raise TypeError(f"path: got {path!r}; expected a text such as 'mechanism.lead'")
+    found = list(_STEP.finditer(path))
+    if not found or "".join(each.group(0) for each in found) != path:
+        raise KeyError(f"{path!r}; expected a path such as 'load_cases[0].axial_force'")
+    return [each.group(1) or each.group(2) for each in found]
+
+
+def _place(entries: list[Any], step: str) -> int:
+    """The place of an entry by its number or its name."""
+    if step.isdigit():
+        return int(step)
+    names = [entry.get("name") if isinstance(entry, dict) else None for entry in entries]
+    return names.index(step) if step in names else len(entries)
 
 
 def _folder(name: str) -> str:

@@ -4,24 +4,26 @@ from __future__ import annotations
 
 import operator
 import os
+import re
 import reprlib
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, as_completed
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 import numpy.typing as npt
-import pandas as pd
 
 from rollerscrew import _engine
+from rollerscrew.errors import InputError, InputProblem
 from rollerscrew.progress import Progress, progress_callback
 from rollerscrew.records import Command
 from rollerscrew.values import (
     checked_text,
     is_quantity,
+    is_with_unit,
     number_text,
     override_text,
     plain,
@@ -29,7 +31,11 @@ from rollerscrew.values import (
 )
 
 if TYPE_CHECKING:
+    import pandas as pd
+    import xarray
     from matplotlib.axes import Axes
+
+    from rollerscrew.case import Case
 
 #: Whole numbers up to so many different ones are counts; arrays with more are quantities.
 _MOST_COUNTS = 10_000
@@ -37,53 +43,222 @@ _MOST_COUNTS = 10_000
 #: An executor gets about so many pieces of a study, so that none of its workers waits long.
 _PIECES = 256
 
+#: Name, text, overrides, folder and the files that it names of a source.
+SourceParts = tuple[str, str, tuple[str, ...], str, tuple[tuple[str, bytes], ...] | None]
+
+#: The blocks of its own that the document of a command has, and its load cases.
+COMMAND_BLOCKS: dict[str, set[str]] = {
+    "contact": {"contact", "threads"},
+    "solve": {"screw", "nut"},
+    "slip": {"screw", "nut", "slip", "heat"},
+    "life": {"life"},
+    "measures": {"screw", "nut", "measures"},
+}
+
+#: What a design whose inputs cannot stand in the case does: it ends the call, or it is a row.
+OnError = Literal["raise", "row"]
+
+
+def parts_of(source: _engine.Source) -> SourceParts:
+    files = source.files
+    return (
+        source.name,
+        source.text,
+        tuple(source.overrides),
+        source.folder,
+        None if files is None else tuple(sorted(files.items())),
+    )
+
+
+def source_of(parts: SourceParts, more: Iterable[str] = ()) -> _engine.Source:
+    """The source, with further overrides."""
+    name, text, overrides, folder, files = parts
+    kept = None if files is None else dict(files)
+    return _engine.Source.of_text(name, text, [*overrides, *more], folder, kept)
+
+
+@dataclass(frozen=True, eq=False)
+class Origin:
+    """Where designs come from: `case` of the whole, `study` of the source that varies it."""
+
+    case: SourceParts
+    study: SourceParts
+    rows: npt.NDArray[Any]  #: Numbers of designs of a study, or what each design sets, a row each.
+
+    def overrides(self, place: int) -> list[str]:
+        study = _prepared(self.study, os.getpid())
+        if self.rows.ndim == 1:
+            return study.overrides(int(self.rows[place]))
+        return study.overrides_of(np.ascontiguousarray(self.rows[place : place + 1]))
+
 
 @dataclass(frozen=True, eq=False)
 class Designs:
-    """Answers of many designs, a row each, in the order in which they were asked for."""
+    """Answers of many designs, a row each, in the order in which they were asked for.
+
+    `designs["axial_stiffness_N_per_um"]` is the array of a response, `designs[mask]` the designs
+    that a mask, a slice or places choose, `designs.case(i)` the case of one of them.
+    """
 
     inputs: pd.DataFrame  #: What the designs differ in; units stand in the names of the columns.
     responses: tuple[str, ...]
     values: npt.NDArray[np.float64]  #: designs x responses, read-only; NaN where there is none.
     status: npt.NDArray[np.object_]  #: `converged`, or how the design ended.
     reason: npt.NDArray[np.object_]  #: Empty where converged.
+    origin: Origin | None = None
 
     def __post_init__(self) -> None:
         for array in (self.values, self.status, self.reason):
             array.flags.writeable = False
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Designs, (self.inputs, self.responses, self.values, self.status, self.reason)
+        parts = (self.inputs, self.responses, self.values, self.status, self.reason, self.origin)
+        return Designs, parts
 
     def __len__(self) -> int:
         return len(self.values)
 
     def __repr__(self) -> str:
         converged = int(self.converged.sum())
-        return f"<Designs: {len(self)}, {converged} converged; {', '.join(self.responses)}>"
+        shown = reprlib.repr(list(self._whole_responses()))[1:-1].replace("'", "")
+        return f"<Designs: {len(self)}, {converged} converged; {shown}>"
 
-    def __getitem__(self, response: str) -> npt.NDArray[np.float64]:
-        """The values of one response, read-only."""
-        try:
-            return self.values[:, self.responses.index(response)]
-        except ValueError:
-            raise KeyError(f"{response!r}; there is {', '.join(self.responses)}") from None
+    def _repr_html_(self) -> str:
+        from rollerscrew.html import designs_html
+
+        return designs_html(self)
+
+    @overload
+    def __getitem__(self, chosen: str) -> npt.NDArray[np.float64]: ...
+    @overload
+    def __getitem__(self, chosen: slice | Sequence[int] | npt.NDArray[Any]) -> Designs: ...
+    def __getitem__(self, chosen: Any) -> npt.NDArray[np.float64] | Designs:
+        if not isinstance(chosen, str):
+            return self._chosen(chosen)
+        if chosen in self.responses:
+            return self.values[:, self.responses.index(chosen)]
+        whole = self._whole_responses().get(chosen)
+        if whole is None:
+            known = ", ".join(self._whole_responses())
+            raise KeyError(f"{chosen!r}; there is {known}")
+        array = self.values[:, whole]
+        array.flags.writeable = False
+        return array
+
+    def _whole_responses(self) -> dict[str, list[int]]:
+        """The columns of each response: those of an array together, under its path."""
+        columns: dict[str, list[int]] = {}
+        for place, response in enumerate(self.responses):
+            columns.setdefault(_ENTRY.sub("", response), []).append(place)
+        whole = {}
+        for name, places in columns.items():
+            if len(places) > 1:
+                whole[name] = places
+            else:
+                whole[self.responses[places[0]]] = places
+        return whole
+
+    def _chosen(self, rows: Any) -> Designs:
+        places = np.arange(len(self))[rows if isinstance(rows, slice) else np.asarray(rows)]
+        if places.ndim != 1:
+            raise TypeError(f"got {rows!r}; expected a response, a slice, a mask or places")
+        origin = self.origin and replace(self.origin, rows=self.origin.rows[places])
+        return Designs(
+            self.inputs.iloc[places].reset_index(drop=True),
+            self.responses,
+            self.values[places],
+            self.status[places],
+            self.reason[places],
+            origin,
+        )
 
     @property
     def converged(self) -> npt.NDArray[np.bool_]:
         return np.asarray(self.status == "converged", dtype=np.bool_)
 
-    def plot(self, x: str, y: str, colour: str | None = None, ax: Axes | None = None) -> Axes:
-        """Converged designs as points: an input or response over another, coloured by a third."""
+    def case(self, design: int) -> Case:
+        """The case of one design, as `with_` would give it."""
+        from rollerscrew.case import Case
+
+        if self.origin is None:
+            raise ValueError("designs that were read from JSON have no case; run them again")
+        place = range(len(self))[operator.index(design)]
+        return Case._from_source(source_of(self.origin.case, self.origin.overrides(place)))
+
+    def best(self, response: str, *, largest: bool = False) -> int:
+        """The place of the converged design with the smallest value of a response, or the largest.
+
+        >>> designs.case(designs.best("axial_stiffness_N_per_um", largest=True))
+        """
+        values = np.where(self.converged, self[response], np.nan)
+        if values.ndim > 1:
+            raise ValueError(f"{response}: got an array; expected a number such as {response}.max")
+        if not np.isfinite(values).any():
+            raise ValueError(f"no design converged with a value of {response}")
+        return int(np.nanargmax(values) if largest else np.nanargmin(values))
+
+    def plot(
+        self,
+        x: str,
+        y: str,
+        colour: str | None = None,
+        ax: Axes | None = None,
+        *,
+        label: str | None = None,
+        color: Any = None,
+    ) -> Axes:
+        """Converged designs as points: an input or response over another, coloured by a third.
+
+        `label` and `color` as `rollerscrew.plots.draw` has them.
+        """
         from rollerscrew import plots
 
-        return plots.draw(_cloud(self, x, y, colour), ax)
+        return plots.draw(_cloud(self, x, y, colour), ax, label=label, color=color)
 
     def to_frame(self) -> pd.DataFrame:
         """Inputs, status, reason and responses, one row per design: the columns of `study.csv`."""
-        outcome = pd.DataFrame({"status": self.status, "reason": self.reason})
+        import pandas as pd
+
+        status, reason = (pd.Series(each, dtype="str") for each in (self.status, self.reason))
+        outcome = pd.DataFrame({"status": status, "reason": reason})
         answers = pd.DataFrame(self.values, columns=list(self.responses))
         return pd.concat([self.inputs, outcome, answers], axis=1)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Responses over the inputs: where these form a grid, each is a dimension.
+
+        Else there is one dimension, `design`, with the inputs as coordinates. Arrays of threads have
+        the dimension `thread`; the number of the first thread is 1.
+        """
+        import xarray
+
+        names = [str(name) for name in self.inputs]
+        levels = {name: np.unique(self.inputs[name].to_numpy()) for name in names}
+        shape = tuple(len(values) for values in levels.values())
+        dims: tuple[str, ...] = tuple(levels)
+        coordinates: dict[str, Any] = dict(levels)
+        places = [np.searchsorted(levels[name], self.inputs[name].to_numpy()) for name in names]
+        order = np.full(shape, -1)
+        order[tuple(places)] = np.arange(len(self))
+        if not shape or np.prod(shape) != len(self) or (order < 0).any():
+            dims, order = ("design",), np.arange(len(self))
+            coordinates = {name: ("design", self.inputs[name].to_numpy()) for name in names}
+        data: dict[str, Any] = {}
+        for name, columns in self._whole_responses().items():
+            values = self.values[order][..., columns]
+            title, unit = _engine.response_title(self.responses[columns[0]])
+            said = {"long_name": title, "units": unit}
+            if len(columns) == 1:
+                data[name] = (dims, values[..., 0], said)
+            else:
+                data[name] = ((*dims, "thread"), values, said)
+                coordinates["thread"] = np.arange(1, len(columns) + 1)
+        data["status"] = (dims, self.status[order].astype(str))
+        return xarray.Dataset(data, coordinates)
+
+
+#: The last place in a path: `screw.load_rate_percent[3]`.
+_ENTRY = re.compile(r"\[\d+\]$")
 
 
 def _cloud(answers: Designs, x: str, y: str, colour: str | None) -> dict[str, Any]:
@@ -125,17 +300,28 @@ def _numbers(answers: Designs, name: str) -> npt.NDArray[np.float64]:
     return column.to_numpy(dtype=np.float64)
 
 
-def designs_of(inputs: pd.DataFrame, answers: _engine.Designs) -> Designs:
+def designs_of(
+    inputs: pd.DataFrame, answers: _engine.Designs, origin: Origin | None = None
+) -> Designs:
     status = np.full(answers.count, "converged", dtype=object)
     reason = np.full(answers.count, "", dtype=object)
     for row, name, why in answers.failures:
         status[row], reason[row] = name, why
-    return Designs(inputs, tuple(answers.responses), answers.values, status, reason)
+    return Designs(inputs, tuple(answers.responses), answers.values, status, reason, origin)
+
+
+def study_designs(source: _engine.Source, study: _engine.Study, rows: _engine.StudyRows) -> Designs:
+    """What the designs of a study set and answer, the base case first."""
+    answers = rows.designs()
+    parts = parts_of(source)
+    return designs_of(study_inputs(study), answers, Origin(parts, parts, np.arange(answers.count)))
 
 
 def study_inputs(study: _engine.Study) -> pd.DataFrame:
     """What the designs of a study set, a row each."""
-    columns = {}
+    import pandas as pd
+
+    columns: dict[str, Any] = {}
     values = study.factor_values()
     for column, (name, words) in enumerate(
         zip(study.factor_names(), study.factor_words(), strict=True)
@@ -146,20 +332,47 @@ def study_inputs(study: _engine.Study) -> pd.DataFrame:
 
 
 def evaluate(
-    source: _engine.Source,
-    inputs: Mapping[str, Any],
+    case: Case,
+    inputs: Any,
     responses: Sequence[str] | None,
-    command: Command,
+    command: Command | Literal["preload"],
     threads: int | None,
     progress: Progress,
+    on_error: OnError,
 ) -> Designs:
     """See `Case.evaluate`."""
-    if not isinstance(inputs, Mapping) or not inputs:
-        raise TypeError(
-            "expected a dictionary of arrays, such as {'mechanism.lead': (leads, 'mm')}"
-        )
     if isinstance(responses, str):
         raise TypeError(f"got the text {responses!r}; expected a list of responses")
+    if on_error not in ("raise", "row"):
+        raise ValueError(f"on_error: got {on_error!r}; expected 'raise' or 'row'")
+    constants, columns = _columns(inputs)
+    count = len(next(iter(columns.values())).numbers)
+    if command == "preload":
+        answered = _preload_rows(case, constants, columns, responses, on_error)
+    else:
+        paths = None if responses is None else _with_entries(case, list(responses), command)
+        prepared = _Evaluation(parts_of(case._case.source), constants, columns, paths, command)
+        rows = np.arange(count)
+        if on_error == "row":
+            answered = prepared.each_row(rows, thread_count(threads))
+        else:
+            study = prepared.study(rows)
+            for text in study.warnings:
+                warnings.warn(text, stacklevel=3)
+            answered = prepared.answered(
+                study, rows, thread_count(threads), progress_callback(progress)
+            )
+    return answered
+
+
+def _columns(inputs: Any) -> tuple[list[str], dict[str, _Column]]:
+    """What all designs have, as overrides, and what they differ in."""
+    if hasattr(inputs, "columns") and hasattr(inputs, "to_dict"):
+        inputs = _inputs_of_frame(inputs)
+    if not isinstance(inputs, Mapping) or not inputs:
+        raise TypeError(
+            "expected a dictionary of arrays, such as {'mechanism.lead': (leads, 'mm')}, or a frame"
+        )
     constants = [
         f"{checked_text('path', path)}={override_text(value)}"
         for path, value in inputs.items()
@@ -178,42 +391,414 @@ def evaluate(
             "expected arrays of one length; got "
             + ", ".join(f"{count} of {path}" for path, count in lengths.items())
         )
-    plan: dict[str, Any] = {
-        "command": command,
-        "plan": "monte_carlo",
-        "samples": 1,
-        "factors": [column.factor for column in columns.values()],
-    }
-    if responses is not None:
-        plan["responses"] = list(responses)
-    study = _engine.Study(
-        _engine.Source.of_text(
-            source.name,
-            source.text,
-            [*source.overrides, *constants, f"study={override_text(plan)}"],
-            source.folder,
-        )
-    )
-    for text in study.warnings:
-        warnings.warn(text, stacklevel=3)
-    numbers = np.column_stack([column.numbers for column in columns.values()])
-    answers = study.evaluate(numbers, thread_count(threads), progress_callback(progress))
-    frame = pd.DataFrame(
-        {
-            name if isinstance(column.shown, np.ndarray) else path: column.shown
-            for name, (path, column) in zip(study.factor_names(), columns.items(), strict=True)
+    return constants, columns
+
+
+def _inputs_of_frame(frame: Any) -> dict[str, Any]:
+    """The columns of a frame; units stand in their names: `mechanism.lead_mm`."""
+    inputs: dict[str, Any] = {}
+    for name in frame.columns:
+        column = frame[name]
+        path, unit = _path_and_unit(checked_text("column", name))
+        if hasattr(column, "pint"):
+            inputs[path] = column.pint.quantity
+        elif unit:
+            inputs[path] = (column.to_numpy(), unit)
+        elif column.dtype.kind in "fiu":
+            inputs[path] = column.to_numpy()
+        else:
+            inputs[path] = column.tolist()
+    return inputs
+
+
+def _path_and_unit(name: str) -> tuple[str, str]:
+    """`mechanism.lead` and `mm` of `mechanism.lead_mm`."""
+    keys = _unit_keys()
+    for place, character in enumerate(name):
+        if character == "_" and name[place + 1 :] in keys and name[:place] in _known_paths():
+            return name[:place], keys[name[place + 1 :]]
+    plain_path = re.sub(r"\[[^\]]*\]", "[]", name)
+    for place, character in enumerate(plain_path):
+        if (
+            character == "_"
+            and plain_path[place + 1 :] in keys
+            and plain_path[:place] in _known_paths()
+        ):
+            unit = plain_path[place + 1 :]
+            return name[: -len(unit) - 1], keys[unit]
+    return name, ""
+
+
+@lru_cache(maxsize=1)
+def _unit_keys() -> dict[str, str]:
+    """The units of the input by how they stand in names: `N_per_mm`."""
+    import json
+
+    units: dict[str, str] = {}
+    for quantity in json.loads(_engine.units())["quantities"]:
+        for spellings in quantity["units"]:
+            for unit in spellings:
+                units.setdefault(_engine.unit_key(unit), unit)
+    return units
+
+
+@lru_cache(maxsize=1)
+def _known_paths() -> frozenset[str]:
+    """The paths of all inputs, `[]` for the places of lists."""
+    return frozenset(_engine.input_paths())
+
+
+def _with_entries(case: Case, responses: list[str], command: Command) -> list[str]:
+    """The responses with each entry of whole arrays: `screw.load_rate_percent`."""
+    if all(not isinstance(each, str) or _is_number_path(each) for each in responses):
+        return responses
+    result = getattr(case, command)()
+    paths = []
+    for response in responses:
+        value = response_in(result, response) if isinstance(response, str) else None
+        if isinstance(value, np.ndarray) and value.ndim == 1:
+            paths += [f"{response}[{k}]" for k in range(len(value))]
+        else:
+            paths.append(response)
+    return paths
+
+
+def _is_number_path(response: str) -> bool:
+    """Whether a path cannot be that of a whole array."""
+    of_load_case = re.sub(r"^load_cases\[[^\]]*\]\.", "", response)
+    return of_load_case.endswith((".max", ".min", ".mean", "]")) or of_load_case in _numbers_known()
+
+
+@lru_cache(maxsize=1)
+def _numbers_known() -> frozenset[str]:
+    return frozenset(_engine.known_responses())
+
+
+def response_in(result: Any, path: str) -> Any:
+    """The value at the path of a response; None where there is none."""
+    steps = [step for step in re.split(r"\.|\[|\]", path) if step]
+    value: Any = result
+    if "load_cases" in result and steps[0] not in result:
+        value = result["load_cases"][0]
+    for step in steps:
+        if isinstance(value, list):
+            names = [each.get("name") for each in value]
+            place = int(step) if step.isdigit() else names.index(step) if step in names else -1
+            value = value[place] if 0 <= place < len(value) else None
+        elif isinstance(value, np.ndarray):
+            if step in ("max", "min", "mean"):
+                value = float(getattr(np, step)(value))
+            else:
+                value = float(value[int(step)])
+        elif value is not None and step in value:
+            value = value[step]
+        else:
+            return None
+    return value
+
+
+@dataclass(frozen=True)
+class _Evaluation:
+    """Designs of a case, as a study that is never run: its factors are the columns."""
+
+    case: SourceParts
+    constants: list[str]
+    columns: dict[str, _Column]
+    responses: list[str] | None
+    command: Command
+
+    def parts(self, rows: npt.NDArray[np.int64]) -> SourceParts:
+        plan: dict[str, Any] = {
+            "command": self.command,
+            "plan": "monte_carlo",
+            "samples": 1,
+            "factors": [column.factor_of(rows) for column in self.columns.values()],
         }
-    )
-    return designs_of(frame, answers)
+        if self.responses is not None:
+            plan["responses"] = self.responses
+        name, text, overrides, folder, files = self.case
+        more = (*overrides, *self.constants, f"study={override_text(plan)}")
+        return name, text, more, folder, files
+
+    def study(self, rows: npt.NDArray[np.int64]) -> _engine.Study:
+        """Raises InputError, which names the argument and the index that it finds wrong."""
+        try:
+            return _engine.Study(source_of(self.parts(rows)))
+        except InputError as error:
+            raise InputError("\n".join(self._told(each, rows) for each in error.errors)) from None
+
+    def _told(self, error: InputProblem, rows: npt.NDArray[np.int64]) -> str:
+        """The error with the argument in place of the study's key."""
+        message = error.text.partition(": error: ")[2].partition(" (from --set ")[0]
+        message = message.removeprefix(f"{error.path}: ")
+        message = message.replace(
+            "`prs list responses FILE`", f'`case.responses("{self.command}")`'
+        )
+        if found := re.fullmatch(r"study\.responses\[(\d+)\]", error.path):
+            assert self.responses is not None
+            response = str(self.responses[int(found[1])])
+            needs = response_needs(response)
+            hint = f"; {response} {needs}" if needs else ""
+            return f"responses[{found[1]}]: {message}{hint}"
+        if found := re.match(
+            r"study\.factors\[(\d+)\]\.?([a-z_]*)\.?(\w*)(?:\[(\d+)\])?", error.path
+        ):
+            path = list(self.columns)[int(found[1])]
+            index = self.columns[path].index_of(found[3], found[4], rows)
+            at = "" if index is None else f"[{index}]"
+            return f"inputs[{path!r}]{at}: {message}"
+        if error.path in self.columns:
+            place = self.columns[error.path].place_of(error.got, rows)
+            at = "" if place is None else f"[{place}]"
+            return f"inputs[{error.path!r}]{at}: {message}"
+        if error.path == "study.command":
+            return f"command: {message}"
+        return error.text.partition(" (from --set study=")[0]
+
+    def answered(
+        self, study: _engine.Study, rows: npt.NDArray[np.int64], threads: int, show: Any
+    ) -> Designs:
+        import pandas as pd
+
+        numbers = np.column_stack([column.numbers_of(rows) for column in self.columns.values()])
+        answers = study.evaluate(numbers, threads, show)
+        frame = pd.DataFrame(
+            {
+                name if isinstance(column.shown, np.ndarray) else path: column.shown_of(rows)
+                for name, (path, column) in zip(
+                    study.factor_names(), self.columns.items(), strict=True
+                )
+            }
+        )
+        name, text, overrides, folder, files = self.case
+        case = (name, text, (*overrides, *self.constants), folder, files)
+        return designs_of(frame, answers, Origin(case, self.parts(rows), numbers))
+
+    def each_row(self, rows: npt.NDArray[np.int64], threads: int) -> Designs:
+        """As `answered`; a design whose inputs cannot stand in the case is a row with the reason."""
+        refused: dict[int, str] = {}
+        pieces = list(self._pieces(rows, threads, refused))
+        if not pieces:
+            raise InputError(next(iter(refused.values())))
+        return _joined(pieces, refused, self.columns, len(rows))
+
+    def _pieces(
+        self, rows: npt.NDArray[np.int64], threads: int, refused: dict[int, str]
+    ) -> Iterator[tuple[npt.NDArray[np.int64], Designs]]:
+        try:
+            study = self.study(rows)
+        except InputError as error:
+            if any(not each.text.startswith("inputs[") for each in error.errors):
+                raise
+            if len(rows) == 1:
+                refused[int(rows[0])] = str(error)
+                return
+            for half in np.array_split(rows, 2):
+                yield from self._pieces(half, threads, refused)
+            return
+        yield rows, self.answered(study, rows, threads, None)
+
+
+def _joined(
+    pieces: list[tuple[npt.NDArray[np.int64], Designs]],
+    refused: dict[int, str],
+    columns: dict[str, _Column],
+    count: int,
+) -> Designs:
+    """The designs in their order, with those that were refused."""
+    import pandas as pd
+
+    first = pieces[0][1]
+    if len(pieces) == 1 and not refused:
+        return first
+    values = np.full((count, len(first.responses)), np.nan)
+    status = np.full(count, "refused", dtype=object)
+    reason = np.full(count, "", dtype=object)
+    names = dict(zip(columns, first.inputs.columns, strict=True))
+    everything = np.arange(count)
+    frame = pd.DataFrame({names[path]: c.shown_of(everything) for path, c in columns.items()})
+    for rows, designs in pieces:
+        values[rows], status[rows], reason[rows] = designs.values, designs.status, designs.reason
+    for row, why in refused.items():
+        reason[row] = why
+    return Designs(frame, first.responses, values, status, reason)
+
+
+def _preload_rows(
+    case: Case,
+    constants: list[str],
+    columns: dict[str, _Column],
+    responses: Sequence[str] | None,
+    on_error: OnError,
+) -> Designs:
+    """Designs by `preload`, which studies do not run: one after the other."""
+    import pandas as pd
+
+    if not responses:
+        raise ValueError("responses: got none; expected paths such as 'preload.lost_motion_um'")
+    count = len(next(iter(columns.values())).numbers)
+    values = np.full((count, len(responses)), np.nan)
+    status = np.full(count, "converged", dtype=object)
+    reason = np.full(count, "", dtype=object)
+    for row in range(count):
+        overrides = [f"{path}={column.text_of(row)}" for path, column in columns.items()]
+        try:
+            one = type(case)._from_source(
+                source_of(parts_of(case._case.source), [*constants, *overrides])
+            )
+            result = one.preload()
+        except InputError as error:
+            if on_error == "raise":
+                raise InputError(f"inputs, index {row}: {error}") from None
+            status[row], reason[row] = "refused", str(error)
+            continue
+        if not result.converged:
+            status[row], reason[row] = "not_converged", "a load has no equilibrium"
+        for k, path in enumerate(responses):
+            value = response_in(result, path)
+            if not isinstance(value, int | float):
+                raise InputError(
+                    f"responses[{k}]: got {path}; expected a number of the document of `preload`"
+                )
+            values[row, k] = value
+    frame = pd.DataFrame({path: column.shown for path, column in columns.items()})
+    return Designs(frame, tuple(responses), values, status, reason)
+
+
+def batches(inputs: Any, size: int) -> Iterator[Mapping[str, Any]]:
+    """The inputs in pieces of at most `size` designs."""
+    if hasattr(inputs, "columns") and hasattr(inputs, "to_dict"):
+        inputs = _inputs_of_frame(inputs)
+    if not isinstance(inputs, Mapping):
+        yield from inputs
+        return
+    arrays = {path: values for path, values in inputs.items() if not _is_scalar(values)}
+    count = max((_length(values) for values in arrays.values()), default=0)
+    for first in range(0, count, size):
+        piece = slice(first, first + size)
+        yield {
+            path: (values[0][piece], values[1])
+            if path in arrays and _is_with_unit(values)
+            else values[piece]
+            if path in arrays
+            else values
+            for path, values in inputs.items()
+        }
+
+
+def history_columns(history: Any) -> dict[str, tuple[list[float], str]]:
+    """Numbers and unit of each column of a history that is given as arrays."""
+    if hasattr(history, "columns") and hasattr(history, "to_dict"):
+        columns: dict[str, Any] = {}
+        for name in history.columns:
+            key, _, unit = checked_text("column", name).partition("_")
+            if unit not in _unit_keys():
+                raise ValueError(f"history: got the column {name!r}; expected one as 'force_kN'")
+            columns[key] = (history[name].to_numpy(), _unit_keys()[unit])
+        history = columns
+    found = {}
+    for name, values in history.items():
+        if is_quantity(values):
+            unit, values = unit_and_magnitude(values)
+        elif _is_with_unit(values):
+            values, unit = values
+        else:
+            raise TypeError(f"history[{name!r}]: got no unit; expected ({name}, unit)")
+        found[name] = (np.asarray(values, dtype=np.float64).tolist(), unit)
+    if len({len(numbers) for numbers, _ in found.values()}) > 1:
+        raise ValueError("history: expected arrays of one length")
+    return found
+
+
+def _length(values: Any) -> int:
+    return len(values[0] if _is_with_unit(values) else values)
+
+
+def response_needs(response: str) -> str:
+    """`needs materials.density ..` of the path of a response."""
+    from rollerscrew.record import needs_in, results_schema
+
+    schema = results_schema()
+    steps = [step for step in re.sub(r"\[[^\]]*\]", "", response).split(".") if step]
+    if steps and steps[-1] in ("max", "min", "mean"):
+        steps.pop()
+    places = {each["path"].replace("[]", ""): each["record"] for each in schema["documents"]}
+    record = places.get(steps[0]) if steps else None
+    if record is None:
+        record = places["load_cases"]
+    else:
+        steps = steps[1:]
+    for step in steps:
+        for quantity in schema["records"].get(record, {}).get("quantities", []):
+            if quantity["key"] == step:
+                if needs := needs_in(quantity):
+                    return needs
+                record = quantity.get("record", "")
+                break
+        else:
+            return ""
+    return ""
 
 
 @dataclass(frozen=True)
 class _Column:
-    """One input of many designs: numbers within a range, or the indices of values."""
+    """One input of many designs: numbers in a unit, or the places of values among levels."""
 
-    factor: dict[str, Any]  #: As a study of the case has it.
+    path: str
     numbers: npt.NDArray[np.float64]
+    levels: list[Any] | None  #: What may stand in the case, where numbers are places.
+    unit: str
     shown: Any  #: The values, for people.
+
+    def factor_of(self, rows: npt.NDArray[np.int64]) -> dict[str, Any]:
+        """The column as a factor of a study of some of the rows."""
+        numbers = self.numbers[rows]
+        if self.levels is not None:
+            used = np.unique(numbers).astype(int)
+            return {"path": self.path, "values": [self.levels[k] for k in used]}
+        low, high = float(numbers.min()), float(numbers.max())
+        if low == high:
+            return {"path": self.path, "values": [_with_unit(low, self.unit)]}
+        ends = {"from": _with_unit(low, self.unit), "to": _with_unit(high, self.unit)}
+        return {"path": self.path, "uniform": ends}
+
+    def numbers_of(self, rows: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
+        """The numbers of some rows, as that factor takes them."""
+        numbers = self.numbers[rows]
+        if self.levels is not None:
+            return np.searchsorted(np.unique(numbers), numbers).astype(np.float64)
+        return np.zeros_like(numbers) if numbers.min() == numbers.max() else numbers
+
+    def shown_of(self, rows: npt.NDArray[np.int64]) -> Any:
+        if isinstance(self.shown, np.ndarray):
+            return self.shown[rows]
+        return [self.shown[row] for row in rows]
+
+    def text_of(self, row: int) -> str:
+        """One value as `--set` takes it."""
+        if self.levels is not None:
+            return override_text(self.levels[int(self.numbers[row])])
+        return override_text(_with_unit(float(self.numbers[row]), self.unit))
+
+    def place_of(self, text: str, rows: npt.NDArray[np.int64]) -> int | None:
+        """The row with a value that an error shows, among the ends or the levels."""
+        numbers = self.numbers[rows]
+        if self.levels is None:
+            places = [int(numbers.argmin()), int(numbers.argmax())]
+        else:
+            places = np.unique(numbers, return_index=True)[1].tolist()
+        shown = [int(rows[k]) for k in places if _shown(self.text_of(int(rows[k]))) == _shown(text)]
+        return shown[0] if shown else int(rows[0]) if len(rows) == 1 else None
+
+    def index_of(self, end: str, level: str | None, rows: npt.NDArray[np.int64]) -> int | None:
+        """The row that gave one of the ends, or a level, of that factor."""
+        numbers = self.numbers[rows]
+        if level is not None:
+            used = np.unique(numbers)
+            return int(rows[np.flatnonzero(numbers == used[min(int(level), used.size - 1)])[0]])
+        if end in ("from", "to"):
+            return int(rows[numbers.argmin() if end == "from" else numbers.argmax()])
+        return int(rows[0]) if len(rows) == 1 else None
 
     @classmethod
     def of(cls, path: str, values: Any) -> _Column:
@@ -244,17 +829,12 @@ class _Column:
             raise ValueError(
                 f"{path}[{wrong[0]}]: got {numbers[wrong[0]]}; expected finite numbers"
             )
-        low, high = float(numbers.min()), float(numbers.max())
         if not unit and np.all(numbers == np.round(numbers)) and np.abs(numbers).max() < 2**53:
-            counts, indices = np.unique(numbers, return_inverse=True)
+            counts, places = np.unique(numbers, return_inverse=True)
             if counts.size <= _MOST_COUNTS:
                 levels = [int(count) for count in counts]
-                return cls({"path": path, "values": levels}, indices.astype(np.float64), numbers)
-        if low == high:
-            factor = {"path": path, "values": [_with_unit(low, unit)]}
-            return cls(factor, np.zeros_like(numbers), numbers)
-        ends = {"from": _with_unit(low, unit), "to": _with_unit(high, unit)}
-        return cls({"path": path, "uniform": ends}, numbers, numbers)
+                return cls(path, places.astype(np.float64), levels, "", numbers)
+        return cls(path, numbers, None, unit, numbers)
 
     @classmethod
     def _of_values(cls, path: str, values: list[Any], unit: str) -> _Column:
@@ -264,14 +844,25 @@ class _Column:
         texts = [override_text(value) for value in values]
         place = {text: k for k, text in enumerate(dict.fromkeys(texts))}
         levels = list(dict(zip(texts, values, strict=True)).values())
-        indices = np.array([place[text] for text in texts], dtype=np.float64)
-        return cls({"path": path, "values": levels}, indices, texts)
+        places = np.array([place[text] for text in texts], dtype=np.float64)
+        return cls(path, places, levels, "", texts)
+
+
+def _shown(text: str) -> str:
+    """A value without regard to how its number is written: `5.0 mm` as `5 mm`."""
+    number, _, unit = text.partition(" ")
+    try:
+        return f"{float(number)!r} {unit}"
+    except ValueError:
+        return text
 
 
 def _is_scalar(value: Any) -> bool:
     """Which all designs have."""
     if is_quantity(value):
         return np.ndim(value.magnitude) == 0
+    if is_with_unit(value):
+        return np.ndim(value[0]) == 0
     return isinstance(value, str | bool | int | float | np.generic)
 
 
@@ -302,13 +893,9 @@ def thread_count(threads: int | None) -> int:
     return count
 
 
-SourceParts = tuple[str, str, tuple[str, ...], str]
-
-
 @lru_cache(maxsize=4)
 def _prepared(parts: SourceParts, process: int) -> _engine.Study:
-    name, text, overrides, folder = parts
-    return _engine.Study(_engine.Source.of_text(name, text, list(overrides), folder))
+    return _engine.Study(source_of(parts))
 
 
 def _answer(parts: SourceParts, first: int, count: int) -> bytes:
@@ -331,7 +918,7 @@ def study_rows(
         return study, study.run(thread_count(threads), show)
     if not hasattr(executor, "submit"):
         raise TypeError(f"got {executor!r}; expected an executor of concurrent.futures")
-    parts = (source.name, source.text, tuple(source.overrides), source.folder)
+    parts = parts_of(source)
     size = max(study.chunk, -(-study.count // _PIECES))
     pieces: dict[Future[bytes], tuple[int, int]] = {}
     try:

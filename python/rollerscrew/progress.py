@@ -5,7 +5,8 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 
-#: Called with what is done and with all of it; True: a line on a terminal; None: quiet.
+#: Called with what is done and with all of it; True: a line on a terminal or in a notebook; None:
+#: quiet.
 Progress = Callable[[int, int], object] | bool | None
 
 
@@ -15,7 +16,7 @@ def progress_callback(progress: Progress) -> Callable[[int, int], object] | None
         return progress
     if not (progress is None or isinstance(progress, bool)):
         raise TypeError(f"progress: got {progress!r}; expected a function, True, or nothing")
-    if progress and sys.stderr.isatty():
+    if progress and (sys.stderr.isatty() or "ipykernel" in sys.modules):
         return _show_line
     return None
 

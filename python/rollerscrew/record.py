@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import reprlib
+import textwrap
 import typing
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -22,19 +24,33 @@ if TYPE_CHECKING:
     from rollerscrew.results import Analyses
 
 
+class Look(typing.TypedDict, total=False):
+    """How a picture looks among others: its name in the legend, its colour."""
+
+    label: str | None
+    color: Any
+
+
 class Record:
     """An object of a result document: `record.axial_stiffness_N_per_um`, `record["nut"]`.
 
     Names and units are those of `prs --json`. Arrays of numbers are read-only arrays of numpy on
-    the memory of the document, which lives as long as one of them does. A quantity that the case
-    does not define is absent: asking for it raises, `get` gives its default.
+    the memory of the document, which lives as long as one of them does.
+
+    A quantity may be absent: the case does not define it, or its computation failed. Its attribute,
+    whose type says so, is None then, `record["nut"]` raises and says why, `get` gives its default.
+    Records with the same content are equal.
     """
 
-    __slots__ = ("_node",)
+    __slots__ = ("_key", "_node", "_owner")
     _node: _engine.Node
+    _key: str  #: That it stands under in its owner.
+    _owner: Record | None
 
-    def __init__(self, node: _engine.Node) -> None:
+    def __init__(self, node: _engine.Node, key: str = "", owner: Record | None = None) -> None:
         object.__setattr__(self, "_node", node)
+        object.__setattr__(self, "_key", key)
+        object.__setattr__(self, "_owner", owner)
 
     def _attribute(self, name: str) -> Any:
         if name.startswith("_"):
@@ -44,6 +60,8 @@ class Record:
         try:
             return self._wrapped(name, self._node.get(name))
         except (KeyError, TypeError):
+            if name in types_of(type(self)).optional:
+                return None
             raise AttributeError(self._absent(name)) from None
 
     if not TYPE_CHECKING:  # Type checkers know the names that are annotated.
@@ -86,6 +104,18 @@ class Record:
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {', '.join(self.keys())}>"
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Record):
+            return NotImplemented
+        return self is other or (type(self) is type(other) and self._text() == other._text())
+
+    def __hash__(self) -> int:
+        return hash((type(self), self._text()))
+
+    def _text(self) -> str:
+        """The content as JSON."""
+        return self._node.text()
+
     def __copy__(self) -> Self:
         return self
 
@@ -93,19 +123,43 @@ class Record:
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        raise TypeError("part of a result cannot be pickled; pickle the result, or `to_dict()`")
+        return _restored, (type(self), self._text(), self._key)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain dictionaries, lists and arrays, as far down as the record goes."""
-        return {name: _plain(value) for name, value in self.items()}
+        """Plain dictionaries, lists and numbers, as far down as the record goes."""
+        content: dict[str, Any] = json.loads(self._text())
+        return content
 
     def _wrapped(self, name: str, value: Any) -> Any:
-        owner: type = type(self)
-        return _wrap(value, _record_types(owner).get(name, Values))
+        return self._wrap(value, types_of(type(self)).records.get(name, Values), name)
+
+    def _wrap(self, value: Any, record: type[Record], name: str) -> Any:
+        if isinstance(value, _engine.Node):
+            return record(value, name, self)
+        if isinstance(value, list):
+            return [self._wrap(item, record, name) for item in value]
+        return value
 
     def _absent(self, name: str) -> str:
+        """Why there is no such value."""
+        said = reprlib.repr(name)
+        known = isinstance(name, str) and name in types_of(type(self)).optional
+        status = self.get("status", "converged") if known else "converged"
+        if status != "converged":
+            why = "; ".join(self._reasons())
+            return f"{said} is absent: {self._key or 'this'} ended with {status!r}" + (
+                f": {why}" if why else ""
+            )
         there = ", ".join(self.keys()) or "nothing"
-        return f"{reprlib.repr(name)} is not defined by this case; there is {there}"
+        needs = needs_of(type(self).__name__, name) if known else ""
+        return f"{said} is not defined by this case{needs and '; it ' + needs}; there is {there}"
+
+    def _reasons(self) -> list[str]:
+        """Why it did not converge: its own reason, or what its owner warns of it."""
+        if "reason" in self:
+            return [str(self["reason"])]
+        warnings = self._owner.get("warnings", []) if self._owner is not None else []
+        return [text for text in warnings if f"{self._key}: " in text]
 
 
 class Values(Record):
@@ -117,31 +171,110 @@ class Values(Record):
         return self._attribute(name)
 
 
-def _wrap(value: Any, record: type[Record]) -> Any:
-    if isinstance(value, _engine.Node):
-        return record(value)
-    if isinstance(value, list):
-        return [_wrap(item, record) for item in value]
-    return value
+def _restored(kind: type[Record], text: str, key: str) -> Record:
+    return kind(_engine.Node.of_text(text), key)
 
 
-def _plain(value: Any) -> Any:
-    if isinstance(value, Record):
-        return value.to_dict()
-    if isinstance(value, list):
-        return [_plain(item) for item in value]
-    return value
+class _Types(typing.NamedTuple):
+    """What the annotations of a record say."""
+
+    records: dict[str, type[Record]]  #: `nut: InterfaceLoads`, `list[LoadCase]`.
+    optional: frozenset[str]  #: What may be absent.
+    hints: dict[str, Any]  #: Of all keys, None apart.
+
+
+_KNOWN: dict[type, _Types] = {}
+
+
+def types_of(owner: type) -> _Types:
+    """What the annotations of a class of records say."""
+    if owner not in _KNOWN:
+        _KNOWN[owner] = _read_types(owner)
+    return _KNOWN[owner]
+
+
+def _read_types(owner: type) -> _Types:
+    records, optional, hints = {}, set(), {}
+    for name, hint in typing.get_type_hints(owner).items():
+        if name.startswith("_"):
+            continue
+        within = typing.get_args(hint)
+        if type(None) in within:
+            optional.add(name)
+            hint = next(each for each in within if each is not type(None))
+        hints[name] = hint
+        for candidate in (hint, *typing.get_args(hint)):
+            if isinstance(candidate, type) and issubclass(candidate, Record):
+                records[name] = candidate
+    return _Types(records, frozenset(optional), hints)
 
 
 @cache
-def _record_types(owner: type) -> dict[str, type[Record]]:
-    """The record that each annotation asks for: `nut: InterfaceLoads`, `list[LoadCase]`."""
-    found = {}
-    for name, hint in typing.get_type_hints(owner).items():
-        for candidate in (hint, *typing.get_args(hint)):
-            if isinstance(candidate, type) and issubclass(candidate, Record):
-                found[name] = candidate
-    return found
+def results_schema() -> dict[str, Any]:
+    """Every quantity of the results, as `prs schema results` prints it."""
+    schema: dict[str, Any] = json.loads(_engine.results_schema())
+    return schema
+
+
+def explanation(path: str, blocks: Sequence[str]) -> str:
+    """The quantities whose paths end in `path`, or all in these blocks of a document."""
+    schema = results_schema()
+    places: list[tuple[str, dict[str, Any]]] = []
+
+    def add(record: str, before: str) -> None:
+        for quantity in schema["records"][record]["quantities"]:
+            own = f"{before}.{quantity['key']}"
+            places.append((own, quantity))
+            if "record" in quantity:
+                add(quantity["record"], own + "[]" * (quantity["kind"] == "records"))
+
+    for document in schema["documents"]:
+        if path or document["path"].removesuffix("[]") in blocks:
+            add(document["record"], document["path"])
+    plain = re.sub(r"\[[^\]]*\]", "", path)
+    for asked in (plain, plain.rpartition(".")[0]):  # `peak_pressure_MPa.max` of a study.
+        found = [each for each in places if f".{each[0].replace('[]', '')}".endswith(f".{asked}")]
+        if found or not path:
+            break
+    found = found if path else places
+    if not found:
+        raise ValueError(f"path: got {path!r}; expected the path of a quantity of a result")
+    text = ""
+    for k, (place, quantity) in enumerate(found):
+        text += place + "\n"
+        if k + 1 < len(found) and found[k + 1][1] == quantity:
+            continue  # What stands in several places is explained once.
+        for key, before in _EXPLAINED.items():
+            if quantity.get(key):
+                text += textwrap.fill(
+                    before + quantity[key], 100, initial_indent="  ", subsequent_indent="  ",
+                    break_long_words=False, break_on_hyphens=False,
+                ) + "\n"  # fmt: skip
+    return text
+
+
+_EXPLAINED = {
+    "title": "", "unit": "unit: ", "meaning": "meaning: ", "validity": "valid: ",
+    "source": "source: ",
+}  # fmt: skip
+
+
+def needs_of(record: str, name: str) -> str:
+    """`needs measures.shaft`, where a quantity of a record says what a case must state for it."""
+    quantities = results_schema()["records"].get(record, {}).get("quantities", [])
+    for quantity in quantities:
+        if quantity["key"] == name:
+            return needs_in(quantity)
+    return ""
+
+
+def needs_in(quantity: Mapping[str, str]) -> str:
+    """`needs ..` of the validity or the meaning of a quantity."""
+    for said in (quantity.get("validity", ""), quantity.get("meaning", "")):
+        for clause in said.split("; "):
+            if clause.startswith("needs "):
+                return clause
+    return ""
 
 
 class Result(Record):
@@ -154,19 +287,38 @@ class Result(Record):
     #: The block that a document of this kind has.
     _block: ClassVar[str] = "prs_version"
 
+    #: The command that gives it; empty: any.
+    _command: ClassVar[str] = ""
+
     prs_version: str
     schema_version: str
     command: str
     case_file: str
+    #: Of what was computed: of the file and, where there are any, of overrides and history.
     input_sha256: str
-    overrides: list[str]
-    warnings: list[str]
-    #: The case with overrides and defaults in place. That of the text is what `Case` takes.
+    overrides: list[str] | None
+    #: The case with overrides and defaults in place; `Case` takes it.
     resolved_input: Values
 
     def __init__(self, document: _engine.Document) -> None:
         object.__setattr__(self, "_document", document)
         object.__setattr__(self, "_case", None)
+        object.__setattr__(self, "_key", "")
+        object.__setattr__(self, "_owner", None)
+
+    @property
+    def converged(self) -> bool:
+        """Whether all of it is an answer: the command would end with the status 0."""
+        told = self._document.converged
+        return _all_converged(self.to_dict()) if told is None else told
+
+    @property
+    def warnings(self) -> list[str]:
+        """On the whole case, then those of each load case with its name."""
+        said: list[str] = list(self.get("warnings", []))
+        for case in self.get("load_cases", []):
+            said += [f"load case {case['name']}: {text}" for text in case.get("warnings", [])]
+        return said
 
     @classmethod
     def _answer(cls, case: Analyses, command: str) -> Self:
@@ -201,6 +353,12 @@ class Result(Record):
         Raises ValueError where the text is no such document.
         """
         document = _engine.Document.from_text(checked_text("document", text))
+        command = document.root.get("command") if "command" in document.root else cls._command
+        if cls._command and command != cls._command:
+            raise ValueError(
+                f"no document of a {cls.__name__}: got one of the command {command!r}; expected "
+                f"{cls._command!r}; `Result.from_json` reads any"
+            )
         if cls._block not in document.root:
             raise ValueError(
                 f"no document of a {cls.__name__}: got {', '.join(document.root.keys())}; expected "
@@ -210,6 +368,9 @@ class Result(Record):
 
     def to_json(self) -> str:
         """The document as the command line prints it with `--json`, byte for byte."""
+        return self._document.text()
+
+    def _text(self) -> str:
         return self._document.text()
 
     def report(
@@ -236,7 +397,7 @@ class Result(Record):
     def _own_case(self) -> Case:
         from rollerscrew.case import Case
 
-        return self._case or Case(self.resolved_input.to_dict(), name=self.case_file)
+        return self._case or Case(self.resolved_input, name=self.case_file)
 
     def figures(self) -> list[dict[str, Any]]:
         """Descriptions of the pictures of the result, for `rollerscrew.plots.draw`.
@@ -246,17 +407,52 @@ class Result(Record):
         described: list[dict[str, Any]] = json.loads(self._document.figures())
         return described
 
-    def plot_figure(self, name: str, ax: Axes | None = None, **options: Any) -> Axes:
+    def plot_figure(
+        self,
+        name: str,
+        ax: Axes | None = None,
+        *,
+        label: str | None = None,
+        color: Any = None,
+        **options: Any,
+    ) -> Axes:
         """Draws one of the pictures by its name: `slip.plot_figure("slip_patches", load_case=1)`.
 
-        All its panels into a new figure, or what they have in common into the axes given. Raises
-        ValueError where the result has no such picture, or nothing to draw.
+        All its panels into a new figure, or what they have in common into the axes given; `label`
+        and `color` as `rollerscrew.plots.draw` has them. Raises ValueError where the result has no
+        such picture, or nothing to draw.
         """
         from rollerscrew import plots
 
         chosen = {option: value for option, value in options.items() if value is not None}
         described = self._document.figure(name, json.dumps(chosen), ax is not None)
-        return plots.draw(json.loads(described), ax)
+        return plots.draw(json.loads(described), ax, label=label, color=color)
+
+    def explain(self, path: str = "") -> str:
+        """What a quantity is, with unit, formula, validity and source, as `prs --explain` prints it.
+
+        `path` is that of the quantity or its end: `slip.efficiency`, `efficiency`. Without one: all
+        quantities of the result.
+        """
+        return explanation(path, self.keys())
+
+    def _repr_html_(self) -> str:
+        from rollerscrew.html import result_html
+
+        return result_html(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self).from_json, (self.to_json(),)
+
+
+def _all_converged(value: Any) -> bool:
+    """Whether nothing in a document says that it did not converge."""
+    if isinstance(value, list):
+        return all(map(_all_converged, value))
+    if not isinstance(value, dict):
+        return True
+    if value.get("command") in ("study", "optimize"):  # Failed designs are rows.
+        return True
+    return value.get("converged") is not False and all(
+        _all_converged(item) for key, item in value.items() if key != "resolved_input"
+    )

@@ -1,7 +1,7 @@
 """What stands inside the result documents; names and units are those of `prs --json`.
 
-A quantity that a case does not define is absent: attribute access raises, `get` gives its default.
-What each is: docs/reference. Written by scripts/reference.py from the program's table.
+Of what a case may not define the attribute is None; `record["name"]` raises and says why.
+Written by scripts/reference.py from the program's table.
 """
 
 from __future__ import annotations
@@ -20,7 +20,12 @@ Command = Literal["contact", "solve", "slip", "life", "measures"]
 
 
 class PerPart(Record):
-    """One number each of screw, roller and nut."""
+    """One number each of screw, roller and nut.
+
+    screw: screw
+    roller: roller
+    nut: nut
+    """
 
     __slots__ = ()
     screw: float
@@ -29,7 +34,12 @@ class PerPart(Record):
 
 
 class PerPartRange(Record):
-    """Smallest and largest value each of screw, roller and nut."""
+    """Smallest and largest value each of screw, roller and nut.
+
+    screw: screw
+    roller: roller
+    nut: nut
+    """
 
     __slots__ = ()
     screw: Array
@@ -38,16 +48,40 @@ class PerPartRange(Record):
 
 
 class InterfaceContact(Record):
-    """Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut."""
+    """Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.
+
+    radius_on_body_mm [mm]: of the contact point from the body's axis; Sandu 2018, chapter 1
+    radius_on_roller_mm [mm]: of the contact point from the roller's axis; Sandu 2018, chapter 1
+    angle_on_body_deg [deg]: of the contact point about the body's axis, from the line of centres; Sandu 2018, chapter 1
+    angle_on_roller_deg [deg]: of the contact point about the roller's axis, from the line of centres; Sandu 2018, chapter 1
+    flank_clearance_mm [mm]: along the axis, each thread in the middle of the other's groove; half the backlash; Yao 2023, (55) to (58)
+    body_crest_clearance_mm [mm]: along the axis, from the edge of the body's crest to the roller's flank; Yao 2023, (55) to (58)
+    roller_crest_clearance_mm [mm]: along the axis, from the edge of the roller's crest to the body's flank; Yao 2023, (55) to (58)
+    body_curvatures_per_mm [1/mm]: principal curvatures, convex > 0, ascending in absolute value; Sandu 2018, chapter 1
+    roller_curvatures_per_mm [1/mm]: principal curvatures, convex > 0, ascending in absolute value; Sandu 2018, chapter 1
+    relative_curvatures_per_mm [1/mm]: eigenvalues of the sum of both curvature tensors, without a factor 1/2; Sandu 2018, chapter 1
+    curvature_sum_per_mm [1/mm]: kappa_1 + kappa_2; Sandu 2018, (1.77)
+    equivalent_radius_mm [mm]: 1 over the sum of the relative curvatures
+    first_directions_angle_deg [deg]: between the first principal directions of body and roller; Sandu 2018, (1.61)
+    normal_angle_deg [deg]: psi = arccos|n_z|; Sandu 2018, chapter 1
+    normal: unit vector, outward from the roller: radial, across, axial; Sandu 2018, chapter 1
+    backlash_mm [mm]: axial play of both faces; < 0: the threads are too thick; needs equal pitches; Sandu 2018, (1.40)
+    hertz_constant_N_per_mm1_5 [N/mm^1.5]: k_0 of N = k_0 delta^1.5; Hertz with exact ellipticity
+    ellipticity: b/a of the contact ellipse; Hertz with exact ellipticity
+    semi_major_mm_per_N1_3 [mm/N^(1/3)]: semi-axis a over the cube root of the normal load; Hertz with exact ellipticity
+    semi_minor_mm_per_N1_3 [mm/N^(1/3)]: semi-axis b over the cube root of the normal load; Hertz with exact ellipticity
+    max_shear_over_peak_pressure: largest shear stress below the surface over p_0; Hertz with exact ellipticity
+    max_shear_depth_over_semi_minor: its depth over b; Hertz with exact ellipticity
+    """
 
     __slots__ = ()
     radius_on_body_mm: float
     radius_on_roller_mm: float
     angle_on_body_deg: float
     angle_on_roller_deg: float
-    flank_clearance_mm: float
-    body_crest_clearance_mm: float
-    roller_crest_clearance_mm: float
+    flank_clearance_mm: float | None
+    body_crest_clearance_mm: float | None
+    roller_crest_clearance_mm: float | None
     body_curvatures_per_mm: Array
     roller_curvatures_per_mm: Array
     relative_curvatures_per_mm: Array
@@ -56,17 +90,26 @@ class InterfaceContact(Record):
     first_directions_angle_deg: float
     normal_angle_deg: float
     normal: Array
-    backlash_mm: float
-    hertz_constant_N_per_mm1_5: float
-    ellipticity: float
-    semi_major_mm_per_N1_3: float
-    semi_minor_mm_per_N1_3: float
-    max_shear_over_peak_pressure: float
-    max_shear_depth_over_semi_minor: float
+    backlash_mm: float | None
+    hertz_constant_N_per_mm1_5: float | None
+    ellipticity: float | None
+    semi_major_mm_per_N1_3: float | None
+    semi_minor_mm_per_N1_3: float | None
+    max_shear_over_peak_pressure: float | None
+    max_shear_depth_over_semi_minor: float | None
 
 
 class Contacts(Record):
-    """Mechanism and contacts of both interfaces."""
+    """Mechanism and contacts of both interfaces.
+
+    centre_distance_mm [mm]: from the axis of the screw to that of a roller
+    pitch_diameter_mm [mm]: where thread and groove are equally wide, or as the file has it
+    helix_angle_deg [deg]: at the pitch diameter
+    profile_radius_limits_mm [mm]: radii between which there is a flank
+    max_rollers: that fit side by side
+    screw: of roller and screw
+    nut: of roller and nut
+    """
 
     __slots__ = ()
     centre_distance_mm: float
@@ -74,46 +117,72 @@ class Contacts(Record):
     helix_angle_deg: PerPart
     profile_radius_limits_mm: PerPartRange
     max_rollers: int
-    screw: InterfaceContact
-    nut: InterfaceContact
+    screw: InterfaceContact | None
+    nut: InterfaceContact | None
 
 
 class ThreadWidths(Record):
-    """Axial widths of a truncated thread."""
+    """Axial widths of a truncated thread.
+
+    crest_width_mm [mm]: along the axis; < 0: the profile ends before; Yao 2023, (52) to (54)
+    root_width_mm [mm]: along the axis; Yao 2023, (52) to (54)
+    """
 
     __slots__ = ()
-    crest_width_mm: float
-    root_width_mm: float
+    crest_width_mm: float | None
+    root_width_mm: float | None
 
 
 class Threads(Record):
-    """Threads of the parts by themselves; needs their heights."""
+    """Threads of the parts by themselves; needs their heights.
+
+    screw: screw
+    roller: roller
+    nut: nut
+    """
 
     __slots__ = ()
-    screw: ThreadWidths
-    roller: ThreadWidths
-    nut: ThreadWidths
+    screw: ThreadWidths | None
+    roller: ThreadWidths | None
+    nut: ThreadWidths | None
 
 
 class Criterion(Record):
-    """A value, the limit that it is held against, and how it stands to it."""
+    """A value, the limit that it is held against, and how it stands to it.
+
+    name: key in `limits`, where it has one
+    title: in words
+    unit: of value and limit; empty for ratios and fractions
+    sense: least | greatest: which the limit is
+    value: the worst of all load cases, with the real thread loads
+    best: the best value of all load cases and places
+    limit: that it is held against
+    limit_source: case | physics | recommended: `limits` of the case, what physics allows, or what is usual
+    state: green | amber | red | no_limit | not_computed | not_applicable
+    load_case: where the worst value stands
+    reason: what limits it, or why there is no value
+    """
 
     __slots__ = ()
     name: str
     title: str
     unit: str
     sense: str
-    value: float
-    best: float
-    limit: float
-    limit_source: str
+    value: float | None
+    best: float | None
+    limit: float | None
+    limit_source: str | None
     state: str
-    load_case: str
-    reason: str
+    load_case: str | None
+    reason: str | None
 
 
 class Verdict(Record):
-    """Whether the case meets its limits."""
+    """Whether the case meets its limits.
+
+    state: the worst: green | amber | red | no_limit
+    criteria: each with its worst value
+    """
 
     __slots__ = ()
     state: str
@@ -121,22 +190,49 @@ class Verdict(Record):
 
 
 class Model(Record):
-    """How the loads were solved."""
+    """How the loads were solved.
+
+    bodies: bars | refined | influence
+    roller_contacts: opposite | half_pitch_apart
+    effects_off: effects of `refined` that are switched off
+    accuracy: working | reference, of `influence`
+    tooth_compliance_width_mm [mm]: of the teeth that deflect as Yamamoto has it
+    note: how far it is known to be off
+    """
 
     __slots__ = ()
     bodies: str
-    roller_contacts: str
-    effects_off: list[str]
-    accuracy: str
-    tooth_compliance_width_mm: float
-    note: str
+    roller_contacts: str | None
+    effects_off: list[str] | None
+    accuracy: str | None
+    tooth_compliance_width_mm: float | None
+    note: str | None
 
 
 class InterfaceLoads(Record):
-    """Threads of one interface of one roller; thread 1 is next to the loaded end of the screw."""
+    """Threads of one interface of one roller; thread 1 is next to the loaded end of the screw.
+
+    hertz_constant_N_per_mm1_5 [N/mm^1.5]: k_0 of N = k_0 delta^1.5, as used in the solve; Hertz with exact ellipticity
+    normal_angle_deg [deg]: psi between the normal and the axis, as used in the solve
+    axial_load_N [N]: axial part of the normal load
+    normal_load_N [N]: axial load over cos(psi)
+    load_rate_percent [%]: share: axial load over force per roller; Abevi 2015, (3)
+    approach_um [µm]: by which the bodies come closer along the normal; Hertz with exact ellipticity
+    semi_major_mm [mm]: longer semi-axis a of the contact ellipse; Hertz with exact ellipticity
+    semi_minor_mm [mm]: shorter semi-axis b of the contact ellipse; Hertz with exact ellipticity
+    peak_pressure_MPa [MPa]: p_0 = 3 N/(2 pi a b); Hertz with exact ellipticity
+    max_shear_stress_MPa [MPa]: largest shear stress below the surface; Hertz with exact ellipticity
+    max_shear_depth_mm [mm]: where the largest shear stress acts, for the depth of hardening; Hertz with exact ellipticity
+    roller_share_percent [%]: of the axial load, one for each roller
+    largest_normal_load_N [N]: of all rollers
+    largest_roller: where the largest load acts, from 1
+    largest_thread: where the largest load acts, from 1
+    overload_factor: largest load over that of the same screw with the axial force only
+    unloaded_threads: of the rollers present
+    """
 
     __slots__ = ()
-    hertz_constant_N_per_mm1_5: float
+    hertz_constant_N_per_mm1_5: float | None
     normal_angle_deg: float
     axial_load_N: Array
     normal_load_N: Array
@@ -147,27 +243,39 @@ class InterfaceLoads(Record):
     peak_pressure_MPa: Array
     max_shear_stress_MPa: Array
     max_shear_depth_mm: Array
-    roller_share_percent: Array
-    largest_normal_load_N: float
-    largest_roller: int
-    largest_thread: int
-    overload_factor: float
-    unloaded_threads: int
+    roller_share_percent: Array | None
+    largest_normal_load_N: float | None
+    largest_roller: int | None
+    largest_thread: int | None
+    overload_factor: float | None
+    unloaded_threads: int | None
 
 
 class ScrewEnd(Record):
-    """The loaded section of the screw of a full mechanism."""
+    """The loaded section of the screw of a full mechanism.
+
+    displacement_um [µm]: x, y, z; misalignment included
+    rotation_mrad [mrad]: about y and z
+    freedoms: those that no bearing holds there: the order of both matrices
+    stiffness_SI: tangent, N/m, N and N m/rad; the inverse of the compliance
+    compliance_SI: displacements per load at the load
+    """
 
     __slots__ = ()
     displacement_um: Array
     rotation_mrad: Array
     freedoms: list[str]
-    stiffness_SI: Array
-    compliance_SI: Array
+    stiffness_SI: Array | None
+    compliance_SI: Array | None
 
 
 class NutSupport(Record):
-    """What holds the nut."""
+    """What holds the nut.
+
+    force_N [N]: x, y, z, of the housing on the nut
+    moment_Nm [N m]: about y and z
+    at_mm [mm]: the thrust section
+    """
 
     __slots__ = ()
     force_N: Array
@@ -176,7 +284,13 @@ class NutSupport(Record):
 
 
 class RingForce(Record):
-    """What a guide ring does to the rollers."""
+    """What a guide ring does to the rollers.
+
+    force_N [N]: y, z, of the ring on the rollers
+    moment_Nm [N m]: of the ring on the rollers about y and z, at `at_mm`
+    at_mm [mm]: x
+    roller_N [N]: on each roller, outwards
+    """
 
     __slots__ = ()
     force_N: Array
@@ -186,7 +300,12 @@ class RingForce(Record):
 
 
 class BearingForce(Record):
-    """What a bearing does to the screw."""
+    """What a bearing does to the screw.
+
+    at_mm [mm]: x
+    force_N [N]: y, z, of the bearing on the screw
+    moment_Nm [N m]: about y and z
+    """
 
     __slots__ = ()
     at_mm: float
@@ -195,7 +314,12 @@ class BearingForce(Record):
 
 
 class Reactions(Record):
-    """Forces of the supports of a full mechanism on its parts."""
+    """Forces of the supports of a full mechanism on its parts.
+
+    nut: of the nut's seat
+    rings: near and far
+    bearings: as the file has them
+    """
 
     __slots__ = ()
     nut: NutSupport
@@ -204,17 +328,33 @@ class Reactions(Record):
 
 
 class SymmetricLoads(Record):
-    """The screw under its axial force alone."""
+    """The screw under its axial force alone.
+
+    axial_displacement_um [µm]: of the loaded section
+    axial_stiffness_N_per_um [N/µm]: secant: force over displacement
+    tangent_stiffness_N_per_um [N/µm]: derivative of the force by the displacement
+    largest_normal_load_N [N]: at the screw and at the nut
+    """
 
     __slots__ = ()
     axial_displacement_um: float
     axial_stiffness_N_per_um: float
-    tangent_stiffness_N_per_um: float
+    tangent_stiffness_N_per_um: float | None
     largest_normal_load_N: Array
 
 
 class OrbitLoads(Record):
-    """What a turn of the carrier does at an interface."""
+    """What a turn of the carrier does at an interface.
+
+    first_roller_largest_normal_load_N [N]: of the first roller that is there, at each position
+    equivalent_normal_load_N [N]: (mean N^exponent)^(1/exponent) over the turn, by roller and thread
+    largest_normal_load_N [N]: of the whole turn
+    at_carrier_angle_deg [deg]: where the largest load acts
+    largest_roller: where the largest load acts, from 1
+    largest_thread: where the largest load acts, from 1
+    largest_equivalent_normal_load_N [N]: of all threads
+    least_normal_load_N [N]: of the whole turn
+    """
 
     __slots__ = ()
     first_roller_largest_normal_load_N: Array
@@ -228,7 +368,17 @@ class OrbitLoads(Record):
 
 
 class Orbit(Record):
-    """A turn of the carrier of a full mechanism."""
+    """A turn of the carrier of a full mechanism.
+
+    steps: positions for each spacing of the rollers
+    positions: of the whole turn
+    exponent: of the equivalent loads
+    carrier_angles_deg [deg]: of each position
+    screw: contacts at the screw
+    nut: contacts at the nut
+    axial_displacement_um [µm]: at the positions that differ
+    axial_error_um [µm]: peak to peak
+    """
 
     __slots__ = ()
     steps: int
@@ -242,7 +392,13 @@ class Orbit(Record):
 
 
 class NewtonIteration(Record):
-    """One linear solve of the load distribution."""
+    """One linear solve of the load distribution.
+
+    energy_J [J]: potential energy after the step
+    relative_residual: largest force out of balance over the load
+    step_length: share of the Newton step that was taken
+    shift: added to the diagonal so that it can be solved
+    """
 
     __slots__ = ()
     energy_J: float
@@ -252,7 +408,12 @@ class NewtonIteration(Record):
 
 
 class PartNumbers(Record):
-    """A number of each part."""
+    """A number of each part.
+
+    screw: of the screw
+    rollers: of all rollers
+    nut: of the nut
+    """
 
     __slots__ = ()
     screw: float
@@ -261,7 +422,11 @@ class PartNumbers(Record):
 
 
 class InterfaceNumbers(Record):
-    """A number of each interface."""
+    """A number of each interface.
+
+    screw: of the contacts at the screw
+    nut: of the contacts at the nut
+    """
 
     __slots__ = ()
     screw: float
@@ -269,29 +434,50 @@ class InterfaceNumbers(Record):
 
 
 class Heat(Record):
-    """Steady temperatures: what friction puts into the parts flows off through the conductances."""
+    """Steady temperatures: what friction puts into the parts flows off through the conductances.
+
+    converged: whether there is a steady state
+    status: converged | no_steady_state | iteration_limit
+    reason: where not converged
+    evaluations: of the losses at temperatures
+    other_steady_states: whether hotter ones exist; this one is reached from ambient temperature
+    temperature_degC [°C]: of each part
+    oil_degC [°C]: at the contacts of each interface: the mean of its two bodies; needs a lubricant
+    heat_W [W]: that friction puts into each part
+    """
 
     __slots__ = ()
     converged: bool
     status: str
-    reason: str
+    reason: str | None
     evaluations: int
-    other_steady_states: bool
-    temperature_degC: PartNumbers
-    oil_degC: InterfaceNumbers
-    heat_W: PartNumbers
+    other_steady_states: bool | None
+    temperature_degC: PartNumbers | None
+    oil_degC: InterfaceNumbers | None
+    heat_W: PartNumbers | None
 
 
 class SlipRatioEstimates(Record):
-    """Slip ratios by formulas of geometry alone."""
+    """Slip ratios by formulas of geometry alone.
+
+    simple: contacts at the pitch points; Sandu 2018, (2.21)
+    jones: standard mechanisms only; Jones et al., in Sandu 2018, (2.20)
+    """
 
     __slots__ = ()
     simple: float
-    jones: float
+    jones: float | None
 
 
 class PowerShares(Record):
-    """Where power is lost."""
+    """Where power is lost.
+
+    screw: share of the power that is lost there; Sandu 2018, (3.51)
+    nut: share of the power that is lost there; Sandu 2018, (3.51)
+    carrier_roller: share of the power that is lost there; Sandu 2018, (3.51)
+    carrier_screw: share of the power that is lost there; Sandu 2018, (3.51)
+    carrier_nut: share of the power that is lost there; Sandu 2018, (3.51)
+    """
 
     __slots__ = ()
     screw: float
@@ -302,7 +488,13 @@ class PowerShares(Record):
 
 
 class RollerMoments(Record):
-    """Moments on one roller about its axis; they add up to zero in equilibrium. Sandu 2018, (3.39) to (3.42)."""
+    """Moments on one roller about its axis; they add up to zero in equilibrium. Sandu 2018, (3.39) to (3.42).
+
+    contacts: friction at the contacts, R_c
+    spin: spin torques, R_s
+    carrier: friction in the carrier, R_p
+    gears: gears at the ends, R_e
+    """
 
     __slots__ = ()
     contacts: float
@@ -312,7 +504,16 @@ class RollerMoments(Record):
 
 
 class RollerForces(Record):
-    """Forces on one roller across its axis, x away from the screw's axis, y along the orbit."""
+    """Forces on one roller across its axis, x away from the screw's axis, y along the orbit.
+
+    contacts_x: of all threads; Sandu 2018, (3.27)
+    contacts_y: of all threads; Sandu 2018, (3.27)
+    gears_x: of the gears; Sandu 2018, (3.28), (3.29)
+    gears_y: of the gears; Sandu 2018, (3.28), (3.29)
+    carrier_x: by the roller on the carrier; Sandu 2018, (3.26), (3.32)
+    carrier_y: by the roller on the carrier; Sandu 2018, (3.26), (3.32)
+    centrifugal: needs the rollers' density; Sandu 2018, (3.33)
+    """
 
     __slots__ = ()
     contacts_x: float
@@ -321,33 +522,61 @@ class RollerForces(Record):
     gears_y: float
     carrier_x: float
     carrier_y: float
-    centrifugal: float
+    centrifugal: float | None
 
 
 class HottestThread(Record):
-    """The thread of the largest power density."""
+    """The thread of the largest power density.
+
+    interface: screw | nut
+    thread: from 1, next to the loaded end of the screw
+    power_W [W]: power that friction takes there
+    power_density_W_per_mm2 [W/mm²]: power over its ellipse
+    roller: from 1; of a full mechanism
+    """
 
     __slots__ = ()
     interface: str
     thread: int
-    power_W: float
+    power_W: float | None
     power_density_W_per_mm2: float
-    roller: int
+    roller: int | None
 
 
 class EqualShareSlip(Record):
-    """Slip if all threads carried the same load."""
+    """Slip if all threads carried the same load.
+
+    slip_ratio: carrier over screw, against the nut
+    power_loss_W [W]: of the whole mechanism
+    efficiency: power out over power in
+    max_thread_power_W [W]: larger of both interfaces
+    max_power_density_W_per_mm2 [W/mm²]: power of a thread over its ellipse
+    """
 
     __slots__ = ()
     slip_ratio: float
     power_loss_W: float
-    efficiency: float
+    efficiency: float | None
     max_thread_power_W: float
     max_power_density_W_per_mm2: float
 
 
 class InterfaceSlip(Record):
-    """Threads of one interface of one roller: slip, friction, film and power; Sandu 2018, chapter 3."""
+    """Threads of one interface of one roller: slip, friction, film and power; Sandu 2018, chapter 3.
+
+    power_W [W]: power that friction takes at the thread; Sandu 2018, (3.51)
+    power_density_W_per_mm2 [W/mm²]: power over the contact ellipse pi a b
+    friction_coefficient: mean over the points of the ellipse; Sandu 2018, (2.40)
+    spin_torque_Nmm [N mm]: about the roller's outward normal; Sandu 2018, (3.10)
+    sliding_speed_mm_per_s [mm/s]: at the centre of the ellipse
+    max_sliding_speed_mm_per_s [mm/s]: largest over the points of the ellipse
+    film_thickness_nm [nm]: central film; needs a lubricant; Sandu 2018, (2.39)
+    central_film_nm [nm]: central film; needs a lubricant; Nijenbanning, Venner, Moes 1994; with lubricant.film.direction: rolling Chittenden et al. 1985
+    film_ratio: Lambda: central film over the composite roughness; needs lubricant and roughness
+    boundary_share: share (1 + Lambda)^-exponent of the load on flanks that touch, exponent 2 where the case has none; that of friction only if mixed; Olver and Spikes 1998
+    dynamic_normal_load_N [N]: normal load that keeps the axial load in balance with friction; Sandu 2018, (3.11), (3.12)
+    wear_mm3_per_km [mm³/km]: volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear; Archard 1953
+    """
 
     __slots__ = ()
     power_W: Array
@@ -356,158 +585,280 @@ class InterfaceSlip(Record):
     spin_torque_Nmm: Array
     sliding_speed_mm_per_s: Array
     max_sliding_speed_mm_per_s: Array
-    film_thickness_nm: Array
-    central_film_nm: Array
-    film_ratio: Array
-    boundary_share: Array
+    film_thickness_nm: Array | None
+    central_film_nm: Array | None
+    film_ratio: Array | None
+    boundary_share: Array | None
     dynamic_normal_load_N: Array
-    wear_mm3_per_km: Array
+    wear_mm3_per_km: Array | None
 
 
 class Slip(Record):
-    """Stationary slip of a load case: Sandu 2018, chapters 2 and 3."""
+    """Stationary slip of a load case: Sandu 2018, chapters 2 and 3.
+
+    converged: whether there is an answer
+    status: how the search for the slip ratio ended
+    evaluations: of the roller's moment balance
+    relative_residue: moment on a roller over radius and normal load; Sandu 2018, (3.38)
+    speed_rpm [rpm]: screw against nut
+    gear_ratio: Gamma = |l_R/l_S|; Sandu 2018, (2.1)
+    slip_ratio: epsilon, carrier against nut over screw against nut; Sandu 2018, (2.2)
+    ideal_slip_ratio: epsilon* of least sliding; Sandu 2018, (2.16), (2.17)
+    optimality_percent [%]: 100 % at the ideal slip ratio; Sandu 2018, (2.19)
+    driven_by: screw | load: force x speed x lead > 0 or < 0
+    efficiency: power out over power in: of the load over the shaft, or of the shaft over the load that drives; absent where self-locking; Sandu 2018, (3.52)
+    self_locking: whether no power comes out; where the load drives
+    holding_torque_Nm [N m]: by the drive on the screw in the sense of the motion, where the load drives: > 0 turns a self-locking screw, < 0 holds back the load
+    efficiency_fit: fit near a reference example; absent with Coulomb friction; Sandu 2018, (3.55)
+    power_loss_W [W]: lost to all sources of friction; Sandu 2018, (3.51)
+    power_loss_input_output_W [W]: the same as power in less power out; Sandu 2018, (3.53)
+    torque_screw_Nm [N m]: by the drive on the screw; Sandu 2018, (3.30)
+    torque_nut_Nm [N m]: on the nut; Sandu 2018, (3.31)
+    viscosity_mPas [mPa s]: dynamic, in operation; needs a lubricant
+    bearing_eccentricity_ratio: e/c of the roller heads in the carrier
+    slip_ratio_estimates: by geometry alone
+    share_percent [%]: of each source in the power that is lost
+    roller_moments_Nmm [N mm]: on one roller about its axis, by source; the mean of all in a full mechanism
+    roller_forces_N [N]: on one roller across its axis, by source; the mean of all in a full mechanism
+    hottest_thread: of the largest power density
+    equal_shares: what slip would be if all threads carried the same load
+    screw: threads at the screw, of one roller or of all
+    nut: threads at the nut, of one roller or of all
+    """
 
     __slots__ = ()
     converged: bool
     status: str
     evaluations: int
-    relative_residue: float
-    speed_rpm: float
-    gear_ratio: float
-    slip_ratio: float
-    ideal_slip_ratio: float
-    optimality_percent: float
-    driven_by: str
-    efficiency: float
-    self_locking: bool
-    holding_torque_Nm: float
-    efficiency_fit: float
-    power_loss_W: float
-    power_loss_input_output_W: float
-    torque_screw_Nm: float
-    torque_nut_Nm: float
-    viscosity_mPas: float
-    bearing_eccentricity_ratio: float
-    slip_ratio_estimates: SlipRatioEstimates
-    share_percent: PowerShares
-    roller_moments_Nmm: RollerMoments
-    roller_forces_N: RollerForces
-    hottest_thread: HottestThread
-    equal_shares: EqualShareSlip
-    screw: InterfaceSlip
-    nut: InterfaceSlip
+    relative_residue: float | None
+    speed_rpm: float | None
+    gear_ratio: float | None
+    slip_ratio: float | None
+    ideal_slip_ratio: float | None
+    optimality_percent: float | None
+    driven_by: str | None
+    efficiency: float | None
+    self_locking: bool | None
+    holding_torque_Nm: float | None
+    efficiency_fit: float | None
+    power_loss_W: float | None
+    power_loss_input_output_W: float | None
+    torque_screw_Nm: float | None
+    torque_nut_Nm: float | None
+    viscosity_mPas: float | None
+    bearing_eccentricity_ratio: float | None
+    slip_ratio_estimates: SlipRatioEstimates | None
+    share_percent: PowerShares | None
+    roller_moments_Nmm: RollerMoments | None
+    roller_forces_N: RollerForces | None
+    hottest_thread: HottestThread | None
+    equal_shares: EqualShareSlip | None
+    screw: InterfaceSlip | None
+    nut: InterfaceSlip | None
 
 
 class LoadMeasures(Record):
-    """Design measures under one load."""
+    """Design measures under one load.
+
+    hertz_stiffness_screw_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
+    hertz_stiffness_nut_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
+    thread_stiffness_N_per_um [N/µm]: N_r N/((h_S + h_N) f^(-1/3) + sum 1/k_tooth), teeth of screw, nut and twice the roller where measures.loaded_width is given; secant, equal shares; roller moves axially only; with teeth a lower bound, which may be below `solve`'s whole screw: the models of the bodies have Hertz contacts without Yamamoto's teeth, whose deflection Hertz has in part and whose nut ring each contact widens alone; Jung 2017, (3.45), (3.46), without the roller's teeth there
+    yang_largest_load_rate_percent [%]: largest axial thread load over F/N_r; each roller tooth a ball that passes on what it takes; needs structure, position and thrust section; Yang, in Jung 2017, (4.1), (8.20), corrected
+    largest_load_rate_screw_percent [%]: largest axial thread load over F/N_r, of the solved distribution; that of the model; load distribution of `prs solve`
+    largest_load_rate_nut_percent [%]: largest axial thread load over F/N_r, of the solved distribution; that of the model; load distribution of `prs solve`
+    largest_load_rate_percent [%]: largest axial thread load over F/N_r, of the solved distribution; that of the model; load distribution of `prs solve`
+    mean_peak_pressure_screw_MPa [MPa]: p_0 = 3 N/(2 pi a b) at N = f/cos(psi); equal shares; Hertz with exact ellipticity
+    mean_peak_pressure_nut_MPa [MPa]: p_0 = 3 N/(2 pi a b) at N = f/cos(psi); equal shares; Hertz with exact ellipticity
+    largest_peak_pressure_screw_MPa [MPa]: p_0 = 3 N/(2 pi a b) of the most loaded thread; that of the load distribution; Hertz with exact ellipticity
+    largest_peak_pressure_nut_MPa [MPa]: p_0 = 3 N/(2 pi a b) of the most loaded thread; that of the load distribution; Hertz with exact ellipticity
+    root_shear_stress_screw_MPa [MPa]: tau = F/(a w), mean over the root a of a tooth; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
+    root_shear_stress_roller_MPa [MPa]: tau = F/(a w), mean over the root a of a tooth; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
+    root_shear_stress_nut_MPa [MPa]: tau = F/(a w), mean over the root a of a tooth; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
+    root_bending_stress_screw_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
+    root_bending_stress_roller_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
+    root_bending_stress_nut_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
+    solved_static_safety: force at which the first thread reaches a limit, with the thread loads there, over F; as that of `prs life`; not of a full mechanism; ISO 76; Palmgren; Hertz
+    static_safety: the smaller of static_capacity_N and flank_edge_load_N over F; estimate of `prs life`'s static safety, force at which the first thread reaches a limit over the force; the same there with `share: equal`; ISO 76; Palmgren; Hertz
+    thread_static_safety: the smaller of both interfaces' static limits over N_r N times the largest axial thread load; estimate of `prs life`'s static safety, with the shares that the threads have under this load in place of those at the limit; ISO 76; Palmgren; Hertz
+    buckling_safety: buckling load over F; in compression; that of the buckling load; Euler; J. B. Johnson
+    l10_revolutions [revolutions]: 10^6 (C_a/F)^3; equal shares, 90 % reliability, F up to about C_a/2; spectra: `prs life`; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: L10 over the speed; needs a speed; that of L10; Jung 2017, (8.25); ISO 281
+    l10_travel_km [km]: L10 |l|; that of L10; Jung 2017, (8.25); ISO 281
+    drive_torque_Nm [N m]: F |l|/(2 pi eta); needs measures.friction_coefficient; mu is that of the whole mechanism as catalogues state it; no preload; Jung 2017, (8.31), corrected, with (8.29)
+    back_driving_efficiency_by_slip: shaft's power over that of the load that drives; needs what `prs slip` needs; at the speed of the case; absent where the screw locks itself; Sandu 2018, chapters 2 and 3, as `prs slip`
+    speed_safety: critical speed over |speed|; standard mechanisms, whose screw turns; that of the critical speed; Euler-Bernoulli beam
+    solved_static_safety_limit: pressure | deformation | flank_edge | given; that of solved_static_safety; ISO 76; Palmgren; Hertz
+    static_safety_limit: pressure | deformation | flank_edge | given; that of static_safety; ISO 76; Palmgren; Hertz
+    thread_static_safety_limit: pressure | deformation | flank_edge | given; that of thread_static_safety; ISO 76; Palmgren; Hertz
+    yang_load_rate_percent [%]: h (F_k^(2/3) - F_(k+1)^(2/3)) = what screw and nut stretch between threads k and k + 1; sum F/N_r; each roller tooth a ball that passes on what it takes: no bending, nothing along the roller; screw and nut as bars; no deviations; Yang, in Jung 2017, (4.1), (8.20), corrected
+    """
 
     __slots__ = ()
-    hertz_stiffness_screw_N_per_um: float
-    hertz_stiffness_nut_N_per_um: float
-    thread_stiffness_N_per_um: float
-    yang_largest_load_rate_percent: float
-    largest_load_rate_screw_percent: float
-    largest_load_rate_nut_percent: float
-    largest_load_rate_percent: float
-    mean_peak_pressure_screw_MPa: float
-    mean_peak_pressure_nut_MPa: float
-    largest_peak_pressure_screw_MPa: float
-    largest_peak_pressure_nut_MPa: float
-    root_shear_stress_screw_MPa: float
-    root_shear_stress_roller_MPa: float
-    root_shear_stress_nut_MPa: float
-    root_bending_stress_screw_MPa: float
-    root_bending_stress_roller_MPa: float
-    root_bending_stress_nut_MPa: float
-    solved_static_safety: float
-    static_safety: float
-    thread_static_safety: float
-    buckling_safety: float
-    l10_revolutions: float
-    l10_hours: float
-    l10_travel_km: float
-    drive_torque_Nm: float
-    back_driving_efficiency_by_slip: float
-    speed_safety: float
-    solved_static_safety_limit: str
-    static_safety_limit: str
-    thread_static_safety_limit: str
-    yang_load_rate_percent: Array
+    hertz_stiffness_screw_N_per_um: float | None
+    hertz_stiffness_nut_N_per_um: float | None
+    thread_stiffness_N_per_um: float | None
+    yang_largest_load_rate_percent: float | None
+    largest_load_rate_screw_percent: float | None
+    largest_load_rate_nut_percent: float | None
+    largest_load_rate_percent: float | None
+    mean_peak_pressure_screw_MPa: float | None
+    mean_peak_pressure_nut_MPa: float | None
+    largest_peak_pressure_screw_MPa: float | None
+    largest_peak_pressure_nut_MPa: float | None
+    root_shear_stress_screw_MPa: float | None
+    root_shear_stress_roller_MPa: float | None
+    root_shear_stress_nut_MPa: float | None
+    root_bending_stress_screw_MPa: float | None
+    root_bending_stress_roller_MPa: float | None
+    root_bending_stress_nut_MPa: float | None
+    solved_static_safety: float | None
+    static_safety: float | None
+    thread_static_safety: float | None
+    buckling_safety: float | None
+    l10_revolutions: float | None
+    l10_hours: float | None
+    l10_travel_km: float | None
+    drive_torque_Nm: float | None
+    back_driving_efficiency_by_slip: float | None
+    speed_safety: float | None
+    solved_static_safety_limit: str | None
+    static_safety_limit: str | None
+    thread_static_safety_limit: str | None
+    yang_load_rate_percent: Array | None
 
 
 class LoadCase(Record):
-    """The answer to one load case; one that did not converge has its status and residual alone."""
+    """The answer to one load case; one that did not converge has its status and residual alone.
+
+    name: as the file has it
+    axial_force_N [N]: on the whole screw; > 0 with a direction
+    direction: tension | compression
+    position_mm [mm]: of the first roller contact on the nut
+    converged: whether there is an equilibrium
+    status: how the solve ended; equal shares need none
+    iterations: linear solves
+    relative_residual: largest force out of balance over the load
+    factorization: library, version and kind of what solved the sparse equations
+    axial_displacement_um [µm]: of the loaded section; > 0 along the load
+    axial_stiffness_N_per_um [N/µm]: secant: force over displacement
+    tangent_stiffness_N_per_um [N/µm]: derivative of the force by the displacement
+    screw: threads of one roller at the screw
+    nut: threads of one roller at the nut
+    dofs: freedoms of the model
+    rollers: missing ones included
+    carrier_angle_deg [deg]: azimuth of the first roller
+    idle_rollers: that carry nothing, from 1
+    screw_end: displacement and stiffness of the loaded section
+    reactions: forces of the supports on the parts
+    symmetric: the same screw with the axial force only: aligned, all rollers, nominal parts
+    orbit: what a turn of the carrier does
+    warnings: what is unusual about this load
+    newton_history: one per linear solve; documents of many load cases leave it out
+    heat: with `heat`: loads and slip are those at its temperatures
+    slip: of `prs slip`
+    measures: of `prs measures`
+    """
 
     __slots__ = ()
     name: str
     axial_force_N: float
-    direction: str
-    position_mm: float
+    direction: str | None
+    position_mm: float | None
     converged: bool
     status: str
-    iterations: int
-    relative_residual: float
-    factorization: str
-    axial_displacement_um: float
-    axial_stiffness_N_per_um: float
-    tangent_stiffness_N_per_um: float
-    screw: InterfaceLoads
-    nut: InterfaceLoads
-    dofs: int
-    rollers: int
-    carrier_angle_deg: float
-    idle_rollers: Array
-    screw_end: ScrewEnd
-    reactions: Reactions
-    symmetric: SymmetricLoads
-    orbit: Orbit
+    iterations: int | None
+    relative_residual: float | None
+    factorization: str | None
+    axial_displacement_um: float | None
+    axial_stiffness_N_per_um: float | None
+    tangent_stiffness_N_per_um: float | None
+    screw: InterfaceLoads | None
+    nut: InterfaceLoads | None
+    dofs: int | None
+    rollers: int | None
+    carrier_angle_deg: float | None
+    idle_rollers: Array | None
+    screw_end: ScrewEnd | None
+    reactions: Reactions | None
+    symmetric: SymmetricLoads | None
+    orbit: Orbit | None
     warnings: list[str]
-    newton_history: list[NewtonIteration]
-    heat: Heat
-    slip: Slip
-    measures: LoadMeasures
+    newton_history: list[NewtonIteration] | None
+    heat: Heat | None
+    slip: Slip | None
+    measures: LoadMeasures | None
 
 
 class MostLoadedThread(Record):
-    """What an interface's threads carry, by one model."""
+    """What an interface's threads carry, by one model.
+
+    most_loaded_thread: 1 is next to the loaded end of the screw
+    most_loaded_roller: from 1; of a full mechanism
+    largest_load_rate_percent [%]: its share: axial load over force per roller
+    largest_peak_pressure_MPa [MPa]: largest of a thread
+    load_rate_percent [%]: share of each thread; of a full mechanism [roller][thread]
+    """
 
     __slots__ = ()
     most_loaded_thread: int
-    most_loaded_roller: int
-    largest_load_rate_percent: float
-    largest_peak_pressure_MPa: float
+    most_loaded_roller: int | None
+    largest_load_rate_percent: float | None
+    largest_peak_pressure_MPa: float | None
     load_rate_percent: Array
 
 
 class ComparedModel(Record):
-    """The answer of one model of the bodies to a load case."""
+    """The answer of one model of the bodies to a load case.
+
+    bodies: bars | refined | influence of one sector, or full: all rollers
+    converged: whether there is an equilibrium
+    axial_stiffness_N_per_um [N/µm]: secant: force over displacement
+    stiffness_over_best: over that of the best model
+    axial_displacement_um [µm]: of the loaded section; > 0 along the load
+    largest_peak_pressure_MPa [MPa]: largest of a thread at either interface
+    pressure_over_best: largest over that of the best model
+    screw: threads of one roller at the screw
+    nut: threads of one roller at the nut
+    """
 
     __slots__ = ()
     bodies: str
     converged: bool
-    axial_stiffness_N_per_um: float
-    stiffness_over_best: float
-    axial_displacement_um: float
-    largest_peak_pressure_MPa: float
-    pressure_over_best: float
-    screw: MostLoadedThread
-    nut: MostLoadedThread
+    axial_stiffness_N_per_um: float | None
+    stiffness_over_best: float | None
+    axial_displacement_um: float | None
+    largest_peak_pressure_MPa: float | None
+    pressure_over_best: float | None
+    screw: MostLoadedThread | None
+    nut: MostLoadedThread | None
 
 
 class ComparedLoadCase(Record):
-    """A load case by each model of the bodies."""
+    """A load case by each model of the bodies.
+
+    name: as the file has it
+    axial_force_N [N]: on the whole screw
+    direction: tension | compression
+    position_mm [mm]: of the first roller contact on the nut
+    models: the best last
+    warnings: what is unusual about this load, by the best model
+    """
 
     __slots__ = ()
     name: str
     axial_force_N: float
-    direction: str
-    position_mm: float
+    direction: str | None
+    position_mm: float | None
     models: list[ComparedModel]
     warnings: list[str]
 
 
 class Comparison(Record):
-    """The models of the bodies side by side."""
+    """The models of the bodies side by side.
+
+    models: that were compared: bars | refined | influence, or one of them | full; the best last
+    load_cases: those that are solved, not of equal shares
+    """
 
     __slots__ = ()
     models: list[str]
@@ -515,7 +866,12 @@ class Comparison(Record):
 
 
 class PartSeries(Record):
-    """Numbers of each part over time."""
+    """Numbers of each part over time.
+
+    screw: of the screw
+    rollers: of all rollers
+    nut: of the nut
+    """
 
     __slots__ = ()
     screw: Array
@@ -524,24 +880,41 @@ class PartSeries(Record):
 
 
 class HeatCycle(Record):
-    """The state of a duty that repeats itself from cycle to cycle."""
+    """The state of a duty that repeats itself from cycle to cycle.
+
+    converged: whether there is a state that repeats itself
+    status: converged | no_steady_state | iteration_limit
+    reason: where not converged
+    period_s [s]: of the duty
+    time_s [s]: from the start of the cycle to its end
+    temperature_degC [°C]: of each part at these times
+    peak_degC [°C]: largest of each part
+    mean_degC [°C]: of each part over the cycle
+    energy_in_J [J]: that shaft and load bring in while they drive, per cycle
+    energy_lost_J [J]: to friction, per cycle
+    efficiency: energy out over energy in
+    """
 
     __slots__ = ()
     converged: bool
     status: str
-    reason: str
+    reason: str | None
     period_s: float
-    time_s: Array
-    temperature_degC: PartSeries
-    peak_degC: PartNumbers
-    mean_degC: PartNumbers
-    energy_in_J: float
-    energy_lost_J: float
-    efficiency: float
+    time_s: Array | None
+    temperature_degC: PartSeries | None
+    peak_degC: PartNumbers | None
+    mean_degC: PartNumbers | None
+    energy_in_J: float | None
+    energy_lost_J: float | None
+    efficiency: float | None
 
 
 class PerDirection(Record):
-    """One number for each sense of the load."""
+    """One number for each sense of the load.
+
+    tension: tension
+    compression: compression
+    """
 
     __slots__ = ()
     tension: float
@@ -549,16 +922,25 @@ class PerDirection(Record):
 
 
 class PreloadSide(Record):
-    """Contacts that carry one sense of the load."""
+    """Contacts that carry one sense of the load.
+
+    axial_load_N [N]: of all threads of this side
+    max_normal_load_N [N]: of a thread of one roller
+    peak_pressure_MPa [MPa]: largest of a thread; Hertz with exact ellipticity
+    """
 
     __slots__ = ()
     axial_load_N: float
     max_normal_load_N: float
-    peak_pressure_MPa: float
+    peak_pressure_MPa: float | None
 
 
 class PreloadSides(Record):
-    """Contacts by the sense of the load that they carry."""
+    """Contacts by the sense of the load that they carry.
+
+    tension: contacts that carry tension
+    compression: contacts that carry compression
+    """
 
     __slots__ = ()
     tension: PreloadSide
@@ -566,7 +948,17 @@ class PreloadSides(Record):
 
 
 class PreloadPoint(Record):
-    """Equilibrium under one external load."""
+    """Equilibrium under one external load.
+
+    axial_force_N [N]: external load, > 0 in tension
+    converged: whether there is an equilibrium
+    status: how the solve ended
+    iterations: linear solves
+    relative_residual: largest force out of balance over the load
+    axial_displacement_um [µm]: of the loaded section, 0 without external load, > 0 in tension
+    tangent_stiffness_N_per_um [N/µm]: derivative of the force by the displacement; absent where the screw is loose
+    sides: contacts by the sense of the load that they carry
+    """
 
     __slots__ = ()
     axial_force_N: float
@@ -574,40 +966,63 @@ class PreloadPoint(Record):
     status: str
     iterations: int
     relative_residual: float
-    axial_displacement_um: float
-    tangent_stiffness_N_per_um: float
-    sides: PreloadSides
+    axial_displacement_um: float | None
+    tangent_stiffness_N_per_um: float | None
+    sides: PreloadSides | None
 
 
 class WithoutPreload(Record):
-    """The same nut without preload."""
+    """The same nut without preload.
+
+    stiffness_at_zero_N_per_um [N/µm]: tangent without external load, reached from either sense
+    lost_motion_um [µm]: displacement between the lost-motion load in tension and in compression
+    loads: one equilibrium per external load
+    """
 
     __slots__ = ()
     stiffness_at_zero_N_per_um: PerDirection
-    lost_motion_um: float
+    lost_motion_um: float | None
     loads: list[PreloadPoint]
 
 
 class Preload(Record):
-    """The preloaded nut: forces and displacements are > 0 in tension."""
+    """The preloaded nut: forces and displacements are > 0 in tension.
+
+    arrangement: single_nut | double_nut
+    position_mm [mm]: of the first roller contact on the nut
+    held_at_mm [mm]: section at which the first nut is held, by the sense of the load
+    preload_force_N [N]: axial load of each side without external load
+    interference_um [µm]: oversize of the rollers' pitch diameter, or of the spacer; absent with play
+    backlash_um [µm]: axial play
+    opening_force_N [N]: external load at which the side that opposes it opens
+    lost_motion_load_N [N]: to both senses
+    stiffness_at_zero_N_per_um [N/µm]: tangent without external load, reached from either sense
+    lost_motion_um [µm]: displacement between the lost-motion load in tension and in compression
+    loads: one equilibrium per external load
+    without_preload: neither preload nor play
+    """
 
     __slots__ = ()
     arrangement: str
     position_mm: float
     held_at_mm: PerDirection
-    preload_force_N: float
-    interference_um: float
-    backlash_um: float
+    preload_force_N: float | None
+    interference_um: float | None
+    backlash_um: float | None
     opening_force_N: PerDirection
     lost_motion_load_N: float
     stiffness_at_zero_N_per_um: PerDirection
-    lost_motion_um: float
+    lost_motion_um: float | None
     loads: list[PreloadPoint]
-    without_preload: WithoutPreload
+    without_preload: WithoutPreload | None
 
 
 class PerInterface(Record):
-    """One number each of the roller's contacts with screw and nut."""
+    """One number each of the roller's contacts with screw and nut.
+
+    screw: screw
+    nut: nut
+    """
 
     __slots__ = ()
     screw: float
@@ -615,37 +1030,65 @@ class PerInterface(Record):
 
 
 class Capacity(Record):
-    """What the mechanism can carry."""
+    """What the mechanism can carry.
+
+    dynamic_capacity_N [N]: C_a; life.dynamic_capacity where stated; Lemor, in Jung 2017, (6.1) to (6.3)
+    dynamic_capacity_range_N [N]: f_c at d_r cos/d_n, d_r cos/(2 c) and D_c cos/(2 c): Lemor's ratio of diameters and ISO 281's; docs/life.md
+    source: lemor | given
+    geometry_factor: f_c; Lemor, in Jung 2017, (6.1) to (6.3)
+    geometry_factor_range: f_c at d_r cos/d_n, d_r cos/(2 c) and D_c cos/(2 c): Lemor's ratio of diameters and ISO 281's; docs/life.md
+    diameter_ratio: d_r cos(alpha)/d_n; Lemor, in Jung 2017, (6.1) to (6.3)
+    element_diameter_mm [mm]: diameter of the equivalent ball; Lemor, in Jung 2017, (6.1) to (6.3)
+    failure_share: share of each interface in the failures under equal loads
+    roller_failure_share: part of the rollers in the failures of each interface; of a full mechanism; Lundberg and Palmgren
+    static_capacity_equal_shares_N [N]: force at which equal thread loads have a peak pressure of 4.0 GPa; ISO 76:2006
+    flank_edge_load_equal_shares_N [N]: force at which ellipses of equal loads reach a crest or root; Hertz with exact ellipticity
+    static_capacity_given_N [N]: life.static_capacity
+    """
 
     __slots__ = ()
     dynamic_capacity_N: float
     dynamic_capacity_range_N: Array
     source: str
-    geometry_factor: float
-    geometry_factor_range: Array
-    diameter_ratio: float
-    element_diameter_mm: float
+    geometry_factor: float | None
+    geometry_factor_range: Array | None
+    diameter_ratio: float | None
+    element_diameter_mm: float | None
     failure_share: PerInterface
-    roller_failure_share: PerInterface
-    static_capacity_equal_shares_N: float
-    flank_edge_load_equal_shares_N: float
-    static_capacity_given_N: float
+    roller_failure_share: PerInterface | None
+    static_capacity_equal_shares_N: float | None
+    flank_edge_load_equal_shares_N: float | None
+    static_capacity_given_N: float | None
 
 
 class LifeLoads(Record):
-    """The history or the spectrum."""
+    """The history or the spectrum.
+
+    samples: of the history or the spectrum
+    revolutions: of one pass
+    travel_m [m]: of one pass
+    duration_h [h]: of one pass
+    mean_load_N [N]: cubic mean over the revolutions; ISO 281; cubic mean
+    largest_force_N [N]: of either direction
+    """
 
     __slots__ = ()
     samples: int
-    revolutions: float
-    travel_m: float
-    duration_h: float
+    revolutions: float | None
+    travel_m: float | None
+    duration_h: float | None
     mean_load_N: float
     largest_force_N: float
 
 
 class CycleMatrix(Record):
-    """Load cycles by range and mean."""
+    """Load cycles by range and mean.
+
+    range_to_N [N]: end of the last class of ranges, from 0
+    mean_from_N [N]: start of the first class of means
+    mean_to_N [N]: end of the last class of means
+    count: of cycles, by range and mean
+    """
 
     __slots__ = ()
     range_to_N: float
@@ -655,7 +1098,14 @@ class CycleMatrix(Record):
 
 
 class Cycles(Record):
-    """Load cycles of a history: rainflow, ASTM E1049-85."""
+    """Load cycles of a history: rainflow, ASTM E1049-85.
+
+    count: half cycles as halves; ASTM E1049-85
+    fatigue_slope: of the S-N curve; FKM
+    equivalent_range_N [N]: constant range that does the same damage in as many cycles; FKM; Miner elementary
+    largest_range_N [N]: of a cycle
+    matrix: cycles by range and mean
+    """
 
     __slots__ = ()
     count: float
@@ -666,45 +1116,80 @@ class Cycles(Record):
 
 
 class LifeInUse(Record):
-    """A life L10 at the value of the dynamic capacity."""
+    """A life L10 at the value of the dynamic capacity.
+
+    l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
+    l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: needs a speed; Jung 2017, (8.25); ISO 281
+    l10_travel_km [km]: revolutions times lead; Jung 2017, (8.25); ISO 281
+    l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
+    rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_revolutions_range: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_travel_km [km]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_passes: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    """
 
     __slots__ = ()
-    l10_revolutions: float
-    l10_revolutions_range: Array
-    l10_hours: float
-    l10_travel_km: float
-    l10_passes: float
-    rated_revolutions: float
-    rated_revolutions_range: Array
-    rated_hours: float
-    rated_travel_km: float
-    rated_passes: float
+    l10_revolutions: float | None
+    l10_revolutions_range: Array | None
+    l10_hours: float | None
+    l10_travel_km: float | None
+    l10_passes: float | None
+    rated_revolutions: float | None
+    rated_revolutions_range: Array | None
+    rated_hours: float | None
+    rated_travel_km: float | None
+    rated_passes: float | None
 
 
 class WeakestThread(Record):
-    """The thread that fails first, of those that turn under load."""
+    """The thread that fails first, of those that turn under load.
+
+    l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
+    l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: needs a speed; Jung 2017, (8.25); ISO 281
+    l10_travel_km [km]: revolutions times lead; Jung 2017, (8.25); ISO 281
+    l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
+    rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_revolutions_range: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_travel_km [km]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_passes: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    direction: tension | compression
+    interface: screw | nut
+    thread: from 1, next to the loaded end of the screw
+    part: screw | roller | nut: whose thread; of a full mechanism
+    roller: from 1; of a roller of a full mechanism
+    equivalent_load_N [N]: axial, cubic mean over all revolutions; ISO 281; cubic mean
+    """
 
     __slots__ = ()
-    l10_revolutions: float
-    l10_revolutions_range: Array
-    l10_hours: float
-    l10_travel_km: float
-    l10_passes: float
-    rated_revolutions: float
-    rated_revolutions_range: Array
-    rated_hours: float
-    rated_travel_km: float
-    rated_passes: float
+    l10_revolutions: float | None
+    l10_revolutions_range: Array | None
+    l10_hours: float | None
+    l10_travel_km: float | None
+    l10_passes: float | None
+    rated_revolutions: float | None
+    rated_revolutions_range: Array | None
+    rated_hours: float | None
+    rated_travel_km: float | None
+    rated_passes: float | None
     direction: str
     interface: str
     thread: int
-    part: str
-    roller: int
+    part: str | None
+    roller: int | None
     equivalent_load_N: float
 
 
 class RollerLives(Record):
-    """Lives of the threads of the rollers at one interface."""
+    """Lives of the threads of the rollers at one interface.
+
+    equivalent_load_N [N]: [roller][thread], axial, cubic mean over all revolutions; ISO 281; cubic mean
+    l10_revolutions [revolutions]: [roller][thread]; null where the thread is never loaded; Jung 2017, (8.25); ISO 281
+    rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    """
 
     __slots__ = ()
     equivalent_load_N: Array
@@ -713,39 +1198,71 @@ class RollerLives(Record):
 
 
 class InterfaceLife(Record):
-    """Lives of the threads of one interface."""
+    """Lives of the threads of one interface.
+
+    equivalent_load_N [N]: axial, cubic mean over all revolutions; ISO 281; cubic mean
+    l10_revolutions [revolutions]: of the thread on all rollers; null where it is never loaded; Jung 2017, (8.25); ISO 281
+    rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    largest_load_N [N]: axial, under the largest force
+    equivalent_range_N [N]: of the axial load over the cycles of the history; FKM; Miner elementary
+    rollers: threads of the rollers of a full mechanism
+    peak_pressure_MPa [MPa]: under the largest force; Hertz with exact ellipticity
+    """
 
     __slots__ = ()
-    equivalent_load_N: Array
-    l10_revolutions: Array
-    rated_revolutions: Array
-    largest_load_N: Array
-    equivalent_range_N: Array
-    rollers: RollerLives
-    peak_pressure_MPa: float
+    equivalent_load_N: Array | None
+    l10_revolutions: Array | None
+    rated_revolutions: Array | None
+    largest_load_N: Array | None
+    equivalent_range_N: Array | None
+    rollers: RollerLives | None
+    peak_pressure_MPa: float | None
 
 
 class DirectionLife(Record):
-    """Lives under the loads of one direction."""
+    """Lives under the loads of one direction.
+
+    l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
+    l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: needs a speed; Jung 2017, (8.25); ISO 281
+    l10_travel_km [km]: revolutions times lead; Jung 2017, (8.25); ISO 281
+    l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
+    rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_revolutions_range: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_travel_km [km]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_passes: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    share_of_revolutions: under loads of this direction
+    mean_load_N [N]: cubic mean over the revolutions of both directions; ISO 281; cubic mean
+    largest_force_N [N]: of this direction
+    static_capacity_N [N]: force at which the first thread has a peak pressure of 4.0 GPa; ISO 76:2006
+    flank_edge_load_N [N]: force at which the first ellipse reaches a crest or root; Hertz with exact ellipticity
+    static_safety: force at which the first thread reaches a limit over the largest force; ISO 76
+    static_safety_limit: pressure | deformation | flank_edge | given
+    equilibria: that were solved
+    interpolation_error: of thread loads between the equilibria, relative
+    screw: threads of one roller at the screw
+    nut: threads of one roller at the nut
+    """
 
     __slots__ = ()
-    l10_revolutions: float
-    l10_revolutions_range: Array
-    l10_hours: float
-    l10_travel_km: float
-    l10_passes: float
-    rated_revolutions: float
-    rated_revolutions_range: Array
-    rated_hours: float
-    rated_travel_km: float
-    rated_passes: float
+    l10_revolutions: float | None
+    l10_revolutions_range: Array | None
+    l10_hours: float | None
+    l10_travel_km: float | None
+    l10_passes: float | None
+    rated_revolutions: float | None
+    rated_revolutions_range: Array | None
+    rated_hours: float | None
+    rated_travel_km: float | None
+    rated_passes: float | None
     share_of_revolutions: float
     mean_load_N: float
     largest_force_N: float
-    static_capacity_N: float
-    flank_edge_load_N: float
-    static_safety: float
-    static_safety_limit: str
+    static_capacity_N: float | None
+    flank_edge_load_N: float | None
+    static_safety: float | None
+    static_safety_limit: str | None
     equilibria: int
     interpolation_error: float
     screw: InterfaceLife
@@ -753,67 +1270,126 @@ class DirectionLife(Record):
 
 
 class Life(Record):
-    """Lives of mechanism and threads."""
+    """Lives of mechanism and threads.
+
+    converged: whether every load has an equilibrium
+    status: why there are no lives
+    share: solved | equal: thread loads
+    reliability_factor: a1 of the reliability that is asked for; ISO 281:2007, a1
+    modification_factor: a_ISO as the case states it; ISO 281:2007
+    capacity: of the mechanism
+    loads: of the history or the spectrum
+    cycles: counted from a history (rainflow)
+    system: of the mechanism, real thread loads
+    equal_shares: of the mechanism, equal thread loads
+    catalogue: (C_a/F_m)^3
+    static_safety: the smaller of both directions; ISO 76
+    static_safety_limit: pressure | deformation | flank_edge | given
+    weakest_thread: that fails first
+    tension: flanks that carry tension
+    compression: flanks that carry compression
+    """
 
     __slots__ = ()
     converged: bool
-    status: str
+    status: str | None
     share: str
     reliability_factor: float
     modification_factor: float
     capacity: Capacity
     loads: LifeLoads
-    cycles: Cycles
-    system: LifeInUse
-    equal_shares: LifeInUse
-    catalogue: LifeInUse
-    static_safety: float
-    static_safety_limit: str
-    weakest_thread: WeakestThread
-    tension: DirectionLife
-    compression: DirectionLife
+    cycles: Cycles | None
+    system: LifeInUse | None
+    equal_shares: LifeInUse | None
+    catalogue: LifeInUse | None
+    static_safety: float | None
+    static_safety_limit: str | None
+    weakest_thread: WeakestThread | None
+    tension: DirectionLife | None
+    compression: DirectionLife | None
 
 
 class Measures(Record):
-    """Design measures of the mechanism that no load changes."""
+    """Design measures of the mechanism that no load changes.
+
+    velocity_ratio_mm_per_rad [mm/rad]: |l|/(2 pi); always; Jung 2017, (8.30), corrected
+    roller_ratio: omega_R/omega_S = -d_S/(2 d_R); rolling without slip by the leads, Gamma = |l_R/l_S|, formula of matched diameters; inverted: 1 - x is the ratio to the nut that turns, screw at rest; with friction see `prs slip`; Sandu 2018, (2.4), (2.21); Jung 2017, (2.13), corrected
+    carrier_ratio: omega_C/omega_S = d_S/(2 (d_S + d_R)); rolling without slip by the leads, Gamma = |l_R/l_S|, formula of matched diameters; inverted: 1 - x is the ratio to the nut that turns, screw at rest; with friction see `prs slip`; Sandu 2018, (2.21); Jung 2017, (2.27), inverted there
+    efficiency: eta = 1/(1 + pi d_S mu/l); estimate: Coulomb friction of one screw and nut; `prs slip` computes the efficiency from the losses of the contacts; needs measures.friction_coefficient, that of the whole mechanism as catalogues state it; no preload; Jung 2017, (8.29)
+    back_driving_efficiency: eta' = 1 - pi d_S mu/l = 2 - 1/eta; absent where self-locking; as efficiency; misses a maker's 24 screws by -0.07 to +0.01 and `slip` by -0.06 to -0.03 (lesson 10: 0.73 for 0.78), for contacts lose about the same share of the power both ways: prefer that of a load case, which is by slip; friction angle of one thread, as (8.29)
+    section_stiffness_screw_N_per_um [N/µm]: E A_S/p, A_S = pi/4 (d_S^2 - d_bore^2); sections of the sector model between two threads; nut between its flanges; Jung 2017, (3.2)
+    section_stiffness_roller_N_per_um [N/µm]: N_r E A_R/(2 p), A_R = pi/4 d_R^2; two pitches as printed, without a reason; the sector model has E A_R/p; Jung 2017, (3.3)
+    section_stiffness_nut_N_per_um [N/µm]: E A_N/p, A_N = pi/4 (D_N^2 - d_N^2); sections of the sector model between two threads; nut between its flanges; Jung 2017, (3.1)
+    tooth_stiffness_screw_N_per_um [N/µm]: w over the sum of five deflections under 1 N/m; needs measures.loaded_width w, which no theory gives; with Hertz on top part of the deflection counts twice; Yamamoto 1980 in its right form (Jung 2017, (3.4) to (3.19), misprinted)
+    tooth_stiffness_roller_N_per_um [N/µm]: w over the sum of five deflections under 1 N/m; needs measures.loaded_width w, which no theory gives; with Hertz on top part of the deflection counts twice; Yamamoto 1980 in its right form (Jung 2017, (3.4) to (3.19), misprinted)
+    tooth_stiffness_nut_N_per_um [N/µm]: w over the sum of five deflections under 1 N/m; needs measures.loaded_width w, which no theory gives; with Hertz on top part of the deflection counts twice; Yamamoto 1980 in its right form (Jung 2017, (3.4) to (3.19), misprinted)
+    geometry_factor: polynomial in d_r cos(alpha)/d_n; ratio from 0.01 to 0.30; [N, mm]; Jung 2017, (6.3); ISO 281, thrust ball bearings of 45 deg
+    element_diameter_mm [mm]: sqrt(2.5 p sqrt(2) d_r); crowned threads of 45 deg; Lemor, in Jung 2017, (6.2), (8.27)
+    dynamic_capacity_N [N]: C_a = f_c cos(alpha)^0.86 N_c^(2/3) D_c^1.8 tan(alpha) cos(beta)^(1/3) [N, mm], 3.647 D_c^1.4 beyond 25.4 mm; or life.dynamic_capacity where stated; d_r cos(alpha)/d_n from 0.01 to 0.30; crowned flanks of 45 deg, hardened steel; Lemor, in Jung 2017, (5.5), (6.1), (8.26)
+    dynamic_capacity_low_N [N]: C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %; which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to 120 mm (validation/standard_screws); a maker's own value goes first; docs/life.md
+    dynamic_capacity_high_N [N]: C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %; which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to 120 mm (validation/standard_screws); a maker's own value goes first; docs/life.md
+    static_capacity_N [N]: the least of the next four; or life.static_capacity where stated; equal shares; hardened bearing steel; flanks of any height, see flank_edge_load_N; as uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws); ISO 76, Palmgren, Hertz
+    deformation_capacity_screw_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal shares; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
+    deformation_capacity_nut_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal shares; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
+    pressure_capacity_screw_N [N]: axial load at which every contact has p_0 = 4.0 GPa: N_r N cos(psi) (2 pi a' b' p_0/3)^3; equal shares; hardened bearing steel; elastic up to there; Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)
+    pressure_capacity_nut_N [N]: axial load at which every contact has p_0 = 4.0 GPa: N_r N cos(psi) (2 pi a' b' p_0/3)^3; equal shares; hardened bearing steel; elastic up to there; Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)
+    flank_edge_load_N [N]: the smaller of both below; equal shares; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
+    flank_edge_load_screw_N [N]: N_r N cos(psi) min(h/rho')^3, h the radial height from the contact point to a crest or root of body or roller, rho' = sqrt((a' t_1r)^2 + (b' t_2r)^2) the ellipse's radial reach under 1 N; equal shares; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
+    flank_edge_load_nut_N [N]: N_r N cos(psi) min(h/rho')^3, h the radial height from the contact point to a crest or root of body or roller, rho' = sqrt((a' t_1r)^2 + (b' t_2r)^2) the ellipse's radial reach under 1 N; equal shares; ellipse of the unbounded flank; crests and roots of mechanism.thread, else where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a fifth; Hertz; geometry
+    roller_weight_kg [kg]: N_r rho pi/4 (d_R^2 N p + 2 d_end^2 L_end); needs materials.density of these parts; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry; Jung 2017, (5.1) to (5.4), corrected
+    nut_weight_kg [kg]: rho pi/4 integral of (D(x)^2 - d_N^2) dx; needs materials.density of these parts; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry; Jung 2017, (5.1) to (5.4), corrected
+    weight_kg [kg]: sum of both; needs materials.density of these parts; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry; Jung 2017, (5.1) to (5.4), corrected
+    screw_weight_kg_per_m [kg/m]: rho pi/4 (d_S^2 - d_bore^2); needs materials.density of these parts; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry
+    material_volume_cm3 [cm³]: pi/4 (integral of (D(x)^2 - d_N^2) dx + N_r (d_R^2 N p + 2 d_end^2 L_end)); bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; Jung 2017, (7.2), which lacks pi/4
+    envelope_volume_cm3 [cm³]: pi/4 D_max^2 L_N; the nut's length, largest flange included; geometry
+    force_density_kN_per_kg [kN/kg]: C_a over the weight of rollers and nut; that of C_a and of the weight; the screw, whose length is the actuator's, is not counted; Jung 2017, chapter 6
+    roller_inertia_kg_mm2 [kg mm²]: N_r (I_R (omega_R/omega)^2 + M_R c^2 (omega_C/omega)^2); standard: the screw turns, the nut travels; inverted: the nut turns, the screw travels; without carrier and couplings; Jung 2017, (8.32) to (8.34), corrected
+    travel_inertia_kg_mm2 [kg mm²]: (N_r M_R + M) (l/(2 pi))^2, M the nut or, inverted, the screw over measures.shaft.length; standard: the screw turns, the nut travels; inverted: the nut turns, the screw travels; without carrier and couplings; Jung 2017, (8.32) to (8.34), corrected
+    screw_inertia_kg_mm2 [kg mm²]: rho pi/32 (d_S^4 - d_bore^4) L; needs measures.shaft.length; threaded over all of it; geometry
+    nut_inertia_kg_mm2 [kg mm²]: rho pi/32 integral of (D(x)^4 - d_N^4) dx; bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; without carrier, gears and seals; geometry
+    equivalent_inertia_kg_mm2 [kg mm²]: rollers + what travels + the part that turns (screw; inverted: nut); needs all densities and measures.shaft.length; Jung 2017, (8.34), corrected
+    shaft_stiffness_N_per_um [N/µm]: E A_S/L, A_S = pi/4 (d_S^2 - d_bore^2); needs measures.shaft; held axially at one end, the nut at the other; geometry
+    buckling_load_N [N]: pi^2 E I/(K L)^2; below lambda = sqrt(2 pi^2 E/s_y): A s_y (1 - s_y lambda^2/(4 pi^2 E)); needs measures.shaft; core diameter, by default d_S - 0.5 p; straight, no safety factor; without measures.yield_strength Euler alone, too high for stocky shafts; Euler; J. B. Johnson; K = 2, 1, 0.699, 0.5
+    critical_speed_rpm [rpm]: (beta L)^2 sqrt(E I/(rho A L^4)), beta L = 1.8751, pi, 3.9266, 4.7300; standard mechanisms, whose screw turns; needs measures.shaft and the screw's density; slender uniform beam of the core diameter; no axial load, no margin (catalogues: 80 %); Euler-Bernoulli beam
+    """
 
     __slots__ = ()
-    velocity_ratio_mm_per_rad: float
-    roller_ratio: float
-    carrier_ratio: float
-    efficiency: float
-    back_driving_efficiency: float
-    section_stiffness_screw_N_per_um: float
-    section_stiffness_roller_N_per_um: float
-    section_stiffness_nut_N_per_um: float
-    tooth_stiffness_screw_N_per_um: float
-    tooth_stiffness_roller_N_per_um: float
-    tooth_stiffness_nut_N_per_um: float
-    geometry_factor: float
-    element_diameter_mm: float
-    dynamic_capacity_N: float
-    dynamic_capacity_low_N: float
-    dynamic_capacity_high_N: float
-    static_capacity_N: float
-    deformation_capacity_screw_N: float
-    deformation_capacity_nut_N: float
-    pressure_capacity_screw_N: float
-    pressure_capacity_nut_N: float
-    flank_edge_load_N: float
-    flank_edge_load_screw_N: float
-    flank_edge_load_nut_N: float
-    roller_weight_kg: float
-    nut_weight_kg: float
-    weight_kg: float
-    screw_weight_kg_per_m: float
-    material_volume_cm3: float
-    envelope_volume_cm3: float
-    force_density_kN_per_kg: float
-    roller_inertia_kg_mm2: float
-    travel_inertia_kg_mm2: float
-    screw_inertia_kg_mm2: float
-    nut_inertia_kg_mm2: float
-    equivalent_inertia_kg_mm2: float
-    shaft_stiffness_N_per_um: float
-    buckling_load_N: float
-    critical_speed_rpm: float
+    velocity_ratio_mm_per_rad: float | None
+    roller_ratio: float | None
+    carrier_ratio: float | None
+    efficiency: float | None
+    back_driving_efficiency: float | None
+    section_stiffness_screw_N_per_um: float | None
+    section_stiffness_roller_N_per_um: float | None
+    section_stiffness_nut_N_per_um: float | None
+    tooth_stiffness_screw_N_per_um: float | None
+    tooth_stiffness_roller_N_per_um: float | None
+    tooth_stiffness_nut_N_per_um: float | None
+    geometry_factor: float | None
+    element_diameter_mm: float | None
+    dynamic_capacity_N: float | None
+    dynamic_capacity_low_N: float | None
+    dynamic_capacity_high_N: float | None
+    static_capacity_N: float | None
+    deformation_capacity_screw_N: float | None
+    deformation_capacity_nut_N: float | None
+    pressure_capacity_screw_N: float | None
+    pressure_capacity_nut_N: float | None
+    flank_edge_load_N: float | None
+    flank_edge_load_screw_N: float | None
+    flank_edge_load_nut_N: float | None
+    roller_weight_kg: float | None
+    nut_weight_kg: float | None
+    weight_kg: float | None
+    screw_weight_kg_per_m: float | None
+    material_volume_cm3: float | None
+    envelope_volume_cm3: float | None
+    force_density_kN_per_kg: float | None
+    roller_inertia_kg_mm2: float | None
+    travel_inertia_kg_mm2: float | None
+    screw_inertia_kg_mm2: float | None
+    nut_inertia_kg_mm2: float | None
+    equivalent_inertia_kg_mm2: float | None
+    shaft_stiffness_N_per_um: float | None
+    buckling_load_N: float | None
+    critical_speed_rpm: float | None

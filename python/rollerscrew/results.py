@@ -30,21 +30,23 @@ class CheckResult(views.CheckViews):
     """What the case is ready for, what is unusual about it, every value with its default."""
 
     __slots__ = ()
+    _command = "check"
     commands: Values
-    verdict: records.Verdict
+    verdict: records.Verdict | None
     derived: Values
     contact: records.Contacts
-    threads: records.Threads
+    threads: records.Threads | None
 
 
 class ContactResult(views.ContactViews):
     """Contact points, backlash, curvatures; ellipses where materials and equal shares are given."""
 
     __slots__ = ()
+    _command = "contact"
     _block = "contact"
-    contact: records.Contacts
-    threads: records.Threads
-    model: records.Model
+    contact: records.Contacts | None
+    threads: records.Threads | None
+    model: records.Model | None
     load_cases: list[records.LoadCase]
 
 
@@ -55,10 +57,11 @@ class SolveResult(views.SolveViews):
     """
 
     __slots__ = ()
+    _command = "solve"
     _block = "load_cases"
-    contact: records.Contacts
-    threads: records.Threads
-    model: records.Model
+    contact: records.Contacts | None
+    threads: records.Threads | None
+    model: records.Model | None
     load_cases: list[records.LoadCase]
 
 
@@ -69,9 +72,10 @@ class CompareResult(views.CompareViews):
     """
 
     __slots__ = ()
+    _command = "compare"
     _block = "comparison"
     contact: records.Contacts
-    threads: records.Threads
+    threads: records.Threads | None
     comparison: records.Comparison
 
 
@@ -79,21 +83,23 @@ class SlipResult(views.SlipViews, SolveResult):
     """Slip, friction, dissipated power, efficiency and torques."""
 
     __slots__ = ()
+    _command = "slip"
     _block = "load_cases"
-    contact: records.Contacts
-    threads: records.Threads
-    model: records.Model
+    contact: records.Contacts | None
+    threads: records.Threads | None
+    model: records.Model | None
     load_cases: list[records.LoadCase]
-    heat_cycle: records.HeatCycle
+    heat_cycle: records.HeatCycle | None
 
 
 class PreloadResult(views.PreloadViews):
     """Preload: curve through zero, lost motion, opening loads."""
 
     __slots__ = ()
+    _command = "preload"
     _block = "preload"
     contact: records.Contacts
-    threads: records.Threads
+    threads: records.Threads | None
     preload: records.Preload
 
 
@@ -101,9 +107,10 @@ class LifeResult(views.LifeViews):
     """Life under a load history or spectrum, static safety."""
 
     __slots__ = ()
+    _command = "life"
     _block = "life"
     contact: records.Contacts
-    threads: records.Threads
+    threads: records.Threads | None
     life: records.Life
 
 
@@ -111,10 +118,11 @@ class MeasuresResult(views.MeasuresViews, SolveResult):
     """Capacity, life, weight, stiffness, inertia and the other design measures."""
 
     __slots__ = ()
+    _command = "measures"
     _block = "measures"
-    contact: records.Contacts
-    threads: records.Threads
-    model: records.Model
+    contact: records.Contacts | None
+    threads: records.Threads | None
+    model: records.Model | None
     load_cases: list[records.LoadCase]
     measures: records.Measures
 
@@ -123,8 +131,9 @@ class StudyResult(views.StudyViews):
     """A study: what its designs say together, and every one of them."""
 
     __slots__ = ()
+    _command = "study"
     _block = "study"
-    designs_shown: int
+    designs_shown: int | None
     designs: list[Values]
 
 
@@ -132,6 +141,7 @@ class DerivativesResult(views.DerivativesViews):
     """Responses of a case with their derivatives."""
 
     __slots__ = ()
+    _command = "study"
     _block = "derivatives"
 
 
@@ -139,14 +149,15 @@ class OptimizationResult(views.OptimizationViews):
     """The Pareto front of an optimization and the compromise chosen on it."""
 
     __slots__ = ()
+    _command = "optimize"
     _block = "optimize"
     initial: Values
-    compromise: Values
-    nearest: Values
+    compromise: Values | None
+    nearest: Values | None
     front: records.Array
     search: Values
-    check: Values
-    comparison: Values
+    check: Values | None
+    comparison: Values | None
 
 
 class Analyses:
@@ -184,10 +195,6 @@ class Analyses:
     def preload(self) -> PreloadResult:
         """Preload: curve through zero, lost motion, opening loads."""
         return PreloadResult._answer(self, "preload")
-
-    def life(self) -> LifeResult:
-        """Life under a load history or spectrum, static safety."""
-        return LifeResult._answer(self, "life")
 
     def measures(self) -> MeasuresResult:
         """Capacity, life, weight, stiffness, inertia and the other design measures."""

@@ -25,6 +25,9 @@ _MOST_LEVELS = 64
 #: No number of a case needs more digits.
 _MOST_DIGITS = 400
 
+#: Whole numbers below it are exact as floats.
+_MOST_EXACT = 2**53
+
 #: Texts that files write without quotes: `45 kN`, `3.6e5 N/mm^1.5`.
 _QUANTITY = re.compile(r"[-+]?[0-9.][-+0-9.eE]* [A-Za-zµ°%1][A-Za-z0-9µ°%/^. ]*")
 
@@ -95,6 +98,8 @@ def plain(value: Any, level: int = 0) -> Any:
             f"got lists or dictionaries that are nested more than {_MOST_LEVELS} levels deep, or "
             "contain themselves; expected what a case file could hold"
         )
+    if is_with_unit(value):
+        return _texts_with_unit(*value)
     if is_quantity(value):
         unit, magnitude = unit_and_magnitude(value)
         if np.ndim(magnitude) > 0:
@@ -123,6 +128,25 @@ def plain(value: Any, level: int = 0) -> Any:
     )
 
 
+def is_with_unit(value: Any) -> bool:
+    """A number, or numbers, and their unit: `(5, "mm")`."""
+    if not (isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str)):
+        return False
+    return not isinstance(value[0], str | bool | Mapping) and _engine.knows_unit(value[1])
+
+
+def _texts_with_unit(numbers: Any, unit: str) -> Any:
+    """`5 mm`, or a list of such texts."""
+    array = np.asarray(numbers)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"got {reprlib.repr(numbers)} with the unit {unit!r}; expected numbers")
+    if array.ndim > 0:
+        return [_texts_with_unit(number, unit) for number in array]
+    if array.dtype.kind in "iu":
+        return f"{int(array)} {unit}"
+    return f"{number_text(float(array))} {unit}"
+
+
 def _plain_key(key: Any) -> str:
     if not isinstance(key, str):
         raise TypeError(f"got the key {reprlib.repr(key)}; expected texts such as 'mechanism'")
@@ -145,7 +169,8 @@ def _flow(value: Any) -> str:
     if isinstance(value, bool) or value is None or isinstance(value, int):
         return json.dumps(value)
     if isinstance(value, float):
-        return number_text(value)
+        is_whole = value.is_integer() and abs(value) < _MOST_EXACT and value != 0.0
+        return str(int(value)) if is_whole else number_text(value)  # Counts take `9`, not `9.0`.
     if isinstance(value, str):
         return value if _is_plain_text(value) else json.dumps(value, ensure_ascii=False)
     if isinstance(value, list):

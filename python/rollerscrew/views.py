@@ -11,45 +11,48 @@ Every `plot_` method draws into `ax`, or all panels into a new figure, and retur
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, Self
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar, Self, Unpack
 
 import numpy as np
-import pandas as pd
 
 from rollerscrew import _engine
-from rollerscrew.designs import Designs, designs_of, study_inputs
-from rollerscrew.record import Record, Result, Values
+from rollerscrew.designs import Designs, study_designs
+from rollerscrew.frames import Kinds, array_kinds, flat, frame_of, kinds_of
+from rollerscrew.record import Look, Record, Result, Values
 from rollerscrew.records import (
+    ComparedModel,
     Comparison,
     Contacts,
+    Heat,
     HeatCycle,
+    InterfaceLife,
+    InterfaceLoads,
+    InterfaceSlip,
     Life,
     LoadCase,
     Measures,
     Model,
     Preload,
+    PreloadPoint,
+    RollerLives,
+    Slip,
     Threads,
 )
 
 if TYPE_CHECKING:
+    import pandas as pd
     from matplotlib.axes import Axes
 
     from rollerscrew.case import Case
 
 INTERFACES = ("screw", "nut")
 
+#: Records of a load case that have frames of their own.
+_OF_OTHER_FRAMES = ("screw_", "nut_", "slip_", "heat_", "measures_")
+
 #: Load cases by their places or names: one, or several.
 Which = int | str | Iterable[int | str]
-
-
-def _flat(record: Record, prefix: str = "") -> Iterator[tuple[str, Any]]:
-    """The values of a record and the records in it that are no arrays or lists."""
-    for name, value in record.items():
-        if isinstance(value, Record):
-            yield from _flat(value, f"{prefix}{name}_")
-        elif not isinstance(value, np.ndarray | list):
-            yield f"{prefix}{name}", value
 
 
 def _numbers(record: Record) -> dict[str, Any]:
@@ -78,15 +81,27 @@ def _arrays(record: Record) -> dict[str, Any]:
     return {"thread": np.arange(1, count + 1), **arrays}
 
 
-def _interfaces(record: Record) -> pd.DataFrame:
-    """The threads of both interfaces, one below the other."""
-    frames = []
-    for interface in INTERFACES:
-        if interface in record:
-            frame = pd.DataFrame(_arrays(record[interface]))
-            frame.insert(0, "interface", interface)
-            frames.append(frame)
-    return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+def _threads_frame(
+    parts: Iterable[tuple[Mapping[str, Any], Record]], told: Kinds, kind: type[Record]
+) -> pd.DataFrame:
+    """The threads of records, one below the other, behind columns that tell the records apart."""
+    columns: dict[str, list[Any]] = {}
+    rows = 0
+    for names, record in parts:
+        arrays = _arrays(record)
+        count = len(arrays["thread"])
+        for name, value in [*names.items(), *arrays.items()]:
+            column = columns.setdefault(name, [np.full(rows, np.nan)] if rows else [])
+            column.append(np.full(count, value) if name in told else value)
+        rows += count
+        for name, column in columns.items():
+            if name not in names and name not in arrays:
+                column.append(np.full(count, np.nan))
+    if not columns:
+        return frame_of([], {**told, **array_kinds(kind)})
+    import pandas as pd
+
+    return pd.DataFrame({name: np.concatenate(column) for name, column in columns.items()})
 
 
 class InputValue(Record):
@@ -96,10 +111,10 @@ class InputValue(Record):
     path: str
     value: str
     default: bool
-    basis: str
-    reason: str
-    origin: str
-    written: str
+    basis: str | None
+    reason: str | None
+    origin: str | None
+    written: str | None
 
 
 class CheckViews(Result):
@@ -111,20 +126,20 @@ class CheckViews(Result):
 
     def to_frame(self) -> pd.DataFrame:
         """Path, value, whether it is a default, and what the value rests on, a row each."""
-        return pd.DataFrame([value.to_dict() for value in self.input])
+        return frame_of([value.to_dict() for value in self.input], kinds_of(InputValue))
 
-    def plot_contact_points(self, ax: Axes | None = None) -> Axes:
+    def plot_contact_points(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The contacts seen along the axis."""
-        return self.plot_figure("contact_xy", ax)
+        return self.plot_figure("contact_xy", ax, **look)
 
 
 class LoadCasesResult(Result):
     """A result with load cases."""
 
     __slots__ = ()
-    contact: Contacts
-    threads: Threads
-    model: Model
+    contact: Contacts | None
+    threads: Threads | None
+    model: Model | None
     load_cases: list[LoadCase]
 
     @property
@@ -155,63 +170,88 @@ class LoadCasesResult(Result):
         chosen = [which] if isinstance(which, str | int) else which
         return [self._place(each) for each in chosen]
 
-    @property
-    def converged(self) -> bool:
-        """Whether every load case did."""
-        return all(load_case.converged for load_case in self._load_cases)
-
     def load_cases_frame(self) -> pd.DataFrame:
         """Force, status, displacement and stiffness, one row per load case."""
-        skipped = {"screw", "nut", "slip", "measures"}
+        kinds = {
+            "case" if name == "name" else name: kind
+            for name, kind in kinds_of(LoadCase).items()
+            if not name.startswith(_OF_OTHER_FRAMES)
+        }
         rows = [
-            {k: v for k, v in case.items() if k not in skipped and not isinstance(v, list)}
+            {
+                "case" if name == "name" else name: value
+                for name, value in flat(case)
+                if not name.startswith(_OF_OTHER_FRAMES)
+            }
             for case in self._load_cases
         ]
-        return pd.DataFrame(rows).rename(columns={"name": "case"})
+        return frame_of(rows, kinds)
+
+    def _frame_of(self, key: str, kind: type[Record]) -> pd.DataFrame:
+        """What a record of load cases holds, a row each; of one that failed its status."""
+        rows = []
+        for case in self._load_cases:
+            row = {"case": case.name, "axial_force_N": case.axial_force_N}
+            failed = {} if case.converged else {"converged": False, "status": case.status}
+            rows.append(row | (dict(flat(case[key])) if key in case else failed))
+        told: Kinds = {"case": str, "axial_force_N": float}
+        return frame_of(rows, {**told, **kinds_of(kind)})
 
     def threads_frame(self) -> pd.DataFrame:
-        """Loads, ellipses and pressures, one row per load case, interface and thread."""
-        return self._by_case((case, case) for case in self._load_cases)
+        """Loads, ellipses and pressures, one row per load case, interface and thread.
+
+        None of a load case that did not converge, see `load_cases_frame`.
+        """
+        return self._by_case(((case, case) for case in self._load_cases), InterfaceLoads)
 
     def plot_load_distribution(
-        self, load_cases: Which | None = None, ax: Axes | None = None
+        self, load_cases: Which | None = None, ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
         """Share of each thread in the load."""
-        return self.plot_figure("load_distribution", ax, load_cases=self._places(load_cases))
+        return self.plot_figure(
+            "load_distribution", ax, **look, load_cases=self._places(load_cases)
+        )
 
-    def plot_pressures(self, load_cases: Which | None = None, ax: Axes | None = None) -> Axes:
+    def plot_pressures(
+        self, load_cases: Which | None = None, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """Peak pressure of each thread."""
-        return self.plot_figure("peak_pressure", ax, load_cases=self._places(load_cases))
+        return self.plot_figure("peak_pressure", ax, **look, load_cases=self._places(load_cases))
 
-    def plot_ellipses(self, load_case: int | str | None = None, ax: Axes | None = None) -> Axes:
+    def plot_ellipses(
+        self, load_case: int | str | None = None, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """Contact ellipses of the threads, to scale."""
-        return self.plot_figure("ellipses", ax, load_case=self._one(load_case))
+        return self.plot_figure("ellipses", ax, **look, load_case=self._one(load_case))
 
-    def plot_contact_points(self, ax: Axes | None = None) -> Axes:
+    def plot_contact_points(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The contacts seen along the axis."""
-        return self.plot_figure("contact_xy", ax)
+        return self.plot_figure("contact_xy", ax, **look)
 
-    def _by_case(self, threads: Iterable[tuple[LoadCase, Record]]) -> pd.DataFrame:
-        """The threads of records of load cases, one below the other, with what tells them apart."""
-        columns: dict[str, list[Any]] = {}
-        rows = 0
-        for case, record in threads:
-            told = {"case": case.name}
-            told |= {key: case.get(key) for key in ("axial_force_N", "direction", "position_mm")}
-            for interface in INTERFACES:
-                if interface not in record:
-                    continue
-                arrays = _arrays(record[interface])
-                count = len(arrays["thread"])
-                constant = {**told, "interface": interface}
-                for name, value in [*constant.items(), *arrays.items()]:
-                    column = columns.setdefault(name, [np.full(rows, np.nan)] if rows else [])
-                    column.append(np.full(count, value) if name in constant else value)
-                rows += count
-                for name, column in columns.items():
-                    if name not in constant and name not in arrays:
-                        column.append(np.full(count, np.nan))
-        return pd.DataFrame({name: np.concatenate(column) for name, column in columns.items()})
+    def _by_case(
+        self, threads: Iterable[tuple[LoadCase, Record]], kind: type[Record]
+    ) -> pd.DataFrame:
+        """The threads of records of load cases, with what tells these apart."""
+        told: Kinds = {
+            "case": str, "axial_force_N": float, "direction": str, "position_mm": float,
+            "interface": str,
+        }  # fmt: skip
+        parts = (
+            (
+                {
+                    "case": case.name,
+                    "axial_force_N": case.get("axial_force_N", np.nan),
+                    "direction": case.get("direction", ""),
+                    "position_mm": case.get("position_mm", np.nan),
+                    "interface": interface,
+                },
+                record[interface],
+            )
+            for case, record in threads
+            for interface in INTERFACES
+            if interface in record
+        )
+        return _threads_frame(parts, told, kind)
 
 
 class ContactViews(LoadCasesResult):
@@ -221,7 +261,9 @@ class ContactViews(LoadCasesResult):
 
     def to_frame(self) -> pd.DataFrame:
         """Contact quantities, one column per interface; of pairs and vectors a row each number."""
-        return pd.DataFrame({name: _numbers(self.contact[name]) for name in INTERFACES})
+        import pandas as pd
+
+        return pd.DataFrame({name: _numbers(self["contact"][name]) for name in INTERFACES})
 
 
 class SolveViews(LoadCasesResult):
@@ -232,58 +274,56 @@ class SolveViews(LoadCasesResult):
 
     __slots__ = ()
 
-    def plot_stiffness(self, ax: Axes | None = None) -> Axes:
+    def plot_stiffness(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Axial stiffness against the load, one line per sweep."""
-        return self.plot_figure("stiffness", ax)
+        return self.plot_figure("stiffness", ax, **look)
 
-    def plot_displacement(self, ax: Axes | None = None) -> Axes:
+    def plot_displacement(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Axial displacement against the load, one line per sweep."""
-        return self.plot_figure("displacement", ax)
+        return self.plot_figure("displacement", ax, **look)
 
-    def plot_butterfly(self, interface: str = "screw", ax: Axes | None = None) -> Axes:
+    def plot_butterfly(
+        self, interface: str = "screw", ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """Share of each thread against the load: they spread like wings as the load grows."""
-        return self.plot_figure("butterfly", ax, interface=interface)
+        return self.plot_figure("butterfly", ax, **look, interface=interface)
 
-    def plot_convergence(self, ax: Axes | None = None) -> Axes:
+    def plot_convergence(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Residual after each linear solve."""
-        return self.plot_figure("convergence", ax)
+        return self.plot_figure("convergence", ax, **look)
 
 
 class SlipViews(SolveViews):
     __slots__ = ()
-    heat_cycle: HeatCycle  #: Where the case has a duty.
+    heat_cycle: HeatCycle | None  #: Where the case has a duty.
 
     def slip_frame(self) -> pd.DataFrame:
         """Slip ratio, efficiency, powers and torques, one row per load case."""
-        rows = [
-            {
-                "case": case.name,
-                "axial_force_N": case.get("axial_force_N"),
-                **dict(_flat(case.slip)),
-            }
-            for case in self._load_cases
-            if "slip" in case
-        ]
-        return pd.DataFrame(rows)
+        return self._frame_of("slip", Slip)
 
     def slip_threads_frame(self) -> pd.DataFrame:
         """Power, friction, sliding and film, one row per load case, interface and thread."""
-        return self._by_case((case, case.slip) for case in self._load_cases if "slip" in case)
+        threads = ((case, case.slip) for case in self._load_cases if case.slip is not None)
+        return self._by_case(threads, InterfaceSlip)
 
     def heat_frame(self) -> pd.DataFrame:
-        """Steady temperatures and the heat that goes into each part, one row per load case."""
-        rows = [
-            {"case": case.name, **dict(_flat(case.heat))}
-            for case in self._load_cases
-            if "heat" in case
-        ]
-        return pd.DataFrame(rows)
+        """Steady temperatures and the heat that goes into each part, one row per load case.
+
+        Without a block `heat` there are no rows.
+        """
+        if not any("heat" in case for case in self._load_cases):
+            told: Kinds = {"case": str, "axial_force_N": float}
+            return frame_of([], {**told, **kinds_of(Heat)})
+        return self._frame_of("heat", Heat)
 
     def heat_cycle_frame(self) -> pd.DataFrame:
         """Temperatures of the parts over the cycle of the duty, one row per time; empty without."""
-        if "heat_cycle" not in self:
-            return pd.DataFrame()
+        import pandas as pd
+
         cycle = self.heat_cycle
+        if cycle is None or cycle.temperature_degC is None:
+            parts = ("screw", "rollers", "nut", "ambient")
+            return frame_of([], dict.fromkeys(["time_s", *(f"{p}_degC" for p in parts)], float))
         return pd.DataFrame(
             {
                 "time_s": cycle.time_s,
@@ -291,25 +331,33 @@ class SlipViews(SolveViews):
             }
         )
 
-    def plot_heat_cycle(self, ax: Axes | None = None) -> Axes:
+    def plot_heat_cycle(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Temperatures of the parts over the cycle of the duty."""
-        return self.plot_figure("heat_cycle", ax)
+        return self.plot_figure("heat_cycle", ax, **look)
 
-    def plot_power(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+    def plot_power(
+        self, load_case: int | str = 0, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """Power that each thread of a roller dissipates."""
-        return self.plot_figure("thread_power", ax, load_case=self._place(load_case))
+        return self.plot_figure("thread_power", ax, **look, load_case=self._place(load_case))
 
-    def plot_power_by_source(self, load_cases: Which | None = None, ax: Axes | None = None) -> Axes:
+    def plot_power_by_source(
+        self, load_cases: Which | None = None, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """Where the power goes, a bar a load case."""
-        return self.plot_figure("power_by_source", ax, load_cases=self._places(load_cases))
+        return self.plot_figure("power_by_source", ax, **look, load_cases=self._places(load_cases))
 
-    def plot_friction(self, load_case: int | str | None = None, ax: Axes | None = None) -> Axes:
+    def plot_friction(
+        self, load_case: int | str | None = None, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """Friction coefficient and sliding speed of each thread."""
-        return self.plot_figure("friction", ax, load_case=self._one(load_case))
+        return self.plot_figure("friction", ax, **look, load_case=self._one(load_case))
 
-    def plot_stribeck(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+    def plot_stribeck(
+        self, load_case: int | str = 0, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """Friction, efficiency, power and film over the speed."""
-        return self.plot_figure("stribeck", ax, load_case=self._place(load_case))
+        return self.plot_figure("stribeck", ax, **look, load_case=self._place(load_case))
 
 
 class MeasuresViews(SolveViews):
@@ -317,16 +365,34 @@ class MeasuresViews(SolveViews):
     measures: Measures
 
     def measures_frame(self) -> pd.DataFrame:
-        """Measures of the mechanism, and of each load case under its name; units in the names."""
-        rows = [("", name, value) for name, value in _flat(self.measures)]
+        """Measures of the mechanism, and of each load case under its name, one row per measure.
+
+        `value` is its number, `text` its word, `unit` that of the number. A load case that failed
+        has its status.
+        """
+        rows = [self._measure("", name, value) for name, value in flat(self.measures)]
         for case in self._load_cases:
             if "measures" in case:
-                rows += [(case.name, name, value) for name, value in _flat(case.measures)]
-        return pd.DataFrame(rows, columns=["load_case", "measure", "value"])
+                rows += [self._measure(case.name, n, value) for n, value in flat(case["measures"])]
+            else:
+                rows.append(self._measure(case.name, "status", case.status))
+        told = {"load_case": str, "measure": str, "value": float, "text": str, "unit": str}
+        return frame_of(rows, told)
 
-    def plot_stiffness_terms(self, ax: Axes | None = None) -> Axes:
+    @staticmethod
+    def _measure(load_case: str, name: str, value: Any) -> dict[str, Any]:
+        is_text = isinstance(value, str)
+        return {
+            "load_case": load_case,
+            "measure": name,
+            "value": None if is_text else value,
+            "text": value if is_text else None,
+            "unit": _engine.response_title(name)[1],
+        }
+
+    def plot_stiffness_terms(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The springs in series that make up the stiffness, by their part in the compliance."""
-        return self.plot_figure("stiffness_terms", ax)
+        return self.plot_figure("stiffness_terms", ax, **look)
 
 
 class CompareViews(Result):
@@ -341,15 +407,15 @@ class CompareViews(Result):
     def to_frame(self) -> pd.DataFrame:
         """Stiffness, displacement, largest shares, pressures: one row per load case and model."""
         rows = [
-            {"load_case": load_case.name, **dict(_flat(model))}
+            {"load_case": load_case.name, **dict(flat(model))}
             for load_case in self.comparison.load_cases
             for model in load_case.models
         ]
-        return pd.DataFrame(rows)
+        return frame_of(rows, {"load_case": str, **kinds_of(ComparedModel)})
 
-    def plot_loads(self, load_case: int = 0, ax: Axes | None = None) -> Axes:
+    def plot_loads(self, load_case: int = 0, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The share of each thread in a load case, one line per model."""
-        return self.plot_figure("loads_by_model", ax, load_case=load_case)
+        return self.plot_figure("loads_by_model", ax, **look, load_case=load_case)
 
 
 class PreloadViews(Result):
@@ -358,20 +424,22 @@ class PreloadViews(Result):
 
     def to_frame(self) -> pd.DataFrame:
         """Displacement, stiffness and loads of the sides, one row per external load."""
-        frame = pd.DataFrame([dict(_flat(point)) for point in self.preload.loads])
-        if "without_preload" in self.preload:
-            bare = pd.DataFrame([dict(_flat(p)) for p in self.preload.without_preload.loads])
+        points = self.preload.get("loads", [])
+        frame = frame_of([dict(flat(point)) for point in points], kinds_of(PreloadPoint))
+        bare_points = self.preload.get("without_preload", {}).get("loads")
+        if bare_points is not None:
+            bare = frame_of([dict(flat(p)) for p in bare_points], kinds_of(PreloadPoint))
             for name in ("axial_displacement_um", "tangent_stiffness_N_per_um"):
                 frame[f"without_preload_{name}"] = bare[name]
         return frame
 
-    def plot_displacement(self, ax: Axes | None = None) -> Axes:
+    def plot_displacement(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Displacement over the external load, with preload and without."""
-        return self.plot_figure("preload", ax, panel=0)
+        return self.plot_figure("preload", ax, **look, panel=0)
 
-    def plot_stiffness(self, ax: Axes | None = None) -> Axes:
+    def plot_stiffness(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Tangent stiffness over the external load, with preload and without."""
-        return self.plot_figure("preload", ax, panel=1)
+        return self.plot_figure("preload", ax, **look, panel=1)
 
 
 class LifeViews(Result):
@@ -380,34 +448,31 @@ class LifeViews(Result):
 
     def threads_frame(self) -> pd.DataFrame:
         """Equivalent load and life, one row per direction, interface and thread."""
-        frames = []
-        for direction in ("tension", "compression"):
-            if direction in self.life:
-                frame = _interfaces(self.life[direction])
-                frame.insert(0, "direction", direction)
-                frames.append(frame)
-        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+        return _threads_frame(self._interfaces(), self._told, InterfaceLife)
 
     def rollers_frame(self) -> pd.DataFrame:
         """The threads of all rollers of a full mechanism, a row each; empty of one sector."""
-        frames = []
+        parts = [
+            (names, each["rollers"]) for names, each in self._interfaces() if "rollers" in each
+        ]
+        return _threads_frame(parts, self._told, RollerLives)
+
+    _told: ClassVar[Kinds] = {"direction": str, "interface": str}
+
+    def _interfaces(self) -> Iterator[tuple[dict[str, str], Record]]:
         for direction in ("tension", "compression"):
             for interface in INTERFACES:
-                record = self.life[direction][interface] if direction in self.life else {}
-                if "rollers" in record:
-                    frame = pd.DataFrame(_arrays(record["rollers"]))
-                    frame.insert(0, "interface", interface)
-                    frame.insert(0, "direction", direction)
-                    frames.append(frame)
-        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+                if direction in self.life and interface in self.life[direction]:
+                    names = {"direction": direction, "interface": interface}
+                    yield names, self.life[direction][interface]
 
-    def plot_lives(self, ax: Axes | None = None) -> Axes:
+    def plot_lives(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Life of each thread."""
-        return self.plot_figure("thread_lives", ax)
+        return self.plot_figure("thread_lives", ax, **look)
 
-    def plot_cycles(self, ax: Axes | None = None) -> Axes:
+    def plot_cycles(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """How many load cycles have which range and mean (rainflow)."""
-        return self.plot_figure("rainflow", ax)
+        return self.plot_figure("rainflow", ax, **look)
 
 
 class DerivativesViews(Result):
@@ -423,11 +488,13 @@ class DerivativesViews(Result):
             for response in self.derivatives
             for by in response["by"]
         ]
-        return pd.DataFrame(rows)
+        return frame_of(rows)
 
-    def plot_elasticities(self, response: str | None = None, ax: Axes | None = None) -> Axes:
+    def plot_elasticities(
+        self, response: str | None = None, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """What 1 % of each factor does to a response, in percent."""
-        return self.plot_figure("elasticities", ax, response=response)
+        return self.plot_figure("elasticities", ax, **look, response=response)
 
 
 class StudyViews(Result):
@@ -455,13 +522,24 @@ class StudyViews(Result):
 
     @property
     def all_designs(self) -> Designs:
-        """Inputs and answers of all designs, the base case first.
+        """Inputs and answers of all designs, without the base case.
 
         Of a result that was read from JSON, those that the document holds.
         """
+        return self._with_base[1:]
+
+    @property
+    def base(self) -> Designs:
+        """The base case, as one design."""
+        return self._with_base[:1]
+
+    @property
+    def _with_base(self) -> Designs:
+        """As the document has them: the base case first."""
         if self._designs is None:
             if self._rows is not None and self._study is not None:
-                designs = designs_of(study_inputs(self._study), self._rows.designs())
+                source = self._case._case.source
+                designs = study_designs(source, self._study, self._rows)
             else:
                 designs = _designs_of_document(self)
             object.__setattr__(self, "_designs", designs)
@@ -469,29 +547,36 @@ class StudyViews(Result):
         return self._designs
 
     def to_frame(self) -> pd.DataFrame:
-        """Inputs, status, reason and responses, one row per design, the base case first."""
+        """Inputs, status, reason and responses, one row per design; the base case is `base`."""
         return self.all_designs.to_frame()
 
     def statistics_frame(self) -> pd.DataFrame:
         """Mean, deviation, extremes and quantiles, one row per response."""
+        import pandas as pd
+
         rows = {}
         for response, statistics in self.summary["statistics"].items():
-            row = dict(_flat(statistics))
+            row = dict(flat(statistics))
             rows[response] = {
                 name.replace("quantiles_", "quantile_"): value
                 for name, value in row.items()
                 if not name.startswith("histogram")
             }
-        return pd.DataFrame.from_dict(rows, orient="index")
+        frame = frame_of(rows.values())
+        frame.index = pd.Index(list(rows), dtype="str")
+        return frame
 
     def envelope_frame(self) -> pd.DataFrame:
-        """The points of the envelope: design, inputs, measures and the envelope's value."""
+        """The points of the envelope: design, inputs, measures and the envelope's value.
+
+        `design` counts the base case as 0: the first of `all_designs` is 1.
+        """
         drawn = [i for factor in self.study.factors for i in (factor, *factor.get("with", []))]
         units = {each["path"]: each.get("unit", "") for each in drawn}
         rows = [
             {
                 "name": point["name"],
-                "design": point["design"],
+                "design": point.get("design"),
                 **{
                     _with_unit(path, units.get(path, "")): setting.get(
                         "number", setting.get("value")
@@ -503,11 +588,13 @@ class StudyViews(Result):
             }
             for point in (self.envelope.get("points", []) if "envelope" in self else [])
         ]
-        return pd.DataFrame(rows)
+        return frame_of(rows, {"name": str, "design": int, "envelope": float})
 
-    def plot(self, response: str | None = None, ax: Axes | None = None) -> Axes:
+    def plot(
+        self, response: str | None = None, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """A response over the numeric factor with most values, a line each value of the others."""
-        return self.plot_figure("lines", ax, response=response)
+        return self.plot_figure("lines", ax, **look, response=response)
 
     def plot_map(
         self,
@@ -515,24 +602,29 @@ class StudyViews(Result):
         x: str | None = None,
         y: str | None = None,
         ax: Axes | None = None,
+        **look: Unpack[Look],
     ) -> Axes:
         """A response of a grid over two factors, as filled contours."""
-        return self.plot_figure("map", ax, response=response, x=x, y=y)
+        return self.plot_figure("map", ax, **look, response=response, x=x, y=y)
 
-    def plot_histogram(self, response: str | None = None, ax: Axes | None = None) -> Axes:
+    def plot_histogram(
+        self, response: str | None = None, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """How often a response has which value, with its quantiles."""
-        return self.plot_figure("histogram", ax, response=response)
+        return self.plot_figure("histogram", ax, **look, response=response)
 
-    def plot_contributions(self, response: str | None = None, ax: Axes | None = None) -> Axes:
+    def plot_contributions(
+        self, response: str | None = None, ax: Axes | None = None, **look: Unpack[Look]
+    ) -> Axes:
         """Which factor moves a response, from its linear surface."""
-        return self.plot_figure("contributions", ax, response=response)
+        return self.plot_figure("contributions", ax, **look, response=response)
 
-    def plot_envelope(self, ax: Axes | None = None) -> Axes:
+    def plot_envelope(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The envelope of several measures over two factors, with its points."""
-        return self.plot_figure("envelope", ax)
+        return self.plot_figure("envelope", ax, **look)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self)._restored, (self.to_json(), self.all_designs)
+        return type(self)._restored, (self.to_json(), self._with_base)
 
     @classmethod
     def _restored(cls, text: str, designs: Designs) -> Self:
@@ -553,6 +645,8 @@ def _designs_of_document(result: StudyViews) -> Designs:
 
 def _inputs_of_document(study: Record, rows: list[Record]) -> pd.DataFrame:
     """What `study_inputs` gives, of a study that was read from JSON."""
+    import pandas as pd
+
     settings = [row["settings"].to_dict() for row in rows]
     uses = Counter(study["responses"])
     columns = {}
@@ -622,7 +716,7 @@ class OptimizationViews(Result):
                 name = _with_unit(path, units.get(path, ""))
                 row[name] = variable.get("number", variable.get("value"))
             rows.append(row | design["responses"].to_dict())
-        return pd.DataFrame(rows)
+        return frame_of(rows, {"design": int})
 
     def constraints_frame(self) -> pd.DataFrame:
         """Value and limit of each constraint, for the file's own design and the compromise."""
@@ -631,11 +725,11 @@ class OptimizationViews(Result):
             for of in ("initial", "compromise")
             for constraint in (self[of].get("constraints", []) if of in self else [])
         ]
-        return pd.DataFrame(rows)
+        return frame_of(rows, {"of": str})
 
-    def plot_front(self, ax: Axes | None = None) -> Axes:
+    def plot_front(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The front in its first two objectives, with the file's own design and the compromise."""
-        return self.plot_figure("front", ax)
+        return self.plot_figure("front", ax, **look)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self)._restored, (self.to_json(), self._best)

@@ -80,7 +80,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 #: Files that ask for the answers to every command of every lesson: one process computes them once.
-OF_ALL_ANSWERS = {"test_command_line", "test_record", "test_results"}
+OF_ALL_ANSWERS = {"test_command_line", "test_frames", "test_kept", "test_record", "test_results"}
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

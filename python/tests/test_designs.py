@@ -438,9 +438,10 @@ def test_what_workers_cannot_answer_are_failed_rows(number: int) -> None:
     pool = Failing(ZeroDivisionError("of the worker"))
     result = lesson(number).study(executor=pool)
     assert isinstance(result, rs.StudyResult)
-    failed = np.zeros(len(result.all_designs), dtype=bool)
+    failed = np.zeros(1 + len(result.all_designs), dtype=bool)
     for first, count in pool.tasks[1::2]:
         failed[first : first + count] = True
+    failed = failed[1:]  # The base case is the first.
     assert failed.any() and not failed.all()
 
     designs = result.all_designs

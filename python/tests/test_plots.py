@@ -358,7 +358,7 @@ def test_the_caller_gives_axes_for_one_panel_alone() -> None:
 
 
 def test_a_picture_that_fails_leaves_no_figure() -> None:
-    with pytest.raises(KeyError):
+    with pytest.raises(ValueError, match="no colour"):
         draw(shares(styles=[{"colour": "no colour"}, {}, {}]))
     assert plt.get_fignums() == []
 

@@ -11,7 +11,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from rollerscrew.plots._figure import keep_ticks, new_axes, panel_aspect
+from rollerscrew.plots._again import (
+    limits_of_both,
+    next_colour,
+    relabelled,
+    shown_once,
+    was_drawn,
+)
+from rollerscrew.plots._figure import blank_axes, keep_ticks, new_axes, panel_aspect
 from rollerscrew.plots._legend import (
     characters,
     colour_bar,
@@ -29,17 +36,28 @@ if TYPE_CHECKING:
 _LOW = 0.3  #: Height over width of panels whose colour bar stands below them.
 
 
-def draw(description: Mapping[str, Any], ax: Axes | None = None) -> Axes:
+def draw(
+    description: Mapping[str, Any],
+    ax: Axes | None = None,
+    *,
+    label: str | None = None,
+    color: Any = None,
+) -> Axes:
     """Draws a description and returns the axes, of several panels those of the first.
 
     Axes that are given keep their style; they take a description of one panel. Otherwise a new
-    figure in the style of a paper is made.
+    figure in the style of a paper is made. `label` stands in the legend; with `color`, or a second
+    picture in the same axes, whose colour is then the next of their cycle, all lines have one
+    colour and differ by their dashes.
     """
+    if color is None and ax is not None and was_drawn(ax):
+        color = next_colour(ax)
+    description = relabelled(description, label, color)
     if ax is None:
         with new_axes(description) as axes:
             _draw_panels(list(axes), description, own=True)
             legend_of_figure(axes[0].figure.figure, description)
-        return axes[0]
+        return shown_once(axes[0])
     if not hasattr(ax, "plot"):
         raise TypeError(f"ax: got {ax!r}; expected axes of matplotlib, or nothing")
     if len(description["panels"]) != 1:
@@ -47,9 +65,30 @@ def draw(description: Mapping[str, Any], ax: Axes | None = None) -> Axes:
             f"ax: the picture has {len(description['panels'])} panels; axes take one, leave `ax` "
             "out for a figure"
         )
-    _draw_panels([ax], description, own=False)
+    with limits_of_both(ax):
+        _draw_panels([ax], description, own=False)
     panel = description["panels"][0]
     legend_within(ax, description, covers="map" in panel or bool(description.get("to_scale")))
+    return shown_once(ax)
+
+
+def compare(
+    results: Mapping[str, Any], picture: str, ax: Axes | None = None, **options: Any
+) -> Axes:
+    """One picture of several results, each with a colour and its name in the legend.
+
+    >>> compare({"11 rollers": a, "9 rollers": b}, "load_distribution")
+    """
+    if picture not in _METHODS:
+        raise ValueError(f"picture: got {picture!r}; expected one of {', '.join(_METHODS)}")
+    if not results:
+        raise ValueError("results: got none; expected a dictionary of names and results")
+    if ax is None:
+        with blank_axes() as ax:
+            return compare(results, picture, ax, **options)
+    for name, result in results.items():
+        colour = next_colour(ax)
+        getattr(result, _METHODS[picture])(ax=ax, label=name, color=colour, **options)
     return ax
 
 
@@ -109,4 +148,4 @@ def __getattr__(name: str) -> Callable[..., Axes]:
     return function
 
 
-__all__ = ["draw", *_METHODS]
+__all__ = ["compare", "draw", *_METHODS]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rollerscrew.plots._again import KEYS, TITLES
 from rollerscrew.plots._style import legend_key, scale_levels, scale_range
 
 if TYPE_CHECKING:
@@ -106,8 +107,12 @@ def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> Non
     points = FontProperties(size=matplotlib.rcParams["legend.fontsize"]).get_size_in_points()
     width = width_of(ax) * _POINTS / points
     title = ", ".join(filter(None, (description.get("title"), panel.get("title"))))
+    titles = list(dict.fromkeys([*getattr(ax, TITLES, []), title]))
+    title = titles[0] if len(titles) == 1 else ""  # Of several pictures, what they share.
     ax.set_title(shown(title, characters(width)), fontsize=points)
-    handles = keys(description)
+    handles = [*getattr(ax, KEYS, []), *keys(description)]
+    setattr(ax, TITLES, titles)
+    setattr(ax, KEYS, handles)
     if not handles:
         return
     small = 0.75 if len(handles) > _MOST_ABOVE else 1.0

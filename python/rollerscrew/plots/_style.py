@@ -60,7 +60,8 @@ def is_points(style: Mapping[str, Any]) -> bool:
 def colour_of(style: Mapping[str, Any]) -> Any:
     from matplotlib.colors import to_rgb
 
-    colour = np.array(to_rgb(COLOURS[style.get("colour", "ink")]))
+    named = style.get("colour", "ink")
+    colour = np.array(to_rgb(COLOURS.get(named, named) if isinstance(named, str) else named))
     return tuple(0.35 * colour + 0.65 if style.get("pale") else colour)
 
 

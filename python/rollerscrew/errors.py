@@ -1,0 +1,91 @@
+"""What is wrong with an input, in its parts."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+_LINE = re.compile(r"(?P<file>.*?):(?P<line>\d+):(?P<column>\d+): error: (?P<message>.*)")
+_KEY = re.compile(r"(?P<path>(?!got )[^:]+): (?P<message>.*)")
+
+#: How messages say that there is no file.
+_NO_FILE = re.compile(r": error: (got no such file;|.* does not exist; give its path)")
+
+
+@dataclass(frozen=True)
+class InputProblem:
+    """One error of an input: `FILE:LINE:COLUMN: error: PATH: got GOT; expected ..; HINT`."""
+
+    text: str
+    file: str = ""
+    line: int | None = None
+    column: int | None = None
+    path: str = ""  #: The key as it was given: `mechanism.leed`; empty of a whole file.
+    got: str = ""
+    hint: str = ""  #: How to fix it.
+
+    @classmethod
+    def of(cls, text: str) -> InputProblem:
+        place = _LINE.fullmatch(text)
+        if place is None:
+            return cls(text)
+        keyed = _KEY.fullmatch(place["message"])
+        parts = (keyed["message"] if keyed else place["message"]).split("; ")
+        got = next((part[4:] for part in parts if part.startswith("got ")), "")
+        return cls(
+            text,
+            place["file"],
+            int(place["line"]),
+            int(place["column"]),
+            keyed["path"] if keyed else "",
+            got,
+            parts[-1] if len(parts) > 1 else "",
+        )
+
+
+class InputError(ValueError):
+    """The input is wrong; the text is that of `prs check`, one line for each error.
+
+    `errors` has all of them in their parts; `path`, `line`, `column`, `got` and `hint` are those of
+    the first.
+    """
+
+    @property
+    def errors(self) -> list[InputProblem]:
+        return [InputProblem.of(line) for line in str(self).splitlines()]
+
+    @property
+    def _first(self) -> InputProblem:
+        return (self.errors or [InputProblem(str(self))])[0]
+
+    @property
+    def path(self) -> str:
+        return self._first.path
+
+    @property
+    def line(self) -> int | None:
+        return self._first.line
+
+    @property
+    def column(self) -> int | None:
+        return self._first.column
+
+    @property
+    def got(self) -> str:
+        return self._first.got
+
+    @property
+    def hint(self) -> str:
+        return self._first.hint
+
+
+class MissingFileError(InputError, FileNotFoundError):
+    """The case, or a file that it names, is not there."""
+
+
+def input_error(text: str) -> InputError:
+    """The error of that text; called by the engine."""
+    return MissingFileError(text) if _NO_FILE.search(text) else InputError(text)
+
+
+InputError.__module__ = MissingFileError.__module__ = "rollerscrew"

@@ -1,0 +1,238 @@
+"""A case as a function of numbers, for optimizers and samplers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from rollerscrew import _engine
+from rollerscrew.designs import (
+    Designs,
+    Origin,
+    SourceParts,
+    _with_entries,
+    designs_of,
+    parts_of,
+    source_of,
+)
+from rollerscrew.errors import InputError
+from rollerscrew.records import Command
+from rollerscrew.values import number_text, override_text
+
+if TYPE_CHECKING:
+    from rollerscrew.case import Case
+
+#: Units of the documents, one for each quantity of the input that has one.
+_UNITS = ("mm", "N", "deg", "MPa", "rpm", "degC", "kg/m^3", "N/mm", "N m", "s", "")
+
+#: So many designs are answered by the thread that asks; others by all processors.
+_FEW = 256
+
+#: Steps of central differences, as parts of the number; of what is 0, of 1.
+_STEP = 1e-3
+
+
+class Function:
+    """Responses of a case over inputs, compiled once: `case.function(inputs, responses)`.
+
+    `f(x)` takes the n inputs of one design and gives its m responses, or k x n and gives k x m. A
+    design that fails is NaN; `f.designs(x)` has the reasons. `units` are those of the inputs.
+    """
+
+    def __init__(
+        self,
+        case: Case,
+        inputs: Sequence[str] | Mapping[str, str],
+        responses: Sequence[str],
+        command: Command = "solve",
+    ) -> None:
+        if isinstance(inputs, str) or isinstance(responses, str):
+            raise TypeError("expected lists of inputs and of responses")
+        self._parts: SourceParts = parts_of(case._case.source)
+        self.inputs = tuple(inputs)
+        self.command = command
+        named = inputs if isinstance(inputs, Mapping) else {}
+        self.units = tuple(named.get(path) or _unit_of(case, path) for path in self.inputs)
+        #: What the case itself has.
+        self.x0: npt.NDArray[np.float64] = np.array(
+            [case.number(path, unit) for path, unit in zip(self.inputs, self.units, strict=True)]
+        )
+        self._responses = _with_entries(case, list(responses), command)
+        self._counts: dict[int, list[int]] = {
+            k: [int(number)]
+            for k, (path, number) in enumerate(zip(self.inputs, self.x0, strict=True))
+            if _is_count(case, path)
+        }
+        self._study = self._compiled()
+        self.responses: tuple[str, ...] = tuple(self._responses)
+
+    def __repr__(self) -> str:
+        inputs = ", ".join(
+            f"{path} [{unit}]" if unit else path
+            for path, unit in zip(self.inputs, self.units, strict=True)
+        )
+        return f"<Function of {inputs}: {', '.join(self.responses)}>"
+
+    def __call__(self, x: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        numbers = np.asarray(x, dtype=np.float64)
+        values = self._answers(self._rows(numbers)).values
+        return values[0] if numbers.ndim == 1 else values
+
+    def designs(self, x: npt.ArrayLike) -> Designs:
+        """The designs with their status and reasons."""
+        import pandas as pd
+
+        rows = self._rows(np.asarray(x, dtype=np.float64))
+        answers = self._answers(rows)
+        names = [
+            f"{path}_{_engine.unit_key(unit)}" if unit else path
+            for path, unit in zip(self.inputs, self.units, strict=True)
+        ]
+        levels = self._levels(rows)
+        origin = Origin(self._parts, self._study_parts(self._plan()), levels)
+        return designs_of(pd.DataFrame(rows, columns=names), answers, origin)
+
+    def jacobian(self, x: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """Derivatives of the responses by the inputs at one design, m x n.
+
+        Exact by the tangent of the equilibrium where the plan `derivatives` of studies has them; else
+        central differences of fourth order. Raises ValueError for inputs that are counts.
+        """
+        numbers = np.asarray(x, dtype=np.float64)
+        if numbers.shape != (len(self.inputs),):
+            raise ValueError(f"x: got the shape {numbers.shape}; expected ({len(self.inputs)},)")
+        if self._counts:
+            counts = ", ".join(self.inputs[k] for k in self._counts)
+            raise ValueError(f"{counts}: got a count; expected inputs that have derivatives")
+        found = self._derivatives(numbers)
+        rough: npt.NDArray[np.bool_] = np.asarray(np.isnan(found).any(axis=0))
+        if rough.any():
+            found = np.where(np.isnan(found), self._differences(numbers, rough), found)
+        return found
+
+    def _derivatives(self, x: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """NaN where there are none."""
+        found = np.full((len(self.responses), len(self.inputs)), np.nan)
+        plan = {
+            "command": self.command,
+            "plan": "derivatives",
+            "factors": [{"path": path} for path in self.inputs],
+            "responses": self._responses,
+        }
+        at = [f"{path}={self._text(k, x[k])}" for k, path in enumerate(self.inputs)]
+        try:
+            study = _engine.Study(source_of(self._parts, [*at, f"study={override_text(plan)}"]))
+            document = study.derivatives().root
+        except InputError:
+            return found
+        for row, response in enumerate(json.loads(document.text())["derivatives"]):
+            for column, by in enumerate(response["by"]):
+                found[row, column] = by.get("derivative", np.nan)
+        return found
+
+    def _differences(
+        self, x: npt.NDArray[np.float64], wanted: npt.NDArray[np.bool_]
+    ) -> npt.NDArray[np.float64]:
+        columns = np.flatnonzero(wanted)
+        steps = _STEP * np.where(x == 0.0, 1.0, np.abs(x))
+        points = np.repeat(x[None, :], 4 * columns.size, axis=0)
+        for k, column in enumerate(columns):
+            points[4 * k : 4 * k + 4, column] += steps[column] * np.array([-2.0, -1.0, 1.0, 2.0])
+        values = self(points).reshape(columns.size, 4, -1)
+        slopes = np.einsum("kim,i->mk", values, np.array([1.0, -8.0, 8.0, -1.0]) / 12.0)
+        found = np.full((len(self.responses), x.size), np.nan)
+        found[:, columns] = slopes / steps[columns]
+        return found
+
+    def _rows(self, x: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        rows = x[None, :] if x.ndim == 1 else x
+        if rows.ndim != 2 or rows.shape[1] != len(self.inputs):
+            raise ValueError(
+                f"x: got the shape {x.shape}; expected ({len(self.inputs)},) for one design or "
+                f"(k, {len(self.inputs)}) for many"
+            )
+        return np.ascontiguousarray(rows)
+
+    def _answers(self, rows: npt.NDArray[np.float64]) -> _engine.Designs:
+        numbers = self._levels(rows)
+        if len(numbers) <= _FEW:
+            return self._study.answer(numbers)
+        return self._study.evaluate(numbers, _engine.available_processors(), None)
+
+    def _levels(self, rows: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """Numbers, of counts their places among those that are compiled."""
+        if not self._counts:
+            return rows
+        numbers = rows.copy()
+        for k, known in self._counts.items():
+            wrong = rows[:, k] != np.round(rows[:, k])
+            if wrong.any():
+                raise ValueError(
+                    f"{self.inputs[k]}: got {rows[wrong, k][0]}; expected whole numbers"
+                )
+            new = sorted(set(rows[:, k].astype(int).tolist()) - set(known))
+            if new:
+                known += new
+                self._study = self._compiled()
+            places = {count: place for place, count in enumerate(known)}
+            numbers[:, k] = [places[int(count)] for count in rows[:, k]]
+        return numbers
+
+    def _plan(self) -> dict[str, Any]:
+        factors: list[dict[str, Any]] = []
+        for k, (path, number) in enumerate(zip(self.inputs, self.x0, strict=True)):
+            if k in self._counts:
+                factors.append({"path": path, "values": list(self._counts[k])})
+            else:
+                # Designs are given by their values; ends are read, and must stand in the case.
+                end = number * (1.0 - 1e-9) if number else 1e-9
+                low, high = sorted((number, end))
+                ends = {"from": self._text(k, low), "to": self._text(k, high)}
+                factors.append({"path": path, "uniform": ends})
+        return {
+            "command": self.command,
+            "plan": "monte_carlo",
+            "samples": 1,
+            "factors": factors,
+            "responses": self._responses,
+        }
+
+    def _study_parts(self, plan: Mapping[str, Any]) -> SourceParts:
+        name, text, overrides, folder, files = self._parts
+        return name, text, (*overrides, f"study={override_text(plan)}"), folder, files
+
+    def _compiled(self) -> _engine.Study:
+        return _engine.Study(source_of(self._study_parts(self._plan())))
+
+    def _text(self, k: int, number: float) -> Any:
+        unit = self.units[k]
+        return f"{number_text(float(number))} {unit}" if unit else float(number)
+
+
+def _unit_of(case: Case, path: str) -> str:
+    """The unit that documents have for what stands at a path."""
+    value = case[path]
+    text = value if isinstance(value, str) else repr(value)
+    for unit in _UNITS:
+        if _engine.number_in(text, unit) is not None:
+            return unit
+    _, _, own = text.partition(" ")
+    if _engine.number_in(text, own) is None:
+        raise ValueError(f"{path}: got {value!r}; expected an input that is a number")
+    return own
+
+
+def _is_count(case: Case, path: str) -> bool:
+    """Whether an input takes whole numbers alone."""
+    value = case[path]
+    if not isinstance(value, int) or isinstance(value, bool):
+        return False
+    try:
+        case.with_({path: value + 0.5})
+    except InputError as error:
+        return "whole number" in str(error)
+    return False

@@ -1,0 +1,177 @@
+"""What comes with the package: cases to begin with, lists to choose from.
+
+All but the lists of units and lubricants are answers of the program `prs`, which stands in the
+package; the environment variable PRS_EXECUTABLE names another one.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from rollerscrew import _engine
+from rollerscrew.case import Case
+from rollerscrew.errors import InputError
+from rollerscrew.values import is_quantity, is_with_unit, override_text
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: A number with its unit: `"25 mm"`, `(25, "mm")` or a quantity of pint.
+Length = Any
+
+
+def new(
+    type: Literal["standard", "inverted"] = "standard",
+    *,
+    screw_diameter: Length | None = None,
+    lead: Length | None = None,
+    starts: int | None = None,
+    rollers: int | None = None,
+    nut_diameter: Length | None = None,
+    nut_length: Length | None = None,
+    roller_profile_radius: Length | None = None,
+    load: Any | None = None,
+    speed: Any | None = None,
+    lubricant: str | None = None,
+    temperature: Any | None = None,
+    mechanism: Literal["sector", "full"] | None = None,
+) -> Case:
+    """A complete case of a screw, of which little need be known, as `prs new` writes it.
+
+    >>> rs.new("standard", screw_diameter="25 mm", lead="5 mm")
+
+    Without diameter and lead it is an example. What is not given follows by rule, and comments of
+    `case.text` say which; `case.to_yaml(file)` writes it. Raises InputError where nothing can have
+    these numbers.
+    """
+    given = dict(locals())
+    options: list[str] = []
+    for name, value in given.items():
+        if name != "type" and value is not None:
+            options += ["--" + name.replace("_", "-"), _option_text(value)]
+    name = "<new>" if screw_diameter is None else f"<{type} {_option_text(screw_diameter)}>"
+    return Case.from_text(_answer("new", type, "-", *options), name=name)
+
+
+def lesson(which: int | str) -> Case:
+    """A lesson by its number or its name: `lesson(4)`, `lesson("flight_spectrum")`."""
+    names = list(lessons())
+    asked = str(which).removesuffix(".yaml")
+    for name in names:
+        number, _, word = name.partition("_")
+        if asked in (name, word) or (asked.isdigit() and int(asked) == int(number)):
+            return Case.from_yaml(_shared("lessons") / f"{name}.yaml")
+    raise InputError(
+        f"lesson: got {which!r}; expected a number from 1 to {len(names)} or a name of "
+        "`rollerscrew.lessons()`"
+    )
+
+
+def lessons() -> dict[str, str]:
+    """Names of the lessons, each with what it is about."""
+    found = {}
+    for file in sorted(_shared("lessons").glob("[0-9]*.yaml")):
+        with file.open(encoding="utf-8") as opened:
+            title = opened.readline()
+        found[file.stem] = title.partition(": ")[2].strip().removesuffix(".")
+    return found
+
+
+def units() -> pd.DataFrame:
+    """Units of the input, one row per quantity."""
+    from rollerscrew.frames import frame_of
+
+    quantities = json.loads(_engine.units())["quantities"]
+    return frame_of(
+        {
+            "quantity": each["quantity"],
+            "example": each["example"],
+            "units": ", ".join(" = ".join(spellings) for spellings in each["units"] if spellings),
+        }
+        for each in quantities
+    )
+
+
+def lubricants() -> pd.DataFrame:
+    """Lubricants that are known by name, with their source."""
+    from rollerscrew.frames import frame_of
+
+    return frame_of(json.loads(_engine.lubricants())["lubricants"])
+
+
+def configurations(
+    screw_diameter: Length,
+    lead: Length,
+    *,
+    type: Literal["standard", "inverted"] | None = None,
+    starts: int | None = None,
+    roller_starts: int | None = None,
+    rollers: int | None = None,
+    gap: Length | None = None,
+    flank_angle: Any | None = None,
+    roller_profile_radius: Length | None = None,
+) -> pd.DataFrame:
+    """The geometries that a screw diameter and a lead allow, a row each: `prs configurations`."""
+    from rollerscrew.frames import frame_of
+
+    given = dict(locals())
+    given.pop("frame_of")
+    options: list[str] = []
+    for name, value in given.items():
+        if value is not None:
+            options += ["--" + name.replace("_", "-"), _option_text(value)]
+    document = json.loads(_answer("configurations", "--json", *options))
+    return frame_of(_flat(each) for each in document["configurations"])
+
+
+def _flat(values: dict[str, Any], before: str = "") -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for name, value in values.items():
+        if isinstance(value, dict):
+            flat |= _flat(value, f"{before}{name}_")
+        elif not isinstance(value, list):
+            flat[before + name] = value
+    return flat
+
+
+def _option_text(value: Any) -> str:
+    if isinstance(value, str | int) or is_quantity(value) or is_with_unit(value):
+        return override_text(value)
+    raise TypeError(f"got {value!r}; expected a number with its unit, such as '25 mm'")
+
+
+def _program() -> Path:
+    told = os.environ.get("PRS_EXECUTABLE")
+    if told:
+        return Path(told)
+    from rollerscrew_cli import program
+
+    return program()
+
+
+def _answer(*arguments: str) -> str:
+    """What the program prints; what it refuses is an InputError."""
+    run = subprocess.run(
+        [_program(), *arguments], capture_output=True, encoding="utf-8", check=False
+    )
+    if run.returncode == 0:
+        return run.stdout
+    refused = run.stderr.strip().removeprefix("prs: error: ")
+    if run.returncode == 2:
+        raise InputError(refused)
+    raise RuntimeError(refused or f"prs ended with the status {run.returncode}")
+
+
+def _shared(name: str) -> Path:
+    """A folder of data that comes with the program."""
+    own = os.environ.get("PRS_SHARE")
+    program = _program().resolve()
+    above = program.parent.parent
+    for folder in [Path(own)] if own else [above / "share" / "prs", above.parent / "share" / "prs"]:
+        if (folder / name).is_dir():
+            return folder / name
+    raise FileNotFoundError(f"no folder {name!r} in {above / 'share' / 'prs'}; install it again")

@@ -1,0 +1,192 @@
+"""A case as a function of numbers: its values are those of the commands, its slopes exact."""
+
+from __future__ import annotations
+
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+import rollerscrew as rs
+from conftest import lesson
+
+FORCE, ANGLE = "load_cases[0].axial_force", "mechanism.flank_angle"
+STIFFNESS, PRESSURE = "axial_stiffness_N_per_um", "screw.peak_pressure_MPa.max"
+
+
+def test_values_are_those_of_the_command() -> None:
+    f = lesson(4).function([ANGLE, FORCE], [STIFFNESS, PRESSURE])
+    assert f.units == ("deg", "N")
+    designs = np.array([[44.0, 9e3], [45.0, 10e3], [46.0, 11e3]])
+    values = f(designs)
+    assert values.shape == (3, 2)
+    for x, expected in zip(designs, values, strict=True):
+        case = lesson(4).with_({ANGLE: (x[0], "deg"), FORCE: (x[1], "N")})
+        solved = case.solve().load_cases[0]
+        assert solved.screw is not None and solved.screw.peak_pressure_MPa is not None
+        pressure = solved.screw.peak_pressure_MPa.max()
+        np.testing.assert_allclose(expected, [solved.axial_stiffness_N_per_um, pressure], rtol=1e-9)
+        np.testing.assert_array_equal(f(x), expected)
+    many = np.repeat(designs, 200, axis=0)
+    np.testing.assert_allclose(f(many), np.repeat(values, 200, axis=0), rtol=1e-11)
+
+
+def test_units_may_be_chosen() -> None:
+    f = lesson(4).function({FORCE: "kN"}, [STIFFNESS])
+    g = lesson(4).function([FORCE], [STIFFNESS])
+    assert f(f.x0) == g(g.x0) and g.x0[0] == pytest.approx(1e3 * f.x0[0])
+    with pytest.raises(ValueError, match="expected a unit that the value can be converted to"):
+        lesson(4).function({FORCE: "mm"}, [STIFFNESS])
+
+
+@pytest.mark.parametrize(
+    ("number", "inputs", "responses", "command"),
+    [
+        (4, {ANGLE: "deg", FORCE: "kN"}, [STIFFNESS, PRESSURE], "solve"),
+        (9, {"operation.speed": "rpm"}, ["slip.efficiency", "slip.power_loss_W"], "slip"),
+    ],
+)
+def test_jacobians_are_slopes(
+    number: int, inputs: dict[str, str], responses: list[str], command: Any
+) -> None:
+    f = lesson(number).function(inputs, responses, command)
+    jacobian = f.jacobian(f.x0)
+    assert jacobian.shape == (len(responses), len(inputs))
+    for k, x in enumerate(f.x0):
+        step = np.zeros_like(f.x0)
+        step[k] = 1e-4 * x
+        slope = (f(f.x0 + step) - f(f.x0 - step)) / (2.0 * step[k])
+        np.testing.assert_allclose(jacobian[:, k], slope, rtol=1e-5)
+
+
+def test_counts_are_whole_numbers() -> None:
+    f = lesson(1).function(["mechanism.rollers"], [STIFFNESS])
+    nine, eleven = f([[9.0], [11.0]])
+    assert f([9])[0] == nine[0] < eleven[0]
+    with pytest.raises(ValueError, match="expected whole numbers"):
+        f([9.5])
+    with pytest.raises(ValueError, match="got a count"):
+        f.jacobian([9.0])
+
+
+def test_designs_that_fail_are_nan_with_their_reasons() -> None:
+    f = lesson(1).function(["mechanism.rollers"], [STIFFNESS])
+    values = f([[9], [50]])
+    assert np.isfinite(values[0]).all() and np.isnan(values[1]).all()
+    designs = f.designs([[9], [50]])
+    assert "more rollers of 7 mm overlap" in designs.reason[1]
+    assert designs.case(0) == lesson(1).with_({"mechanism.rollers": 9})
+    pickle.loads(pickle.dumps(designs)).case(0)
+
+
+def test_whole_arrays_are_responses() -> None:
+    f = lesson(1).function([FORCE], ["screw.load_rate_percent"])
+    loads = lesson(1).solve().load_cases[0].screw
+    assert loads is not None
+    np.testing.assert_allclose(f(f.x0), loads.load_rate_percent, rtol=1e-9)
+
+
+@pytest.mark.parametrize("x", [[1.0, 2.0], [[1.0, 2.0]], np.ones((1, 1, 1)), 3.0])
+def test_other_shapes_are_refused(x: Any) -> None:
+    f = lesson(4).function([FORCE], [STIFFNESS])
+    with pytest.raises(ValueError, match="x: got the shape"):
+        f(x)
+
+
+def test_numbers_out_of_bounds_are_no_answers() -> None:
+    f = lesson(4).function([FORCE], [STIFFNESS])
+    assert np.isnan(f([-1.0])).all()
+
+
+# Designs
+
+
+def test_designs_are_chosen() -> None:
+    forces = np.linspace(5.0, 45.0, 9)
+    designs = lesson(1).evaluate({FORCE: (forces, "kN")}, [STIFFNESS, "screw.load_rate_percent"])
+    threads = designs["screw.load_rate_percent"]
+    assert threads.shape[0] == 9 and threads.shape[1] > 5
+    assert repr(designs) == f"<Designs: 9, 9 converged; {STIFFNESS}, screw.load_rate_percent>"
+    some = designs[forces > 20.0]
+    np.testing.assert_array_equal(some[STIFFNESS], designs[STIFFNESS][forces > 20.0])
+    assert len(designs[2:4]) == 2 and len(designs[[0, 8]]) == 2
+    best = designs.best(STIFFNESS, largest=True)
+    assert designs[STIFFNESS][best] == designs[STIFFNESS].max()
+    case = designs[[best]].case(0)
+    assert case == designs.case(best)
+    assert case.number(FORCE, "kN") == pytest.approx(forces[best])
+    assert pickle.loads(pickle.dumps(some)).case(0) == some.case(0)
+
+
+def test_grids_have_their_inputs_as_dimensions() -> None:
+    forces, rollers = np.meshgrid([10.0, 20.0, 30.0], [9, 11])
+    designs = lesson(1).evaluate(
+        {FORCE: (forces.ravel(), "kN"), "mechanism.rollers": rollers.ravel()},
+        [STIFFNESS, "screw.load_rate_percent"],
+    )
+    maps = designs.to_xarray()
+    assert maps[STIFFNESS].shape == (3, 2)
+    assert maps["screw.load_rate_percent"].dims[-1] == "thread"
+    at = {f"{FORCE}_kN": 20.0, "mechanism.rollers": 11}
+    assert float(maps[STIFFNESS].sel(at)) == designs[STIFFNESS][4]
+    assert maps[STIFFNESS].attrs["units"] == "N/µm"
+    assert designs[:5].to_xarray()[STIFFNESS].dims == ("design",)
+
+
+def test_frames_are_inputs() -> None:
+    forces = np.array([10.0, 20.0])
+    designs = lesson(1).evaluate({FORCE: (forces, "kN"), "mechanism.rollers": [9, 11]}, [STIFFNESS])
+    again = lesson(1).evaluate(designs.inputs, [STIFFNESS])
+    np.testing.assert_array_equal(again.values, designs.values)
+    assert list(again.inputs.columns) == list(designs.inputs.columns)
+
+
+def test_load_cases_by_name() -> None:
+    case = lesson(1)
+    name = case.solve().load_cases[1].name
+    by_name, by_place = f"load_cases[{name}].{STIFFNESS}", f"load_cases[1].{STIFFNESS}"
+    named = case.evaluate({"mechanism.rollers": [9]}, [by_name])
+    placed = case.evaluate({"mechanism.rollers": [9]}, [by_place])
+    np.testing.assert_array_equal(named.values, placed.values)
+
+
+def test_errors_name_the_argument_and_the_index() -> None:
+    with pytest.raises(rs.InputError, match=r"^inputs\['mechanism.lead'\]\[2\]: got -?0"):
+        lesson(4).evaluate({"mechanism.lead": ([1.0, 2.5, 0.0], "mm")})
+    with pytest.raises(rs.InputError, match=r"^responses\[1\]: got .*materials.density") as raised:
+        lesson(1).evaluate(
+            {"mechanism.rollers": [9]},
+            ["measures.envelope_volume_cm3", "measures.weight_kg"],
+            command="measures",
+        )
+    assert "--set" not in str(raised.value)
+
+
+def test_what_cannot_stand_in_the_case_may_be_a_row() -> None:
+    ratios = np.array([0.3, 0.7, 0.25, -2.0])
+    with pytest.raises(rs.InputError, match=r"inputs\['materials.poisson_ratio'\]\["):
+        lesson(4).evaluate({"materials.poisson_ratio": ratios}, [STIFFNESS])
+    designs = lesson(4).evaluate({"materials.poisson_ratio": ratios}, [STIFFNESS], on_error="row")
+    assert list(designs.status) == ["converged", "refused", "converged", "refused"]
+    assert "inputs['materials.poisson_ratio'][1]" in designs.reason[1]
+    alone = lesson(4).evaluate({"materials.poisson_ratio": ratios[[0, 2]]}, [STIFFNESS])
+    np.testing.assert_array_equal(designs.values[[0, 2]], alone.values)
+
+
+def test_preload_of_designs() -> None:
+    case = lesson(12)
+    rollers = [int(case["mechanism.rollers"]), int(case["mechanism.rollers"]) - 1]
+    response = "preload.lost_motion_um" if "lost_motion_um" in case.preload().preload else None
+    paths = [response or "preload.loads[0].axial_displacement_um"]
+    designs = case.evaluate({"mechanism.rollers": rollers}, paths, command="preload")
+    assert designs.converged.all() and designs.values[0, 0] != designs.values[1, 0]
+
+
+def test_batches_go_into_one_file(tmp_path: Any) -> None:
+    import pandas as pd
+
+    inputs = {FORCE: (np.linspace(5.0, 45.0, 10), "kN"), "model.roller": "flexible"}
+    file = tmp_path / "designs.parquet"
+    assert lesson(1).evaluate_to_parquet(file, inputs, [STIFFNESS], batch=3) == 10
+    expected = lesson(1).evaluate(inputs, [STIFFNESS]).to_frame()
+    pd.testing.assert_frame_equal(pd.read_parquet(file), expected)

@@ -1,0 +1,142 @@
+"""Cases to begin with, values of cases, cases that are handed over, what can be asked."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import rollerscrew as rs
+from conftest import Run, answer, lesson, lessons
+
+
+def test_new_cases_are_those_of_the_program(program: Run) -> None:
+    case = rs.new("standard", screw_diameter="25 mm", lead=(5, "mm"), rollers=9)
+    options = ["--screw-diameter", "25 mm", "--lead", "5 mm", "--rollers", "9"]
+    assert case.text == program("new", "standard", "-", *options).stdout
+    assert case["mechanism.rollers"] == 9
+    assert case.slip().converged
+    assert rs.new().solve().converged
+    with pytest.raises(rs.InputError, match="--screw-diameter"):
+        rs.new(screw_diameter="25 N", lead="5 mm")
+    with pytest.raises(TypeError, match="expected a number with its unit"):
+        rs.new(screw_diameter=25.5, lead="5 mm")
+
+
+def test_lessons_by_number_and_name() -> None:
+    names = rs.lessons()
+    assert list(names) == [file.stem for file in lessons()]
+    assert all(names.values())
+    assert rs.lesson(14) == rs.lesson("14_flight_spectrum") == rs.lesson("flight_spectrum")
+    assert rs.lesson(1).solve().load_cases == answer(1, "solve", rs.SolveResult).load_cases
+    with pytest.raises(rs.InputError, match="expected a number from 1 to"):
+        rs.lesson("nope")
+
+
+def test_lists_to_choose_from() -> None:
+    assert any(units.startswith("mm, ") for units in rs.units()["units"])
+    assert "iso-vg-100" in set(rs.lubricants()["name"])
+    found = rs.configurations("24 mm", (6, "mm"))
+    assert len(found) > 1 and {"type", "starts_screw", "pitch_mm"} <= set(found.columns)
+
+
+def test_values_of_cases() -> None:
+    case = lesson(1)
+    assert case["mechanism.lead"] == "5 mm"
+    assert case["mechanism"]["rollers"] == case["mechanism.rollers"] == 11
+    assert case["load_cases[0].axial_force"] == case["load_cases[config1-tension].axial_force"]
+    assert case.number("mechanism.lead", "um") == 5000.0
+    assert case.number("mechanism.rollers") == 11.0
+    assert "model.bodies" in case and "mechanism.leed" not in case and 5 not in case
+    for path in ("mechanism.leed", "load_cases[99].name", "load_cases[nope].name", "..", ""):
+        with pytest.raises(KeyError):
+            case[path]
+    with pytest.raises(ValueError, match="expected a unit that the value can be converted to"):
+        case.number("mechanism.lead", "N")
+
+
+def test_numbers_with_units_are_values() -> None:
+    pint = pytest.importorskip("pint").UnitRegistry()
+    for five in ("5.5 mm", (5.5, "mm"), pint.Quantity(5.5, "mm")):
+        assert lesson(4).with_({"mechanism.lead": five})["mechanism.lead"] == "5.5 mm"
+    study = {"factors": [{"path": "mechanism.lead", "values": (np.array([5.0, 6.0]), "mm")}]}
+    values = lesson(4).with_(study={"command": "solve", **study})["study.factors[0].values"]
+    assert values == ["5.0 mm", "6.0 mm"]
+
+
+def test_cases_are_handed_over(tmp_path: Path) -> None:
+    nine = lesson(1).with_({"mechanism.rollers": 9})
+    file = tmp_path / "nine.yaml"
+    text = nine.to_yaml(file)
+    assert "# Lesson 1" in text and "rollers: 9" in text
+    again = rs.Case.from_yaml(file)
+    assert again.overrides == [] and again.solve().load_cases == nine.solve().load_cases
+    flight = lesson(14).with_({"mechanism.rollers": 9})
+    flight.to_yaml(tmp_path / "flight.yaml")
+    assert rs.Case.from_yaml(tmp_path / "flight.yaml").life().life == flight.life().life
+
+
+def test_responses_say_what_they_need() -> None:
+    frame = lesson(1).responses("measures").set_index("path")
+    assert frame.loc["measures.material_volume_cm3", "defined"]
+    weight = frame.loc["measures.weight_kg"]
+    assert not weight["defined"] and "materials.density" in weight["needs"]
+    assert weight["unit"] == "kg" and weight["title"]
+    solved = lesson(1).responses()
+    defined = solved[solved["defined"]]["path"].tolist()
+    assert lesson(1).evaluate({"mechanism.rollers": [11]}, defined).converged.all()
+
+
+@pytest.mark.parametrize("path", ["slip.efficiency", "weight_kg", "peak_pressure_MPa.max"])
+def test_explanations_are_those_of_the_program(path: str, program: Run) -> None:
+    assert answer(9, "slip").explain(path) == program("measures", "--explain", path).stdout
+
+
+def test_help_has_unit_equation_and_source() -> None:
+    said = rs.records.Slip.__doc__ or ""
+    assert "power_loss_W [W]: lost to all sources of friction; Sandu 2018, (3.51)" in said
+    with pytest.raises(ValueError, match="expected the path of a quantity"):
+        answer(9, "slip").explain("nope")
+    assert "load_cases[].slip.efficiency\n" in answer(9, "slip").explain()
+
+
+def test_notebooks_show_headlines(monkeypatch: pytest.MonkeyPatch) -> None:
+    jammed = lesson(9).with_({"friction.model": {"coulomb": 50}}).slip()
+    assert "did not converge" in jammed._repr_html_()
+    shown = answer(1, "solve")._repr_html_()
+    assert "config1-tension" in shown and "stiffness, N/µm" in shown and "data:image/png" in shown
+    designs = lesson(1).evaluate({"mechanism.rollers": [9, 11]})
+    assert "2 designs" in designs._repr_html_() and "mechanism.rollers" in designs._repr_html_()
+
+
+def test_progress_shows_in_notebooks(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "ipykernel", sys)
+    lesson(16).study(progress=True)
+    assert "145 of 145 designs" in capsys.readouterr().err
+
+
+def test_libraries_load_when_they_are_needed() -> None:
+    code = "import sys, rollerscrew; print({'pandas', 'matplotlib', 'xarray'} & set(sys.modules))"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "set()"
+
+
+def test_histories_of_arrays() -> None:
+    x = np.linspace(0.0, 60.0, 601)
+    force = 10.0 + 5.0 * np.sin(x)
+    history: dict[str, Any] = {"force": (force, "kN"), "position": (x, "mm")}
+    case = lesson(14)
+    result = case.life(history=history)
+    assert result.converged
+    import pandas as pd
+
+    frame = pd.DataFrame({"force_kN": force, "position_mm": x})
+    assert case.life(history=frame).life == result.life
+    assert case.life(history={**history, "force": (2.0 * force, "kN")}).life != result.life
+    with pytest.raises(TypeError, match="got no unit"):
+        case.life(history={"force": force})
