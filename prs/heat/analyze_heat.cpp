@@ -7,7 +7,7 @@
 
 #include "prs/heat/case_losses.h"
 #include "prs/heat/duty_cycle.h"
-#include "prs/heat/steady_heat.h"
+#include "prs/heat/thermal_network.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {
