@@ -61,7 +61,7 @@ const Configuration& chosen(const Configurations& all, const ConfigurationOption
 }
 
 /// The case of `--write`, into a file that is new.
-void write_case(const Configuration& configuration, const ConfigurationOptions& o) {
+void write_configuration(const Configuration& configuration, const ConfigurationOptions& o) {
   const auto text = [&] {
     try {
       return configuration_case(configuration);
@@ -84,7 +84,7 @@ int configurations(const Options& options) {
   if (all.found.empty()) refuse_none(all);
 
   const bool writes = !asked.write.empty();
-  if (writes) write_case(chosen(all, asked), asked);
+  if (writes) write_configuration(chosen(all, asked), asked);
   const int status = deliver(
       {.file = "configurations.json",
        .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
