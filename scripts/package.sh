@@ -14,7 +14,7 @@ pip install -q --disable-pip-version-check \
 rm -rf dist build/wheel
 mkdir -p dist
 
-cmake --preset release -DPRS_EVERY_PROCESSOR=ON >/dev/null
+cmake --preset release >/dev/null
 cmake --build --preset release --target prs prs-validate
 (cd build/release && cpack -G DEB -B packages)
 cp build/release/packages/*.deb dist

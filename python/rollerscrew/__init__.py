@@ -5,7 +5,7 @@
 >>> rs.new("standard", screw_diameter="25 mm", lead="5 mm").check()
 """
 
-from rollerscrew import records, results
+from rollerscrew import plots, records, results, theory
 from rollerscrew._engine import schema
 from rollerscrew._engine import version as __version__
 from rollerscrew.cad import export_step
@@ -34,8 +34,10 @@ __all__ = [
     "lessons",
     "lubricants",
     "new",
+    "plots",
     "records",
     "schema",
+    "theory",
     "units",
 ]
 __all__ += results.__all__

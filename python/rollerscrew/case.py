@@ -6,10 +6,7 @@ import math
 import os
 import re
 import reprlib
-import tempfile
-import webbrowser
 from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -43,6 +40,8 @@ from rollerscrew.results import (
 from rollerscrew.values import case_text, checked_text, number_text, override_text
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     import pandas as pd
 
 _FILE = "<case>"
@@ -208,6 +207,9 @@ class Case(Analyses):
 
         Without `file` into a new folder for temporary files. Returns where the page is.
         """
+        import tempfile
+        import webbrowser
+
         page = Path(tempfile.mkdtemp(prefix="prs-")) / "case.html" if file is None else Path(file)
         self.report(page, results=results)
         webbrowser.open(page.resolve().as_uri())

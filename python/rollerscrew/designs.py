@@ -8,7 +8,6 @@ import re
 import reprlib
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, as_completed
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -31,6 +30,8 @@ from rollerscrew.values import (
 )
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor, Future
+
     import pandas as pd
     import xarray
     from matplotlib.axes import Axes
@@ -227,8 +228,8 @@ class Designs:
     def to_xarray(self) -> xarray.Dataset:
         """Responses over the inputs: where these form a grid, each is a dimension.
 
-        Else there is one dimension, `design`, with the inputs as coordinates. Arrays of threads have
-        the dimension `thread`; the number of the first thread is 1.
+        Else there is one dimension, `design`, with the inputs as coordinates. Arrays of threads
+        have the dimension `thread`; the number of the first thread is 1.
         """
         import xarray
 
@@ -347,7 +348,7 @@ def evaluate(
         raise ValueError(f"on_error: got {on_error!r}; expected 'raise' or 'row'")
     constants, columns = _columns(inputs)
     count = len(next(iter(columns.values())).numbers)
-    if command == "preload":
+    if isinstance(command, str) and command == "preload":
         answered = _preload_rows(case, constants, columns, responses, on_error)
     else:
         paths = None if responses is None else _with_entries(case, list(responses), command)
@@ -450,7 +451,8 @@ def _known_paths() -> frozenset[str]:
 
 def _with_entries(case: Case, responses: list[str], command: Command) -> list[str]:
     """The responses with each entry of whole arrays: `screw.load_rate_percent`."""
-    if all(not isinstance(each, str) or _is_number_path(each) for each in responses):
+    is_known = isinstance(command, str) and command in COMMAND_BLOCKS
+    if not is_known or all(not isinstance(r, str) or _is_number_path(r) for r in responses):
         return responses
     result = getattr(case, command)()
     paths = []
@@ -575,7 +577,7 @@ class _Evaluation:
         return designs_of(frame, answers, Origin(case, self.parts(rows), numbers))
 
     def each_row(self, rows: npt.NDArray[np.int64], threads: int) -> Designs:
-        """As `answered`; a design whose inputs cannot stand in the case is a row with the reason."""
+        """As `answered`; a design whose inputs cannot stand in the case is a row with why."""
         refused: dict[int, str] = {}
         pieces = list(self._pieces(rows, threads, refused))
         if not pieces:
@@ -910,6 +912,8 @@ def study_rows(
     progress: Progress,
 ) -> tuple[_engine.Study, _engine.StudyRows | None]:
     """A study and the rows of all its designs; without rows where the plan has none."""
+    from concurrent.futures import as_completed
+
     study = _engine.Study(source)
     if not study.has_designs:
         return study, None
@@ -942,6 +946,8 @@ def study_rows(
 
 def _record(study: _engine.Study, future: Future[bytes], first: int, count: int) -> bytes:
     """What a worker answered; designs that it could not answer are rows with the reason."""
+    from concurrent.futures import BrokenExecutor, CancelledError
+
     try:
         return future.result()
     except (BrokenExecutor, CancelledError):

@@ -30,7 +30,8 @@ class InputProblem:
         if place is None:
             return cls(text)
         keyed = _KEY.fullmatch(place["message"])
-        parts = (keyed["message"] if keyed else place["message"]).split("; ")
+        message = (keyed["message"] if keyed else place["message"]).partition(" (from --set ")[0]
+        parts = message.split("; ")
         got = next((part[4:] for part in parts if part.startswith("got ")), "")
         return cls(
             text,

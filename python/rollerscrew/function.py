@@ -99,8 +99,8 @@ class Function:
     def jacobian(self, x: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Derivatives of the responses by the inputs at one design, m x n.
 
-        Exact by the tangent of the equilibrium where the plan `derivatives` of studies has them; else
-        central differences of fourth order. Raises ValueError for inputs that are counts.
+        Exact by the tangent of the equilibrium where the plan `derivatives` of studies has them;
+        else central differences of fourth order. Raises ValueError for inputs that are counts.
         """
         numbers = np.asarray(x, dtype=np.float64)
         if numbers.shape != (len(self.inputs),):

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -155,6 +154,8 @@ def _program() -> Path:
 
 def _answer(*arguments: str) -> str:
     """What the program prints; what it refuses is an InputError."""
+    import subprocess
+
     run = subprocess.run(
         [_program(), *arguments], capture_output=True, encoding="utf-8", check=False
     )

@@ -429,7 +429,7 @@ class Result(Record):
         return plots.draw(json.loads(described), ax, label=label, color=color)
 
     def explain(self, path: str = "") -> str:
-        """What a quantity is, with unit, formula, validity and source, as `prs --explain` prints it.
+        """What a quantity is, with unit, formula, validity and source: `prs --explain`.
 
         `path` is that of the quantity or its end: `slip.efficiency`, `efficiency`. Without one: all
         quantities of the result.

@@ -503,7 +503,7 @@ class StudyViews(Result):
     __slots__ = ("_designs", "_rows", "_study")
     study: Values
     summary: Values
-    envelope: Values
+    envelope: Values | None
     _designs: Designs | None
     _rows: _engine.StudyRows | None
     _study: _engine.Study | None
@@ -586,7 +586,7 @@ class StudyViews(Result):
                 **point["responses"].to_dict(),
                 "envelope": point["envelope"],
             }
-            for point in (self.envelope.get("points", []) if "envelope" in self else [])
+            for point in ([] if self.envelope is None else self.envelope.get("points", []))
         ]
         return frame_of(rows, {"name": str, "design": int, "envelope": float})
 

@@ -176,7 +176,7 @@ def test_errors_say_their_parts(tmp_path: Path) -> None:
     with pytest.raises(rs.InputError) as raised:
         lesson(1).with_({"mechanism.leed": "5 mm", "mechanism.rollers": 9.4})
     error = {each.path: each for each in raised.value.errors}["mechanism.leed"]
-    assert "did you mean `lead`" in error.hint
+    assert error.hint == "did you mean `lead`?"
     assert (error.line or 0) > 1 and error.column and error.file == lesson(1).name
     assert {each.got for each in raised.value.errors} == {"", "9.4"}
     again = pickle.loads(pickle.dumps(raised.value))

@@ -664,3 +664,44 @@ def test_designs_as_points() -> None:
     assert ax.get_ylabel() == other_axes(ax)[0].get_ylabel() == "Axial stiffness (N/µm)"
     with pytest.raises(KeyError, match="no column 'x'"):
         answers.plot("x", stiffness)
+
+
+# Several pictures in the same axes
+
+
+def colours(ax: Axes) -> set[Any]:
+    return {line.get_color() for line in ax.get_lines() if len(np.asarray(line.get_xdata())) > 2}
+
+
+def test_pictures_in_the_same_axes_differ() -> None:
+    eleven = answer(1, "solve", rs.SolveResult)
+    nine = lesson(1).with_({"mechanism.rollers": 9}).solve()
+    ax = plt.subplots()[1]
+    eleven.plot_load_distribution(0, ax=ax, label="11 rollers")
+    first = colours(ax)
+    nine.plot_load_distribution(0, ax=ax, label="9 rollers")
+    assert len(colours(ax) - first) == 1
+    legend = ax.get_legend()
+    assert legend is not None
+    said = [text.get_text() for text in legend.get_texts()]
+    assert {"11 rollers", "9 rollers"} <= set(said) and len(said) == len(set(said))
+
+
+def test_results_are_compared() -> None:
+    results = {"a": answer(1, "solve"), "b": answer(2, "solve")}
+    ax = plots.compare(results, "load_distribution", load_cases=0)
+    assert len(colours(ax)) == 2
+    legend = ax.get_legend()
+    assert legend is not None and {"a", "b"} <= {text.get_text() for text in legend.get_texts()}
+    with pytest.raises(ValueError, match="picture: got 'nope'; expected one of"):
+        plots.compare(results, "nope")
+
+
+def test_a_colour_may_be_given() -> None:
+    ax = answer(1, "solve", rs.SolveResult).plot_load_distribution(0, color="red", label="mine")
+    assert {matplotlib.colors.to_hex(each) for each in colours(ax)} == {"#ff0000"}
+
+
+def test_notebooks_show_the_picture_alone() -> None:
+    shown: Any = answer(1, "solve", rs.SolveResult).plot_load_distribution()
+    assert shown._ipython_display_() is None

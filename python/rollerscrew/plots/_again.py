@@ -12,6 +12,9 @@ if TYPE_CHECKING:
 #: Dashes of lines that had colours of their own.
 _DASHES = ("solid", "dashed", "dotted", "dash_dotted")
 
+#: Colours of what is no data.
+_QUIET = ("reference", "muted", "grey")
+
 #: Attributes of axes: keys of the legend so far, and the titles.
 KEYS, TITLES = "_rollerscrew_keys", "_rollerscrew_titles"
 
@@ -28,30 +31,43 @@ def next_colour(ax: Axes) -> Any:
 
 
 def relabelled(description: Mapping[str, Any], label: str | None, color: Any) -> Mapping[str, Any]:
-    """The description with one colour, and a name before each entry of its legend."""
+    """The description with one colour, and a name in its legend.
+
+    Styles that differ in their colour alone get dashes of their own. What marks and dashes mean
+    stands in the legend in black, once in the axes.
+    """
     if label is None and color is None:
         return description
     changed = dict(description)
+    styles = [dict(style) for style in description.get("styles", [])]
+    legend = list(description.get("legend", []))
+    drawn = [series["style"] for series in description["panels"][0].get("series", [])]
     if color is not None:
-        dashes: dict[tuple[Any, Any], str] = {}
-        styles = []
-        for style in description.get("styles", []):
-            style = dict(style)
-            if style.get("colour") not in ("reference", "muted", "grey"):
-                look = (style.get("colour"), style.get("dash", "solid"))
-                if style.get("dash") != "none":
-                    style["dash"] = dashes.setdefault(look, _DASHES[len(dashes) % len(_DASHES)])
-                style["colour"] = color
-            styles.append(style)
-        changed["styles"] = styles
+        looks: dict[tuple[Any, ...], list[Any]] = {}
+        for style in styles:
+            named = style.get("colour", "ink")
+            if named in _QUIET:
+                continue
+            look = tuple(style.get(key) for key in ("shape", "dash", "mark", "open", "pale"))
+            alike = looks.setdefault(look, [])
+            if named not in alike:
+                alike.append(named)
+            if alike.index(named) and style.get("dash") != "none":
+                style["dash"] = _DASHES[alike.index(named) % len(_DASHES)]
+            style["colour"] = color
+        meanings = []
+        for entry in legend:
+            meaning = dict(styles[entry["style"]])
+            if meaning.get("colour") is color:
+                meaning["colour"] = "ink"
+            styles.append(meaning)
+            meanings.append({**entry, "style": len(styles) - 1})
+        legend = meanings if len(legend) > 1 else []
     if label is not None:
-        legend = list(description.get("legend", []))
-        if len(legend) > 1:
-            legend = [{**entry, "title": f"{label}: {entry['title']}"} for entry in legend]
-        else:
-            drawn = [series["style"] for series in description["panels"][0].get("series", [])]
-            legend = [{"style": style, "title": label} for style in drawn[:1]]
-        changed["legend"] = legend
+        legend = [{"style": style, "title": label} for style in drawn[:1]] + (
+            legend if len(legend) > 1 else []
+        )
+    changed["styles"], changed["legend"] = styles, legend
     return changed
 
 

@@ -110,7 +110,9 @@ def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> Non
     titles = list(dict.fromkeys([*getattr(ax, TITLES, []), title]))
     title = titles[0] if len(titles) == 1 else ""  # Of several pictures, what they share.
     ax.set_title(shown(title, characters(width)), fontsize=points)
-    handles = [*getattr(ax, KEYS, []), *keys(description)]
+    handles = list(getattr(ax, KEYS, []))
+    told = {str(handle.get_label()) for handle in handles}
+    handles += [each for each in keys(description) if str(each.get_label()) not in told]
     setattr(ax, TITLES, titles)
     setattr(ax, KEYS, handles)
     if not handles:
