@@ -25,7 +25,7 @@ HertzContact ellipse(double a, double b, double load) {
 }
 
 const HertzContact kEllipse = ellipse(0.25e-3, 0.15e-3, 200.0);
-const Lubricant kGrease{0.1665, 30e-9, 12e6};
+const Lubricant kPatchGrease{0.1665, 30e-9, 12e6};
 const FilmContact kFilmContact{200.0, 350.0, 115.385e9};
 
 TEST(PatchGrid, HoldsTheCellCentresInsideTheEllipse) {
@@ -87,7 +87,7 @@ TEST(Patch, TheCentreOfPureSpinHasNoDirection) {
   const PatchGrid grid(21);
   for (const bool coulomb : {false, true}) {
     const Patch patch = coulomb ? Patch(grid, kEllipse, coulomb_friction(0.1))
-                                : Patch(grid, kEllipse, film_friction(kGrease, kFilmContact));
+                                : Patch(grid, kEllipse, film_friction(kPatchGrease, kFilmContact));
     const PatchFriction f = patch.friction({3e-15, -2e-15, 40.0, 0.8});
     EXPECT_LT(std::hypot(f.traction_major, f.traction_minor), 1e-13) << coulomb;
     EXPECT_GT(f.spin_arm, 0.0);
@@ -96,7 +96,7 @@ TEST(Patch, TheCentreOfPureSpinHasNoDirection) {
 
 TEST(Patch, JacodSumsWhatItsFieldsShow) {
   const PatchGrid grid(21);
-  const Patch patch(grid, kEllipse, film_friction(kGrease, kFilmContact));
+  const Patch patch(grid, kEllipse, film_friction(kPatchGrease, kFilmContact));
   const PatchMotion motion{0.05, 0.07, 40.0, 0.5};
   const Eigen::ArrayXd v_1 = patch.sliding_major(motion), v_2 = patch.sliding_minor(motion);
   const Eigen::ArrayXd speed = (v_1.square() + v_2.square()).sqrt();
@@ -122,7 +122,7 @@ TEST(Patch, PowerIsThatOfItsWrench) {
   const PatchGrid grid(21);
   const PatchMotion motion{0.05, -0.02, 60.0, 0.5};
   for (const Patch& patch : {Patch(grid, kEllipse, coulomb_friction(0.1)),
-                             Patch(grid, kEllipse, film_friction(kGrease, kFilmContact))}) {
+                             Patch(grid, kEllipse, film_friction(kPatchGrease, kFilmContact))}) {
     const PatchFriction f = patch.friction(motion);
     EXPECT_NEAR((f.traction_major * motion.sliding_major + f.traction_minor * motion.sliding_minor +
                  f.spin_arm * motion.spin) /
@@ -172,7 +172,7 @@ TEST(Patch, EveryInstructionSetGivesTheSameSums) {
 
 TEST(Patch, FrictionAllocatesNothing) {
   const PatchGrid grid(21);
-  const Patch patch(grid, kEllipse, film_friction(kGrease, kFilmContact));
+  const Patch patch(grid, kEllipse, film_friction(kPatchGrease, kFilmContact));
   const auto before = ::test::allocations();
   (void)patch.friction({0.05, 0.07, 40.0, 0.5});
   EXPECT_EQ(::test::allocations(), before);
