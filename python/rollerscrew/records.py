@@ -917,8 +917,8 @@ class PerDirection(Record):
     """
 
     __slots__ = ()
-    tension: float
-    compression: float
+    tension: float | None
+    compression: float | None
 
 
 class PreloadSide(Record):
