@@ -59,11 +59,18 @@ void check_thrust(Direction direction, std::string_view load, const Structure::N
 }
 
 void check_load_cases(const Case& c, Problems& problems) {
+  // Few names, as designs of a study have them, are compared one by one, which takes no memory.
+  constexpr std::size_t kFew = 64;
   std::unordered_set<std::string_view> names;
+  const auto is_repeated = [&](const LoadCase& load) {
+    if (c.load_cases.size() > kFew) return !names.insert(load.name).second;
+    const LoadCase* first = c.load_cases.data();
+    return std::any_of(first, &load, [&](const LoadCase& l) { return l.name == load.name; });
+  };
   std::optional<RoomOnNut> room;
   if (c.structure) room.emplace(c.mechanism, c.structure->nut);
   for (const LoadCase& load : c.load_cases) {
-    if (!names.insert(load.name).second)
+    if (is_repeated(load))
       problems.add(
           load.input_path + ".name",
           "got `{}` a second time; expected names that differ, ranges expanded; rename this case",

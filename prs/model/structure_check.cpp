@@ -104,13 +104,17 @@ void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch
           "got {}; expected more than the nut's pitch diameter, {}; check the two diameters",
           mm(f.outer_diameter), mm(*pitch_diameter));
   }
-  std::vector<std::size_t> order(nut.flanges.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return nut.flanges[i].from; });
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    const Structure::Flange &before = nut.flanges[order[k - 1]], &f = nut.flanges[order[k]];
+  std::vector<std::size_t> order;  // Empty, without memory, where they stand in order.
+  if (!std::ranges::is_sorted(nut.flanges, {}, &Structure::Flange::from)) {
+    order.resize(nut.flanges.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return nut.flanges[i].from; });
+  }
+  const auto at = [&](std::size_t k) { return order.empty() ? k : order[k]; };
+  for (std::size_t k = 1; k < nut.flanges.size(); ++k) {
+    const Structure::Flange &before = nut.flanges[at(k - 1)], &f = nut.flanges[at(k)];
     if (f.from < before.to - tolerance)
-      problems.add(fmt::format("structure.nut.flanges[{}]", order[k]),
+      problems.add(fmt::format("structure.nut.flanges[{}]", at(k)),
                    "got a flange from {} that overlaps the one from {} to {}; expected flanges "
                    "that touch at most; move one of them",
                    mm(f.from), mm(before.from), mm(before.to));
