@@ -20,9 +20,9 @@ struct CsvColumn {
 /// samples follows from `position`, from `speed` and the time, or from the operation's speed and
 /// the time.
 struct HistorySource {
-  std::string file;  ///< Relative to the input file.
+  std::string file;                        ///< Relative to the input file.
   std::optional<std::string> sha256 = {};  ///< Of the file that is meant, hexadecimal.
-  CsvColumn force;   ///< > 0 in tension.
+  CsvColumn force;                         ///< > 0 in tension.
   std::optional<CsvColumn> time;
   std::optional<double> interval;  ///< Between two samples [s], in place of `time`.
   std::optional<CsvColumn> position;

@@ -18,9 +18,9 @@ namespace prs {
 
 /// What every document says of its origin.
 struct DocumentInfo {
-  std::string version;                      ///< Version of the program.
-  std::string schema_version;               ///< Version of the input's schema.
-  std::string input_sha256;                 ///< Of file, overrides and history, `input::input_sha256`.
+  std::string version;         ///< Version of the program.
+  std::string schema_version;  ///< Version of the input's schema.
+  std::string input_sha256;    ///< Of file, overrides and history, `input::input_sha256`.
   std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
   std::string command = {};                 ///< The command that was run.
   std::string case_file = {};               ///< As it was given.
