@@ -16,9 +16,15 @@ def progress_callback(progress: Progress) -> Callable[[int, int], object] | None
         return progress
     if not (progress is None or isinstance(progress, bool)):
         raise TypeError(f"progress: got {progress!r}; expected a function, True, or nothing")
-    if progress and (sys.stderr.isatty() or "ipykernel" in sys.modules):
+    if progress and (sys.stderr.isatty() or _in_notebook()):
         return _show_line
     return None
+
+
+def _in_notebook() -> bool:
+    """Whether this process is a notebook's kernel; who merely imported its library is none."""
+    kernel = getattr(sys.modules.get("ipykernel.kernelapp"), "IPKernelApp", None)
+    return kernel is not None and bool(kernel.initialized())
 
 
 def _show_line(done: int, total: int) -> None:

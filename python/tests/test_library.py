@@ -115,7 +115,10 @@ def test_notebooks_show_headlines(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_progress_shows_in_notebooks(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setitem(sys.modules, "ipykernel", sys)
+    class Kernel:
+        IPKernelApp = type("IPKernelApp", (), {"initialized": staticmethod(lambda: True)})
+
+    monkeypatch.setitem(sys.modules, "ipykernel.kernelapp", Kernel)  # type: ignore[arg-type]
     lesson(16).study(progress=True)
     assert "145 of 145 designs" in capsys.readouterr().err
 
