@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "prs/slip/running.h"
+
 namespace prs {
 namespace {
 
@@ -40,6 +42,15 @@ CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const Load
 std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
   const Oils oils = warm_oils(conditions_, oil_temperatures(temperature));
   if (load_.share == LoadCase::Share::equal) return of(models_.equal_shares(load_, oils));
+  if (conditions_.model.loads == ModelOptions::Loads::running) {
+    const Conditions warm = at_temperatures(conditions_, load_, temperature);
+    const SlipModels models(warm, contacts_, oils);
+    std::optional<SlipEquilibrium> slip;
+    const LoadCaseResult found = RunningSolver(warm, contacts_, models).solve(load_, slip);
+    if (found.threads) return of(models.of(found), *slip);
+    failure_ = fmt::format("running loads end as {}", name(found.running->status));
+    return std::nullopt;
+  }
   const Result loads =
       analyze(at_temperatures(conditions_, load_, temperature), contacts_, kManyDesigns);
   const LoadCaseResult& found = loads.load_cases.front();
@@ -50,7 +61,10 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
 }
 
 std::optional<Losses> CaseLosses::of(const SlipModel& model) {
-  const SlipEquilibrium found = find_slip_equilibrium(model);
+  return of(model, find_slip_equilibrium(model));
+}
+
+std::optional<Losses> CaseLosses::of(const SlipModel& model, const SlipEquilibrium& found) {
   if (!found.ok()) {
     failure_ = fmt::format("slip ends as {}", name(found.status));
     return std::nullopt;

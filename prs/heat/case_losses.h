@@ -51,6 +51,7 @@ class CaseLosses {
 
  private:
   std::optional<Losses> of(const SlipModel& model);
+  std::optional<Losses> of(const SlipModel& model, const SlipEquilibrium& found);
   std::optional<OfParts> estimate(const SlipModels& models, const PerInterface<double>& oil) const;
 
   const Conditions& conditions_;

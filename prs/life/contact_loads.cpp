@@ -10,6 +10,7 @@
 #include "prs/loads/distribution_solver.h"
 #include "prs/loads/full_result.h"
 #include "prs/preload/preloaded_mechanism.h"
+#include "prs/slip/running.h"
 
 namespace prs {
 namespace {
@@ -40,6 +41,35 @@ ContactSolver sector_solver(const LifeModel& model, Direction d) {
         loads.largest[d][i].push_back(axial);
       }
     return std::optional(std::move(loads));
+  };
+}
+
+/// Fatigue on the normal loads of the running screw, l = n_t N cos(psi)/(F/N_r), which no longer
+/// sum to n_t; the largest load may come at rest.
+ContactSolver running_solver(const LifeModel& model, Direction d) {
+  const auto models = std::make_shared<SlipModels>(model.c, model.contacts);
+  const auto running = std::make_shared<RunningSolver>(model.c, model.contacts, *models);
+  LoadCase load;
+  load.direction = d;
+  load.position = model.c.life->position;
+  // F_N omega l > 0: the screw drives.
+  const double sense = (d == Direction::tension ? 1.0 : -1.0) *
+                       std::copysign(1.0, model.contacts.threads.screw.lead) *
+                       (model.driven_by == DrivenBy::screw ? 1.0 : -1.0);
+  load.speed = sense * std::abs(model.c.operation->speed);
+  return [&model, load, models, running, at_rest = sector_solver(model, d)](double force) {
+    std::optional<ContactLoads> loads = at_rest(force);
+    LoadCase at = load;
+    at.axial_force = force;
+    std::optional<SlipEquilibrium> slip;
+    const LoadCaseResult found = running->solve(at, slip);
+    if (!loads || !found.threads) return std::optional<ContactLoads>();
+    loads->rated.clear();
+    for (const Interface i : kInterfaces)
+      for (const double normal : (*found.threads)[i].normal_load)
+        loads->rated.push_back(normal * std::cos(model.laws[i].normal_angle) /
+                               (force * model.equal_share()));
+    return loads;
   };
 }
 
@@ -139,7 +169,7 @@ double LifeModel::equal_share() const {
 LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver,
                              const ContactLoads& at) {
   if (!model.full())
-    return [d, solver](double force) {
+    return [d, solver = model.running() ? sector_solver(model, d) : solver](double force) {
       std::optional<ContactLoads> loads = solver(force);
       return loads ? std::optional(std::move(loads->largest[d])) : std::nullopt;
     };
@@ -193,6 +223,7 @@ PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
     if (wanted[d])
       solvers[d] = preloaded         ? preload_solver(model, d, preloaded)
                    : !model.solved() ? equal_solver(model, d)
+                   : model.running() ? running_solver(model, d)
                    : model.full()    ? full_solver(model, d)
                                      : sector_solver(model, d);
   return solvers;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "prs/loads/slip_result.h"
 #include "prs/model/case.h"
 #include "prs/threads/contact_laws.h"
 
@@ -60,7 +61,13 @@ struct LifeModel {
   const Conditions& c;
   const Contacts& contacts;
   PerInterface<ContactLaw> laws;
+  DrivenBy driven_by = DrivenBy::screw;  ///< Of running loads.
 
+  /// Whether fatigue stands on loads of the running screw, by the friction that the case states.
+  bool running() const {
+    return solved() && !full() && !preloaded() && c.model.loads == ModelOptions::Loads::running &&
+           c.friction && c.operation;
+  }
   bool solved() const { return c.life->share == LoadCase::Share::solved; }
   bool preloaded() const { return c.preload.has_value(); }
   bool full() const { return solved() && c.model.mechanism == ModelOptions::Mechanism::full; }

@@ -105,8 +105,14 @@ bool is_round(const Conditions& c, const SpatialLoad& load) {
 class AllRollers {
  public:
   AllRollers(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-             const PerInterface<ContactLaw>& laws, FullSolver& solver)
-      : load_case_(load_case), c_(c), contacts_(contacts), laws_(laws), solver_(solver) {
+             const PerInterface<ContactLaw>& laws, FullSolver& solver,
+             const std::vector<RollerPush>& push = {})
+      : load_case_(load_case),
+        c_(c),
+        contacts_(contacts),
+        laws_(laws),
+        solver_(solver),
+        push_(push) {
     if (c.model.bodies == ModelOptions::Bodies::influence)
       bodies_ = full_bodies(c, contacts, laws, model(load_case.spatial.carrier_angle));
   }
@@ -116,8 +122,10 @@ class AllRollers {
   FullModel model(double carrier_angle) const {
     LoadCase at = load_case_;
     at.spatial.carrier_angle = carrier_angle;
-    return full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_, at,
-                      c_.deviations);
+    FullModel model = full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_,
+                                 at, c_.deviations);
+    model.push = push_;
+    return model;
   }
   FullDistribution solved(const FullModel& model, Detail detail) const {
     return bodies_ ? solve(model, *bodies_, detail) : solver_.solve(model, detail);
@@ -135,6 +143,7 @@ class AllRollers {
   const Contacts& contacts_;
   const PerInterface<ContactLaw>& laws_;
   FullSolver& solver_;
+  std::vector<RollerPush> push_;
   std::optional<FullBodies> bodies_;
 };
 
@@ -185,8 +194,9 @@ void warn_of_openings(const FullDistribution& d, const Contacts& contacts,
 
 FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
                                    const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                   FullSolver& solver, Detail detail) {
-  const AllRollers all(load_case, c, contacts, laws, solver);
+                                   FullSolver& solver, Detail detail,
+                                   const std::vector<RollerPush>& push) {
+  const AllRollers all(load_case, c, contacts, laws, solver, push);
   return all.solved(all.model(load_case.spatial.carrier_angle), detail);
 }
 
@@ -203,9 +213,9 @@ std::string text(const Orbit::Failure& failure) {
 
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                            const PerInterface<ContactLaw>& laws, FullSolver& solver,
-                           Detail detail) {
+                           Detail detail, const std::vector<RollerPush>& push) {
   const SpatialLoad& load = load_case.spatial;
-  const AllRollers all(load_case, c, contacts, laws, solver);
+  const AllRollers all(load_case, c, contacts, laws, solver, push);
   const FullModel f = all.model(load.carrier_angle);
   FullDistribution d = all.solved(f, detail);
   LoadDistribution flattened;
@@ -227,7 +237,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     loads.threads_per_roller = f.threads();
     loads.rollers = roller_shares(loads, f, full.symmetric.largest_normal_load[i]);
   }
-  if (load.orbit) {
+  if (load.orbit && push.empty()) {
     Orbit turned = all.turned(*load.orbit);
     if (turned.converged())
       full.orbit = std::move(turned);

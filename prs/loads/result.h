@@ -6,6 +6,7 @@
 
 #include "fe/newton.h"
 #include "prs/loads/heat_result.h"
+#include "prs/loads/running_loads.h"
 #include "prs/loads/slip_result.h"
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
@@ -56,6 +57,7 @@ struct LoadCaseResult {
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
   std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see full_result.h.
+  std::optional<RunningLoads> running;    ///< Where these are loads of the running screw.
   std::optional<SlipResult> slip;         ///< Where it was asked for and the loads are known.
   std::optional<HeatResult> heat;         ///< With `heat` the slip is that at its temperatures.
   std::vector<Warning> warnings;

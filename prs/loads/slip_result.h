@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -62,6 +63,14 @@ struct RollerForcesOf {
   Number centrifugal{};  ///< F_cf (3.33), by the orbit against the frame; 0 without density.
 };
 using RollerForces = RollerForcesOf<double>;
+
+/// A head of a roller in the carrier.
+struct RollerHead {
+  double guide_force = 0.0;         ///< R_h, of the guides on the roller, > 0 outwards [N].
+  double bearing_force = 0.0;       ///< F_h, of the bearing, that of the gears included [N].
+  double torque = 0.0;              ///< M_h >= 0; 0 without `bearing` [N m].
+  double eccentricity_ratio = 0.0;  ///< e/c; 0 without oil.
+};
 
 /// How the search for the slip ratio ended.
 enum class SlipStatus {
@@ -126,6 +135,8 @@ struct SlipResult {
   double torque_nut = 0.0;    ///< C_N, on the nut [N m] (3.31)
   RollerMoments moments;
   RollerForces forces;
+  /// Near and far end; of a full mechanism of each roller present.
+  std::vector<std::array<RollerHead, 2>> heads;
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
   std::optional<double> viscosity;             ///< eta_0 in operation, mean oil [Pa s].
 

@@ -98,6 +98,17 @@ struct Operation {
   std::optional<double> slip_ratio;  ///< Imposed; else from the roller's equilibrium.
 };
 
+/// How the heads of the rollers rub in their bearings in the carrier.
+struct HeadFriction {
+  /// hydrodynamic: short bearings; coulomb: M = mu F d/2; mixed: both by the share of touching
+  /// surfaces, `contact::boundary_share`.
+  enum class Model { hydrodynamic, coulomb, mixed };
+  Model model = Model::hydrodynamic;
+  double coefficient = 0.0;  ///< mu, without film.
+  double roughness = 0.0;    ///< Composite Rq of pin and bore, mixed only [m].
+  double exponent = 2.0;     ///< Mixed only.
+};
+
 /// What acts on the rollers besides the threads. Torques are resisting magnitudes [N m].
 struct Carrier {
   double roller_torque = 0.0;  ///< C_P/R, both heads of one roller.
@@ -105,6 +116,7 @@ struct Carrier {
   double nut_torque = 0.0;     ///< C_P/N
   /// The two heads of a roller in the carrier; in place of `roller_torque`.
   std::optional<contact::JournalBearing> bearing;
+  HeadFriction head_friction;
   double gear_pressure_angle = std::numbers::pi / 9;  ///< alpha_g [rad]
 };
 

@@ -104,6 +104,8 @@ PreloadResult analyze_preload(const Conditions& c, Contacts contacts) {
   const Fit fit = preload_fit(c, result.contacts, sectors);
   PreloadedMechanism solvers(sectors, fit);
   result.at_rest = solvers[Direction::tension].at_rest();
+  result.reference_force =
+      c.deviations.temperature ? reference_preload(c, result.contacts) : result.force();
   if (!c.preload->backlash) result.interference = interference(sectors.tension, fit);
   for (const Direction d : kDirections) result.opening_force[d] = solvers[d].opening_force(d);
 

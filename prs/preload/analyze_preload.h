@@ -23,7 +23,8 @@ struct PreloadResult {
   Preload preload;
   Contacts contacts;
   PerDirection<double> section;  ///< Where the first nut is held, by the sense of the load [m].
-  PreloadPoint at_rest;
+  PreloadPoint at_rest;         ///< At the temperatures of the case.
+  double reference_force = 0.0;  ///< Axial load of each side where the fit was made [N].
   std::optional<double> interference;  ///< As `Preload::interference`; absent with play [m].
   /// External load at which the side that opposes it opens [N], > 0.
   PerDirection<std::optional<double>> opening_force;
@@ -32,7 +33,8 @@ struct PreloadResult {
   std::optional<PreloadCurve> without_preload;  ///< Neither preload nor play; absent with play.
   std::vector<Warning> warnings;
 
-  /// Axial load of each side at the screw without external load [N].
+  /// Axial load of each side at the screw without external load, at the temperatures of the case
+  /// [N].
   double force() const { return at_rest.sides.tension.axial_load.screw; }
   /// Largest peak pressure of a side [Pa]; absent where the geometry gives no contact.
   std::optional<double> peak_pressure(const SideLoads& loads) const;

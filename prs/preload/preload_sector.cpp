@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "prs/model/mechanism.h"
 #include "prs/sector/section_properties.h"
 
 namespace prs {
@@ -161,13 +162,52 @@ PreloadSector double_nut(const PreloadParts& p, const Held& held) {
   return s;
 }
 
+/// See `build_preload_sector`.
+void add_expansion(PreloadSector& s, const PreloadParts& p) {
+  const Deviations& d = p.deviations;
+  const auto strain = [&](Part part) {
+    const double rise = (*d.temperature)[part] - d.reference_temperature;
+    return p.materials[part].thermal_expansion.value_or(0.0) * rise;
+  };
+  const auto growth = [&](Part part) {
+    return strain(part) * 0.5 * p.mechanism.pitch_diameter[part].value();
+  };
+  const double pitch = axial_pitch(p.mechanism);
+  const double middle = 0.5 * (p.mechanism.contacts_per_roller - 1) * pitch;
+  const bool shared = p.preload.arrangement == Preload::Arrangement::single_nut;
+  for (const Direction side : kDirections)
+    for (const Interface i : kInterfaces) {
+      const bool screw = i == Interface::screw;
+      const double ahead = screw ? 1.0 : -1.0, psi = p.laws[i].normal_angle;
+      const double stretch = ahead * (strain(body_of(i)) - strain(Part::roller));
+      const double closing = growth(Part::roller) + ahead * growth(body_of(i));
+      // The second nut of two follows the first one.
+      const double first = !shared && side == Direction::tension
+                               ? 2.0 * middle + *p.preload.distance - middle
+                               : -middle;
+      for (std::size_t k = 0; k < s.sides[side].springs[i].size(); ++k)
+        spring_of(s, s.sides[side].springs[i][k]).law.gap +=
+            -sense(side) * std::cos(psi) * stretch * (first + static_cast<double>(k) * pitch) -
+            std::sin(psi) * closing;
+      if (shared && side == Direction::tension) s.expansion += closing;
+      if (!shared)
+        s.expansion += std::tan(psi) * closing +
+                       sense(side) * stretch * (first + middle);
+    }
+}
+
 }  // namespace
 
-PreloadSector build_preload_sector(const PreloadParts& parts, Direction sense, double section) {
+PreloadSector build_preload_sector(const PreloadParts& given, Direction sense, double section) {
   const Held held{sense, section};
+  Deviations cold = given.deviations;
+  cold.temperature.reset();
+  const PreloadParts parts{given.mechanism, given.structure, given.materials, given.options,
+                           given.laws,      cold,            given.preload};
   PreloadSector s = parts.preload.arrangement == Preload::Arrangement::single_nut
                         ? single_nut(parts, held)
                         : double_nut(parts, held);
+  if (given.deviations.temperature) add_expansion(s, given);
   s.laws = parts.laws;
   s.rollers = parts.mechanism.rollers;
   s.roller_radius = 0.5 * *parts.mechanism.pitch_diameter.roller;

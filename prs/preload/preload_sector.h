@@ -34,6 +34,8 @@ struct PreloadSector {
   PerDirection<Side> sides;
   PerInterface<ContactLaw> laws;
   Fit fit;
+  /// What expansion adds to the interference since the fit was made [m].
+  double expansion = 0.0;
   int rollers = 1;
   double roller_radius = 0.0;
 
@@ -52,7 +54,14 @@ struct PreloadParts {
 };
 
 /// Builds the sector without play and without preload: the closest thread of each interface touches
-/// on both sides. The first nut is held at `section` [m] as under a load of that sense. The second
+/// on both sides of parts at the reference temperature. Temperatures come afterwards, play is not
+/// taken out again: with a = alpha dT x and rho = alpha dT r, x from one origin and r the pitch
+/// radii, they add
+///
+///     screw  g_T = -s cos(psi)(a_S - a_R) - sin(psi)(rho_S + rho_R),
+///     nut    g_T = -s cos(psi)(a_R - a_N) - sin(psi)(rho_R - rho_N).
+///
+/// The first nut is held at `section` [m] as under a load of that sense. The second
 /// nut is like the first, without its flanges. The case must have passed `check_case`.
 PreloadSector build_preload_sector(const PreloadParts& parts, Direction sense, double section);
 

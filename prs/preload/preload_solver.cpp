@@ -163,7 +163,7 @@ class PreloadSolver::Branch {
 };
 
 PreloadSolver::PreloadSolver(PreloadSector sector) : sector_(std::move(sector)) {
-  const double overlap = interference(sector_, sector_.fit);
+  const double overlap = interference(sector_, sector_.fit) + sector_.expansion;
   preloaded_ = overlap > 0.0;
   rest_.solve.status = fe::NewtonStatus::converged;
   if (!preloaded_) return;
@@ -246,7 +246,16 @@ Fit afloat(const PreloadSector& s, double interference) {
         radial[i] += solver.at_rest().sides[d].axial_load[i] * std::tan(s.laws[i].normal_angle);
     return std::cbrt(radial.screw * radial.screw) - std::cbrt(radial.nut * radial.nut);
   };
-  return fit(root_between(imbalance, 0.0, interference));
+  // From where expansion alone, which opens or closes an interface, leaves nothing of its overlap.
+  const auto closed = [&](Interface i) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Direction d : kDirections)
+      for (const int k : s.sides[d].springs[i])
+        most = std::max(most, -s.model.springs[static_cast<std::size_t>(k)].law.gap);
+    return most / std::sin(s.laws[i].normal_angle);
+  };
+  return fit(root_between(imbalance, -closed(Interface::screw),
+                          interference + closed(Interface::nut)));
 }
 
 Fit fit_of(const PreloadSector& s, double interference) {
@@ -274,6 +283,11 @@ Fit find_fit(const PreloadSector& sector, const Preload& preload) {
   };
   const double rigid = rigid_interference(sector, *preload.force);
   return fit_of(sector, root_above(surplus, 0.5 * rigid, kMostInterference));
+}
+
+Fit at_temperature(const PreloadSector& s, const Fit& fit) {
+  const double cold = interference(s, fit);
+  return s.rollers_are_shared() && cold + s.expansion > 0.0 ? afloat(s, cold) : fit;
 }
 
 double interference(const PreloadSector& sector, const Fit& fit) {

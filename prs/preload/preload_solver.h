@@ -67,6 +67,9 @@ class PreloadSolver {
 /// nut so that the rollers float: without external load their guides take no radial force.
 Fit find_fit(const PreloadSector& sector, const Preload& preload);
 
+/// The same fit once the parts have expanded: the rollers of a single nut float anew.
+Fit at_temperature(const PreloadSector& expanded, const Fit& fit);
+
 /// Interference of a fit, as defined for `Preload::interference` [m].
 double interference(const PreloadSector& sector, const Fit& fit);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "prs/model/case_error.h"
+#include "prs/threads/contact_laws.h"
 
 namespace prs {
 
@@ -23,16 +24,34 @@ PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts,
   return sectors;
 }
 
+namespace {
+
+PreloadSector reference_sector(const Conditions& c, const Contacts& contacts) {
+  Conditions cold = c;
+  cold.deviations.temperature.reset();
+  return preload_sectors(cold, contacts, contact_laws(c, contacts), c.preload->position).tension;
+}
+
+}  // namespace
+
 Fit preload_fit(const Conditions& c, const Contacts& contacts, const PreloadSectors& sectors) {
-  const Fit fit = find_fit(sectors.tension, *c.preload);
+  const bool warm = c.deviations.temperature.has_value();
+  const Fit fit = find_fit(warm ? reference_sector(c, contacts) : sectors.tension, *c.preload);
   const double found = interference(sectors.tension, fit);
   const double most = kMostDeviation * axial_pitch(contacts.mechanism);
-  if (found <= most) return fit;
+  if (found <= most) return warm ? at_temperature(sectors.tension, fit) : fit;
   throw CaseError(
       "preload.force",
       fmt::format("asks for an interference of {:.4g} mm; expected at most {:.4g} mm, a "
                   "quarter of the pitch; take less preload",
                   1e3 * found, 1e3 * most));
+}
+
+double reference_preload(const Conditions& c, const Contacts& contacts) {
+  const PreloadSector sector = reference_sector(c, contacts);
+  return PreloadSolver(fitted(sector, find_fit(sector, *c.preload)))
+      .at_rest()
+      .sides.tension.axial_load.screw;
 }
 
 }  // namespace prs

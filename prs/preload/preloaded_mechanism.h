@@ -17,9 +17,14 @@ PerDirection<double> held_sections(const Structure::Thrust& thrust);
 PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts,
                                const PerInterface<ContactLaw>& laws, double position);
 
-/// The fit that the case asks for, with its first contact where `preload.position` has it. Throws
+/// The fit that the case asks for, with its first contact where `preload.position` has it, made at
+/// the reference temperature. The rollers float at the temperatures of the sectors. Throws
 /// CaseError where no fit within the threads gives the preload force.
 Fit preload_fit(const Conditions& c, const Contacts& contacts, const PreloadSectors& sectors);
+
+/// Axial load of each side without external load where the fit was made, at the reference
+/// temperature [N].
+double reference_preload(const Conditions& c, const Contacts& contacts);
 
 /// Equilibria of a fit under either sense of the load: one solver each, which differ in the section
 /// that holds the nut.

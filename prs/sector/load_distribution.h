@@ -34,6 +34,9 @@ class SectorSolver {
   /// that share the load equally, so the answer does not depend on earlier loads.
   LoadDistribution solve(double axial_force);
 
+  /// Equilibrium under further loads [N, N m] besides the axial force, from the last state on.
+  fe::NewtonSummary go_on(double axial_force, const std::vector<fe::NodalLoad>& further);
+
   /// What a state says under the axial force, be it in equilibrium or not; `solve` is left empty.
   LoadDistribution at(const fe::State& state, double axial_force);
 

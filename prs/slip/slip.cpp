@@ -11,6 +11,7 @@
 #include "prs/loads/load_case_result.h"
 #include "prs/model/block_checks.h"
 #include "prs/model/case_error.h"
+#include "prs/slip/running.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"
 #include "prs/threads/contact_laws.h"
@@ -307,6 +308,20 @@ Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions
   return result;
 }
 
+/// Load cases of a running screw, still to be solved.
+Result unsolved(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+  Result result = analyze_contacts(c, std::move(contacts), options.detail);
+  auto equal = std::move(result.load_cases);
+  result.load_cases.clear();
+  auto next = equal.begin();
+  for (const LoadCase& load : c.load_cases)
+    if (load.share == LoadCase::Share::equal)
+      result.load_cases.push_back(std::move(*next++));
+    else
+      result.load_cases.emplace_back().load_case = load;
+  return result;
+}
+
 ResidueCurve residue_curve(const SlipModel& model, double from, double to) {
   constexpr int kPoints = 121;
   ResidueCurve curve;
@@ -380,8 +395,11 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   const SlipRange range = slip_range(model.geometry);
   const SlipBalance& b = found.balance;
   PerInterface<InterfaceSlip> memory = std::move(slip.threads);
+  std::vector<std::array<RollerHead, 2>> heads = std::move(slip.heads);
   slip = {};
   slip.threads = std::move(memory);
+  slip.heads = std::move(heads);
+  slip.heads.clear();
   for (const Interface i : kInterfaces) clear_values(slip.threads[i]);
   slip.status = found.status;
   slip.evaluations = found.evaluations;
@@ -413,6 +431,7 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
     slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
   if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
   slip.forces = b.forces;
+  set_heads(slip.heads, model, b);
   if (model.has_bearing()) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
   double hottest = -1.0;
   for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
@@ -422,17 +441,27 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
                     const std::optional<Oils>& oils) {
-  Result result = loaded_threads_of(c, std::move(contacts), options);
+  const bool runs = c.model.loads == ModelOptions::Loads::running;
+  Result result = runs ? unsolved(c, std::move(contacts), options)
+                       : loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)
     if (std::optional<Warning> note = unknown_film_ratio(c))
       result.warnings.push_back(std::move(*note));
   const SlipModels models(c, result.contacts, oils ? *oils : oils_in_operation(c));
+  RunningSolver running(c, result.contacts, models);
   for (LoadCaseResult& loaded : result.load_cases) {
+    std::optional<SlipEquilibrium> found;
+    if (runs && loaded.load_case.share == LoadCase::Share::solved) {
+      require_admissible(models.unloaded(loaded.load_case));
+      loaded = running.solve(loaded.load_case, found);
+      if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
+    }
     if (!loaded.threads) continue;
     const SlipModel model = models.of(loaded);
     require_admissible(model);
-    loaded.slip = slip_result(model);
+    loaded.slip.emplace();
+    set_slip_result(*loaded.slip, model, found ? *found : find_slip_equilibrium(model), {});
     if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged()) {
       const SlipResult equal = slip_result(models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);

@@ -12,6 +12,12 @@ using simd::Dual, simd::value;
 
 double sign(double x) { return std::copysign(1.0, x); }
 
+template <class Number>
+struct RollerHeadOf {
+  Number guide_force{}, bearing_force{};
+  contact::JournalBearingStateOf<Number> state{};
+};
+
 /// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
 /// one has no normal load.
 template <class Number, class Take>
@@ -22,14 +28,69 @@ InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
   InterfaceForces<Number> sum;
   for (std::size_t k = 0; k < threads.patches.size() && possible; ++k) {
     const contact::PatchFrictionOf<Number> friction = threads.patches[k].friction(sliding);
+    const LoadedThreads::Contact& contact = threads.contacts[k];
+    const ContactFrameOf<double>& frame = model.frames[i];
     const PatchForces<Number> at =
-        patch_forces(model.frames[i], friction, threads.contacts[k].axial_load, threads.alike);
-    possible = is_possible(at.normal_load);
+        contact.normal_load
+            ? forces_of(frame, friction, turned_normal<Number, double>(frame, friction),
+                        Number(*contact.normal_load), threads.alike)
+            : patch_forces(frame, friction, contact.axial_load, threads.alike);
+    possible =
+        is_possible(at.normal_load) && value(at.on_roller.force.z) * frame.normal.z <= 0.0;
     sum.force = sum.force + at.on_roller.force;
     sum.spin_torque += at.on_roller.spin_torque;
     take(k, friction, at);
   }
   return sum;
+}
+
+/// Forces and friction of the heads of one roller whose guides push it with these forces.
+template <class Number>
+std::array<RollerHeadOf<Number>, 2> heads_of(const SlipModel& model,
+                                             const RollerForcesOf<Number>& f, const Number& speed,
+                                             const std::optional<std::array<double, 2>>& guides) {
+  std::array<RollerHeadOf<Number>, 2> heads;
+  for (std::size_t h = 0; h < 2; ++h) {
+    RollerHeadOf<Number>& head = heads[h];
+    head.guide_force = guides ? Number((*guides)[h]) : -0.5 * f.contacts_x;
+    if (!guides || !model.guides.carry_centrifugal) head.guide_force -= 0.5 * f.centrifugal;
+    head.bearing_force =
+        simd::length(Number(head.guide_force - 0.5 * f.gears_x), Number(0.5 * f.carrier_y));
+    if (model.has_bearing()) head.state = head_state<Number, double>(model, speed, head.bearing_force);
+  }
+  return heads;
+}
+
+/// Calls visit(heads) for each roller whose heads are known by themselves.
+template <class Number, class Visit>
+void for_each_roller(const SlipModel& model, const RollerForcesOf<Number>& f, const Number& speed,
+                     Visit visit) {
+  if (model.guides.of_roller.empty()) visit(heads_of<Number>(model, f, speed, {}));
+  for (const auto& guides : model.guides.of_roller)
+    visit(heads_of<Number>(model, f, speed, guides));
+}
+
+/// See `balance_carrier`: the mean torque of all rollers.
+template <class Number>
+contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model,
+                                                       const RollerForcesOf<Number>& f,
+                                                  const Number& speed) {
+  if (model.guides.of_roller.empty()) return equal_heads<Number, double>(model, f, speed);
+  contact::JournalBearingStateOf<Number> mean{Number(0.0), Number(0.0)};
+  for_each_roller(model, f, speed, [&](const auto& heads) {
+    for (const auto& head : heads) {
+      if (mean.eccentricity_ratio < head.state.eccentricity_ratio)
+        mean.eccentricity_ratio = head.state.eccentricity_ratio;
+      mean.torque += head.state.torque / static_cast<double>(model.guides.of_roller.size());
+    }
+  });
+  return mean;
+}
+
+template <class Number>
+auto heads_in(const SlipModel& model) {
+  return [&model](const RollerModelOf<double>&, const RollerForcesOf<Number>& f,
+                  const Number& speed) { return both_heads(model, f, speed); };
 }
 
 /// R_z with its slope along the slip ratio; none where a contact jams.
@@ -41,7 +102,8 @@ std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double sl
                      [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
                        return interface_forces(model, i, sliding, possible,
                                                [](std::size_t, const auto&, const auto&) {});
-                     });
+                     },
+                     heads_in<Number>(model));
   if (!possible) return std::nullopt;
   return found.moments.residue() / residue_unit(model);
 }
@@ -65,7 +127,7 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
                                   at.power +=
                                       threads.alike * forces.normal_load * friction.power_per_load;
                                 });
-      }));
+      }, heads_in<double>(model)));
   return possible;
 }
 
@@ -77,8 +139,8 @@ double relative_residue(const SlipModel& m, const SlipBalance& b) {
   return b.moments.residue() / residue_unit(m);
 }
 
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
-  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio);
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<double>& near) {
+  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio, near);
   SlipEquilibrium found;
   while (!search.done()) {
     if (search.wants_slope()) {
@@ -94,7 +156,20 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
   }
   found.status = search.status();
   found.evaluations = search.evaluations();
+  if (near && found.status == SlipStatus::no_equilibrium) return find_slip_equilibrium(model);
   return found;
+}
+
+void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
+               const SlipBalance& b) {
+  heads.clear();
+  for_each_roller(model, b.forces, b.motion.roller_to_carrier, [&](const auto& of_roller) {
+                    auto& added = heads.emplace_back();
+                    for (std::size_t h = 0; h < 2; ++h)
+                      added[h] = {of_roller[h].guide_force, of_roller[h].bearing_force,
+                                  of_roller[h].state.torque,
+                                  of_roller[h].state.eccentricity_ratio};
+                  });
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {

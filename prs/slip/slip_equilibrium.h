@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,9 +19,10 @@ namespace prs {
 /// The loaded threads of one interface, of one roller or of all. They share contact point and
 /// directions, as all rollers have one speed of orbit and spin; each patch has a load of its own.
 struct LoadedThreads {
-  /// A patch under its static load.
+  /// A patch under its static load, or that of the running screw.
   struct Contact {
-    double axial_load = 0.0;  ///< F_i, > 0 [N]
+    double axial_load = 0.0;  ///< F_i, > 0; not used with a normal load [N]
+    std::optional<double> normal_load = {};  ///< N_i where the running screw has it [N].
     contact::HertzContact ellipse;
     contact::FilmContact film;
     contact::FrictionLaw friction;
@@ -39,6 +41,12 @@ struct Oils {
   std::optional<contact::Lubricant> carrier;  ///< In the bearings of the roller heads.
 };
 
+/// R_near and R_far of each roller whose beam is known, the forces of its guides, > 0 outwards [N].
+struct GuideForces {
+  std::vector<std::array<double, 2>> of_roller;  ///< None: half of what the balance asks for each.
+  bool carry_centrifugal = false;                ///< Whether that of the roller is in them.
+};
+
 /// One roller between screw, nut, gears and carrier, loaded and turning (Sandu 2018, section 3.2,
 /// with a load of its own for each thread). Of a full mechanism the mean of all rollers present:
 /// the carrier gives all one speed of orbit and the gears one spin, so that the balance is that of
@@ -47,6 +55,8 @@ struct SlipModel : RollerModelOf<double> {
   double axial_force = 0.0;  ///< F_N, signed, of the whole mechanism [N]
   PerInterface<LoadedThreads> threads;
   Oils oils;
+
+  GuideForces guides;
 
   // What results say of it.
   Friction friction;
@@ -96,7 +106,13 @@ struct SlipEquilibrium {
 
 /// By `SlipSearch`, to 1e-14 or better. Where no friction acts, every slip ratio balances and the
 /// ideal one is returned. An imposed one is taken as it is.
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model);
+/// `near`: a slip ratio that may be near.
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model,
+                                      const std::optional<double>& near = {});
+
+/// Near and far end of each roller whose guides are known by themselves, else of the mean roller.
+void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
+               const SlipBalance& balance);
 
 /// Torques on screw and nut that keep them turning (Sandu 2018, (3.30), (3.31)) [N m].
 struct DriveTorques {

@@ -54,18 +54,24 @@ contact::FrictionLaw friction_of(const SlipModel& model, Interface i,
   return contact::coulomb_friction(friction.coefficient);
 }
 
-/// A patch under its static load.
+/// A patch under a normal load.
 LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
-                                  Interface i, double axial_load) {
-  const double static_load = axial_load / std::abs(model.frames[i].normal.z);
+                                  Interface i, double axial_load, double normal_load) {
   const contact::PrincipalValues& relative = contact.geometry.relative;
-  const contact::FilmContact film{.normal_load = static_load,
+  const contact::FilmContact film{.normal_load = normal_load,
                                   .curvature = relative.second,
                                   .contact_modulus = contact.contact_modulus,
                                   .curvature_ratio = relative.first / relative.second,
                                   .direction = model.film_direction};
-  return {axial_load, contact::at_load(contact.hertz, static_load), film,
+  return {axial_load, std::nullopt, contact::at_load(contact.hertz, normal_load), film,
           friction_of(model, i, film)};
+}
+
+/// Under its static load.
+LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
+                                  Interface i, double axial_load) {
+  return contact_of(model, contact, i, axial_load,
+                    axial_load / std::abs(model.frames[i].normal.z));
 }
 
 }  // namespace
@@ -119,6 +125,11 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.nut_torque = c.carrier.nut_torque;
   m.roller_torque = c.carrier.roller_torque;
   m.bearing = c.carrier.bearing.value_or(contact::JournalBearing{});
+  if (c.carrier.bearing) {
+    const HeadFriction& f = c.carrier.head_friction;
+    m.head_friction = {f.model == HeadFriction::Model::hydrodynamic ? 0.0 : 1.0,
+                       0.5 * f.coefficient * m.bearing.diameter, f.roughness, f.exponent};
+  }
   m.oils = oils;
   m.bearing_viscosity = oils.carrier ? oils.carrier->viscosity : 0.0;
   m.gear_tangent = std::tan(c.carrier.gear_pressure_angle);
@@ -156,13 +167,22 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
     const int row = (*loaded.threads)[i].threads_per_roller;
     threads.threads_per_roller = row;
     if (row > 0) threads.alike = 1.0 / model.rollers;
-    for (const double load : (*loaded.threads)[i].axial_load) {
+    const InterfaceLoads& loads = (*loaded.threads)[i];
+    for (std::size_t k = 0; k < loads.normal_load.size(); ++k) {
       threads.patch_of_thread.push_back(std::nullopt);
-      if (load <= 0.0) continue;
+      if (loads.normal_load[k] <= 0.0) continue;
       threads.patch_of_thread.back() = threads.contacts.size();
-      threads.contacts.push_back(contact_of(model, contacts_.interfaces[i], i, load));
+      const InterfaceContact& contact = contacts_.interfaces[i];
+      threads.contacts.push_back(
+          loaded.running
+              ? contact_of(model, contact, i, loads.axial_load[k], loads.normal_load[k])
+              : contact_of(model, contact, i, loads.axial_load[k]));
+      // Sector and geometry agree on the normal, but where the file states another one.
+      if (loaded.running && !conditions_.contact.normal_angle[i])
+        threads.contacts.back().normal_load = loads.normal_load[k];
     }
   }
+  if (loaded.running) model.guides = {loaded.running->guide_force, true};
   add_patches(model);
   return model;
 }

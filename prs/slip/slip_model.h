@@ -57,6 +57,9 @@ class SlipModels {
   SlipModel equal_shares(const LoadCase& load_case) const { return equal_shares(load_case, oils_); }
   SlipModel equal_shares(const LoadCase& load_case, const Oils& oils) const;
 
+  /// Without threads.
+  SlipModel unloaded(const LoadCase& load_case) const { return unloaded(load_case, oils_); }
+
   const contact::PatchGrid& grid() const { return *grid_; }
 
  private:

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "prs/loads/analysis_options.h"
+#include "prs/sector/load_distribution.h"
+#include "prs/slip/slip_model.h"
+#include "prs/threads/contact_laws.h"
+
+namespace prs {
+
+/// Loads of the screw that turns under load: each contact carries its normal load N and the
+/// friction that slip finds for it,
+///
+///     K q + sum B_i' N_i = f + sum_screw -(X_i' T_x,i + Y_i' T_y,i)
+///                            + sum_nut    (X_i' T_x,i + Y_i' T_y,i) + f_c,
+///     N_i = k_0 <w_i - g_i>^1.5,   T_i = N_i (n - m_i),
+///
+/// with m of (3.8) on the patch of N_i at the one slip ratio for which the moment on the roller
+/// balances (3.38). T_x is Sandu's z component, T_y his x component; what acts along the orbit
+/// stays in the balance of slip. Friction turns the force, the approach w is still measured along
+/// the true normal: K + B't B stays symmetric with T as a given load.
+///
+/// A round of slip gives tau_i = T_i/N_i; with these proportions the loads are followed to the end,
+///
+///     T -> q, N -> tau N,
+///
+/// which contracts by about max |tau| max(tan psi, cot psi) a step and by Anderson's acceleration
+/// in few of them. Then slip, which the loads hardly change, is evaluated anew.
+class RunningSolver {
+ public:
+  /// The case must have passed the requirements of `slip` and `solve`, all else is its own.
+  RunningSolver(const Conditions& c, const Contacts& contacts, const SlipModels& models)
+      : conditions_(c), contacts_(contacts), laws_(contact_laws(c, contacts)), models_(models) {}
+
+  /// A load case with solved shares and all that belongs to no slip; `running` says how the search
+  /// ended. Where it converged: its slip.
+  LoadCaseResult solve(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
+
+ private:
+  LoadCaseResult of_sector(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
+  LoadCaseResult of_all_rollers(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
+
+  const Conditions& conditions_;
+  const Contacts& contacts_;
+  PerInterface<ContactLaw> laws_;
+  const SlipModels& models_;
+  std::map<std::pair<Direction, double>, std::unique_ptr<SectorSolver>> sectors_;
+  std::optional<double> last_slip_ratio_;
+};
+
+}  // namespace prs
