@@ -25,6 +25,7 @@ function(add_simd_kernel target source)
       set(from_there TRUE)
     endif()
     if(from_there AND PRS_COMPILED_FROM)
+      set_property(GLOBAL APPEND PROPERTY PRS_KERNELS_FROM_THERE ${library})
       file(RELATIVE_PATH folder ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR})
       target_sources(${target} PRIVATE
         ${PRS_COMPILED_FROM}/${folder}/CMakeFiles/${library}.dir/${source}${CMAKE_CXX_OUTPUT_EXTENSION})

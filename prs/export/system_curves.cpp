@@ -539,7 +539,7 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
   curves.friction =
       friction_table(torque, force, options.speed.value_or(largest_speed(c)),
-                     c.friction->of_film() || c.carrier.bearing, curves.lead, curves.torque_error);
+                     c.friction->of_film() || c.carrier.is_oiled(), curves.lead, curves.torque_error);
 }
 
 /// The load case whose conditions hold: position, misalignment, speed. With `preload` and no load

@@ -42,11 +42,11 @@ CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const Load
 std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
   const Oils oils = warm_oils(conditions_, oil_temperatures(temperature));
   if (load_.share == LoadCase::Share::equal) return of(models_.equal_shares(load_, oils));
-  if (conditions_.model.loads == ModelOptions::Loads::running) {
+  if (slip_takes_running_loads(conditions_.model, load_.share)) {
     const Conditions warm = at_temperatures(conditions_, load_, temperature);
     const SlipModels models(warm, contacts_, oils);
     std::optional<SlipEquilibrium> slip;
-    const LoadCaseResult found = RunningSolver(warm, contacts_, models).solve(load_, slip);
+    const LoadCaseResult found = RunningSolver(warm, contacts_, models).solve(load_, Detail::numbers, slip);
     if (found.threads) return of(models.of(found), *slip);
     failure_ = fmt::format("running loads end as {}", name(found.running->status));
     return std::nullopt;

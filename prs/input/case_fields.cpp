@@ -70,6 +70,12 @@ void alternatives(Choices& io, ModelOptions::Bodies& b) {
      "grooved bodies of revolution by finite elements");
 }
 
+void alternatives(Choices& io, ModelOptions::Loads& l) {
+  io("static", l, ModelOptions::Loads::at_rest, "those of a screw at rest");
+  io("running", l, ModelOptions::Loads::running,
+     "those of a screw that turns: each contact with the friction that slip finds for it");
+}
+
 void alternatives(Choices& io, ModelOptions::RollerContacts& r) {
   io("opposite", r, ModelOptions::RollerContacts::opposite,
      "at the same axial position, as on a helical roller with an odd number of starts");
@@ -105,6 +111,19 @@ void alternatives(Choices& io, MeasureOptions::Ends& e) {
 void alternatives(Choices& io, Direction& d) {
   io("tension", d, Direction::tension, "the load pulls the screw out of the mechanism");
   io("compression", d, Direction::compression, "the load pushes the screw in");
+}
+
+void alternatives(Choices& io, DrivenBy& d) {
+  io("screw", d, DrivenBy::screw, "the screw moves its load");
+  io("load", d, DrivenBy::load, "the load moves the screw");
+}
+
+void alternatives(Choices& io, HistorySource::DrivenBy& d) {
+  io("travel", d, HistorySource::DrivenBy::travel,
+     "whom position or speed tell: F dx > 0 is driven by the load, x growing as the screw moves "
+     "out");
+  io("screw", d, HistorySource::DrivenBy::screw, "the screw always");
+  io("load", d, HistorySource::DrivenBy::load, "the load always");
 }
 
 void alternatives(Choices& io, LoadCase::Share& s) {
@@ -411,6 +430,9 @@ void fields(const Fields& io, ModelOptions& m) {
   io("contact_phase", m.contact_phase, Choice{},
      "Where the rollers touch along the axis; `mechanism: full`");
   io("shear", m.shear, Flag{}, "Shear flexibility of screw, nut and rollers; `mechanism: full`");
+  io("loads", m.loads, Choice{},
+     "Of `solve`, slip, heat and life; static for `solve`, running for the others by default, where "
+     "shares are solved");
   io("bodies", m.bodies, Choice{}, "How screw, roller and nut deform");
   io("refined", m.refined, Block{}, "Effects of `bodies: refined`, all by default");
   io("accuracy", m.accuracy, Choice{}, "Meshes of `bodies: influence`");
@@ -528,6 +550,8 @@ void fields(const Fields& io, HistorySource& h) {
   io("time", h.time, Block{}, "Time of the sample");
   io("interval", h.interval, Quantity{unit::duration, positive},
      optional_only_if(!h.time, "in place of `time`"), "Between two samples");
+  io("driven_by", h.driven_by, Choice{},
+     "Who drives, for running loads: travel by default where position or speed stand, else screw");
   io("hysteresis", h.hysteresis, Quantity{unit::force, not_negative},
      "Ranges up to this are no load cycles");
   io("bins", h.bins, Whole{1, 200}, "Of the matrix of cycles, along each axis");
@@ -547,6 +571,7 @@ void fields(const Fields& io, SpectrumLoad& l) {
   const bool measured = l.revolutions || l.distance || l.duration;
   io("share", l.share, Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}},
      required_only_if(!measured, one), "Of the revolutions of the spectrum");
+  io("driven_by", l.driven_by, Choice{}, "Who drives, for running loads");
 }
 
 void fields(const Fields& io, Life& l) {
@@ -657,11 +682,30 @@ void fields(const Fields& io, Operation& o) {
      "Imposed in place of that of the roller's equilibrium");
 }
 
-void fields(const Fields& io, contact::JournalBearing& b) {
+void alternatives(Choices& io, HeadFriction& f) {
+  io("hydrodynamic", f.model, HeadFriction::Model::hydrodynamic, "a full film, by short bearings");
+  io("coulomb", f.model, HeadFriction::Model::coulomb, f.coefficient,
+     Number{Bounds{.least = 0.0, .greatest = 1.0}, "0.1"}, "a constant coefficient, without oil");
+  io("mixed", f.model, HeadFriction::Model::mixed, f.mixed, Block{},
+     "a film through which head and hole touch, by film over roughness");
+}
+
+void fields(const Fields& io, HeadFriction::Mixed& m) {
+  io("boundary", m.boundary, Number{Bounds{.least = 0.0, .greatest = 1.0}, "0.1"}, required,
+     "Coefficient of friction where head and hole touch");
+  io("roughness", m.roughness, Quantity{unit::length, positive}, required,
+     "Composite rms roughness Rq of head and hole");
+  io("exponent", m.exponent, Number{positive, "2"},
+     "Of (1 + film over roughness)^-exponent, the share of the load where they touch");
+}
+
+void fields(const Fields& io, HeadBearing& b) {
   const Quantity length{unit::length, positive};
-  io("length", b.length, length, required, "Axial length of one head's bearing");
+  const Presence of_film = required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
+  io("friction", b.friction, Choice{}, "How a head rubs");
+  io("length", b.length, length, of_film, "Axial length of one head's bearing");
   io("diameter", b.diameter, length, required, "Diameter of the roller's head");
-  io("radial_clearance", b.radial_clearance, length, required,
+  io("radial_clearance", b.radial_clearance, length, of_film,
      "Radius of the hole less that of the head");
 }
 
@@ -673,7 +717,7 @@ void fields(const Fields& io, Carrier& c) {
   io("screw_torque", c.screw_torque, torque, "Resists the carrier on the screw");
   io("nut_torque", c.nut_torque, torque, "Resists the carrier on the nut");
   io("bearing", c.bearing, Block{},
-     "Plain bearings of the roller's heads, lubricated, in place of roller_torque");
+     "Plain bearings of the roller's heads, in place of roller_torque");
   io("gear_pressure_angle", c.gear_pressure_angle, Quantity{unit::angle, gear_pressure_angle},
      "Of the gears between rollers and nut, inverted: and screw");
 }

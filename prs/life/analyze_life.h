@@ -45,6 +45,7 @@ struct FlankLife {
   /// which differs from the force with preload alone.
   double mean_load = 0.0;
   double life = 0.0;  ///< L10 with the real thread loads [revolutions of both senses].
+  double life_at_rest = 0.0;  ///< The same with those of a screw at rest.
   PerInterface<ThreadLives> threads;
   PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest force [Pa].
   /// Peak pressure under the largest force at which the screw turns [Pa].
@@ -88,6 +89,7 @@ struct LifeResult {
   Life life;
   Contacts contacts;
   ModelOptions model;
+  ModelOptions::Loads loads = ModelOptions::Loads::at_rest;  ///< Those that fatigue stands on.
   std::optional<LemorCapacity> lemor;  ///< Absent where the case states the capacity.
   double dynamic_capacity = 0.0;
   Interval dynamic_capacity_range;
@@ -109,6 +111,7 @@ struct LifeResult {
   double catalogue_life = 0.0;     ///< (C_a/F_m)^3, one flank, equal shares.
   double equal_shares_life = 0.0;  ///< Both flanks on their own, equal shares.
   double system_life = 0.0;        ///< Both flanks on their own, real thread loads.
+  std::optional<double> life_at_rest;  ///< The same at rest, where those are of a running screw.
   std::optional<WeakestThread> weakest;
   PerDirection<std::optional<FlankLife>> flanks;
   /// Forces at which equal thread loads reach `kStaticPressureLimit` and the end of a flank [N].

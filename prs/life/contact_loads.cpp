@@ -44,35 +44,6 @@ ContactSolver sector_solver(const LifeModel& model, Direction d) {
   };
 }
 
-/// Fatigue on the normal loads of the running screw, l = n_t N cos(psi)/(F/N_r), which no longer
-/// sum to n_t; the largest load may come at rest.
-ContactSolver running_solver(const LifeModel& model, Direction d) {
-  const auto models = std::make_shared<SlipModels>(model.c, model.contacts);
-  const auto running = std::make_shared<RunningSolver>(model.c, model.contacts, *models);
-  LoadCase load;
-  load.direction = d;
-  load.position = model.c.life->position;
-  // F_N omega l > 0: the screw drives.
-  const double sense = (d == Direction::tension ? 1.0 : -1.0) *
-                       std::copysign(1.0, model.contacts.threads.screw.lead) *
-                       (model.driven_by == DrivenBy::screw ? 1.0 : -1.0);
-  load.speed = sense * std::abs(model.c.operation->speed);
-  return [&model, load, models, running, at_rest = sector_solver(model, d)](double force) {
-    std::optional<ContactLoads> loads = at_rest(force);
-    LoadCase at = load;
-    at.axial_force = force;
-    std::optional<SlipEquilibrium> slip;
-    const LoadCaseResult found = running->solve(at, slip);
-    if (!loads || !found.threads) return std::optional<ContactLoads>();
-    loads->rated.clear();
-    for (const Interface i : kInterfaces)
-      for (const double normal : (*found.threads)[i].normal_load)
-        loads->rated.push_back(normal * std::cos(model.laws[i].normal_angle) /
-                               (force * model.equal_share()));
-    return loads;
-  };
-}
-
 /// Both flanks under a force of one sense.
 ContactSolver preload_solver(const LifeModel& model, Direction d,
                              std::shared_ptr<PreloadedMechanism> mechanism) {
@@ -118,10 +89,35 @@ LoadCase load_case_of(const LifeModel& model, Direction d) {
   return load;
 }
 
-ContactSolver full_solver(const LifeModel& model, Direction d) {
-  const LoadCase load = load_case_of(model, d);
+/// The turn of the carrier over which loads are rated.
+SpatialLoad::Orbit turn_of(const LoadCase& load) {
   SpatialLoad::Orbit turn = load.spatial.orbit.value_or(SpatialLoad::Orbit{});
   turn.exponent = kLifeExponent;
+  return turn;
+}
+
+/// `ContactLoads::rated` over a turn under a force.
+std::vector<double> rated_over(const LifeModel& model, const Orbit& orbit, double force) {
+  const RatedContacts rated = model.rated();
+  std::vector<double> loads(rated.count(), 0.0);
+  for (const Interface i : kInterfaces) {
+    const double per_mean = std::cos(model.laws[i].normal_angle) / (force * model.equal_share());
+    for (std::size_t k = 0; k < rated.threads; ++k) {
+      double cubes = 0.0;
+      for (std::size_t j = 0; j < rated.rollers; ++j) {
+        const double own = orbit.loads[i].equivalent[j][k];
+        cubes += own * own * own;
+        loads[rated.roller(i) + j * rated.threads + k] = per_mean * own;
+      }
+      loads[rated.body(i) + k] = per_mean * std::cbrt(cubes / static_cast<double>(rated.rollers));
+    }
+  }
+  return loads;
+}
+
+ContactSolver full_solver(const LifeModel& model, Direction d) {
+  const LoadCase load = load_case_of(model, d);
+  const SpatialLoad::Orbit turn = turn_of(load);
   const auto solver = std::make_shared<FullSolver>();
   return [&model, d, load, turn, solver](double force) {
     LoadCase at = load;
@@ -130,24 +126,15 @@ ContactSolver full_solver(const LifeModel& model, Direction d) {
     if (!orbit.converged()) return std::optional<ContactLoads>();
     const RatedContacts rated = model.rated();
     ContactLoads loads;
-    loads.rated.assign(rated.count(), 0.0);
+    loads.rated = rated_over(model, orbit, force);
     for (const Interface i : kInterfaces) {
       const OrbitLoads& turned = orbit.loads[i];
       loads.carrier_angle[i] = turned.carrier_angle;
       const double axial = std::cos(model.laws[i].normal_angle);
-      const double per_mean = axial / (force * model.equal_share());
       loads.largest[d][i].assign(rated.threads, 0.0);
-      for (std::size_t k = 0; k < rated.threads; ++k) {
-        double cubes = 0.0;
-        for (std::size_t j = 0; j < rated.rollers; ++j) {
-          const double own = turned.equivalent[j][k];
-          cubes += own * own * own;
-          loads.rated[rated.roller(i) + j * rated.threads + k] = per_mean * own;
+      for (std::size_t k = 0; k < rated.threads; ++k)
+        for (std::size_t j = 0; j < rated.rollers; ++j)
           loads.largest[d][i][k] = std::max(loads.largest[d][i][k], axial * turned.peak[j][k]);
-        }
-        loads.rated[rated.body(i) + k] =
-            per_mean * std::cbrt(cubes / static_cast<double>(rated.rollers));
-      }
     }
     return std::optional(std::move(loads));
   };
@@ -169,7 +156,7 @@ double LifeModel::equal_share() const {
 LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver,
                              const ContactLoads& at) {
   if (!model.full())
-    return [d, solver = model.running() ? sector_solver(model, d) : solver](double force) {
+    return [d, solver](double force) {
       std::optional<ContactLoads> loads = solver(force);
       return loads ? std::optional(std::move(loads->largest[d])) : std::nullopt;
     };
@@ -223,10 +210,38 @@ PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
     if (wanted[d])
       solvers[d] = preloaded         ? preload_solver(model, d, preloaded)
                    : !model.solved() ? equal_solver(model, d)
-                   : model.running() ? running_solver(model, d)
                    : model.full()    ? full_solver(model, d)
                                      : sector_solver(model, d);
   return solvers;
+}
+
+std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(
+    const LifeModel& model, Direction d, DrivenBy driven_by) {
+  const auto models = std::make_shared<SlipModels>(model.c, model.contacts);
+  const auto running = std::make_shared<RunningSolver>(model.c, model.contacts, *models);
+  LoadCase load = load_case_of(model, d);
+  // F_N omega l > 0: the screw drives.
+  load.speed = std::abs(model.c.operation->speed) * -sense(d) *
+               std::copysign(1.0, model.contacts.threads.screw.lead) *
+               (driven_by == DrivenBy::screw ? 1.0 : -1.0);
+  return [&model, load, models, running](double force) -> std::optional<std::vector<double>> {
+    LoadCase at = load;
+    at.axial_force = force;
+    if (model.full()) {
+      const Orbit orbit = running->turned(at, turn_of(at));
+      if (!orbit.converged()) return std::nullopt;
+      return rated_over(model, orbit, force);
+    }
+    std::optional<SlipEquilibrium> slip;
+    const LoadCaseResult found = running->solve(at, Detail::numbers, slip);
+    if (!found.threads) return std::nullopt;
+    std::vector<double> rated;
+    for (const Interface i : kInterfaces)
+      for (const double normal : (*found.threads)[i].normal_load)
+        rated.push_back(normal * std::cos(model.laws[i].normal_angle) /
+                        (force * model.equal_share()));
+    return rated;
+  };
 }
 
 }  // namespace prs

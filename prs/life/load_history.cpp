@@ -18,7 +18,8 @@ std::optional<double> duration(const LoadHistory& h) {
 }
 
 std::vector<LoadStep> load_steps(const LoadHistory& h, double lead,
-                                 std::optional<double> operation_speed) {
+                                 std::optional<double> operation_speed,
+                                 HistorySource::DrivenBy driven_by) {
   const auto speed = [&](std::size_t k) {
     if (h.speed.empty()) return std::abs(operation_speed.value_or(0.0));
     return std::abs(h.speed[k]) * (h.speed_along_axis ? kTurn / std::abs(lead) : 1.0);
@@ -28,13 +29,24 @@ std::vector<LoadStep> load_steps(const LoadHistory& h, double lead,
     const double time = h.time.empty() ? h.interval.value_or(0.0) : h.time[k] - h.time[k - 1];
     return 0.5 * (speed(k - 1) + speed(k)) * time / kTurn;
   };
+  // > 0 where tension drives.
+  const auto way = [&](std::size_t k) {
+    if (!h.position.empty()) return h.position[k] - h.position[k - 1];
+    return h.speed.empty() ? 0.0 : -(h.speed[k - 1] + h.speed[k]) * lead;
+  };
+  const auto load_drives = [&](std::size_t k, double force) {
+    if (driven_by == HistorySource::DrivenBy::travel) return force * way(k) > 0.0;
+    return driven_by == HistorySource::DrivenBy::load;
+  };
   std::vector<LoadStep> steps(h.force.size());
   for (std::size_t k = 0; k < steps.size(); ++k) {
     steps[k].axial_force = h.force[k];
     if (k == 0) continue;
     const double half = 0.5 * turned(k);
-    steps[k - 1].revolutions += half;
-    steps[k].revolutions += half;
+    for (LoadStep* step : {&steps[k - 1], &steps[k]}) {
+      step->revolutions += half;
+      if (load_drives(k, step->axial_force)) step->driven_by_load += half;
+    }
   }
   return steps;
 }
@@ -52,6 +64,7 @@ std::vector<LoadStep> load_steps(std::span<const SpectrumLoad> spectrum, double 
     if (l.duration)
       step.revolutions = *l.duration * std::abs(operation_speed.value_or(0.0)) / kTurn;
     if (l.share) step.revolutions = *l.share / shares;
+    if (l.driven_by == DrivenBy::load) step.driven_by_load = step.revolutions;
     steps.push_back(step);
   }
   return steps;

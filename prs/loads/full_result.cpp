@@ -131,8 +131,11 @@ class AllRollers {
     return bodies_ ? solve(model, *bodies_, detail) : solver_.solve(model, detail);
   }
   Orbit turned(const SpatialLoad::Orbit& wanted) const {
-    return orbit([this](double carrier_angle) { return model(carrier_angle); },
-                 [this](const FullModel& model) { return solved(model, Detail::numbers); }, wanted,
+    return turned(wanted, [this](const FullModel& f) { return solved(f, Detail::numbers); });
+  }
+  Orbit turned(const SpatialLoad::Orbit& wanted,
+               const std::function<FullDistribution(const FullModel&)>& solver) const {
+    return orbit([this](double carrier_angle) { return model(carrier_angle); }, solver, wanted,
                  load_case_.spatial.carrier_angle,
                  {alike(c_.deviations), is_round(c_, load_case_.spatial)});
   }
@@ -206,9 +209,23 @@ Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts&
   return AllRollers(load_case, c, contacts, laws, solver).turned(wanted);
 }
 
+Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                 const PerInterface<ContactLaw>& laws,
+                 const std::function<FullDistribution(double)>& solved,
+                 const SpatialLoad::Orbit& wanted) {
+  FullSolver none;
+  return AllRollers(load_case, c, contacts, laws, none).turned(wanted, [&](const FullModel& f) {
+    return solved(f.load.carrier_angle);
+  });
+}
+
 std::string text(const Orbit::Failure& failure) {
   return fmt::format("{} (carrier at {:.4g} deg)", failure.why,
                      failure.carrier_angle * 180.0 / std::numbers::pi);
+}
+
+Warning no_orbit(const Orbit::Failure& failure) {
+  return {"", "no_orbit", fmt::format("the orbit is left out: {}", text(failure))};
 }
 
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
@@ -242,8 +259,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     if (turned.converged())
       full.orbit = std::move(turned);
     else
-      warnings.push_back(
-          {"", "no_orbit", fmt::format("the orbit is left out: {}", text(*turned.failure))});
+      warnings.push_back(no_orbit(*turned.failure));
   }
   if (detail == Detail::complete && full.screw_end.compliance.size() == 0)
     warnings.push_back({"", "no_screw_end_stiffness",

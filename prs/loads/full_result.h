@@ -37,11 +37,18 @@ FullDistribution full_distribution(const LoadCase& load_case, const Conditions& 
                                    FullSolver& solver, Detail detail,
                                    const std::vector<RollerPush>& push = {});
 
+/// A turn of the carrier under a load case, each position answered by `solved`.
+Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                 const PerInterface<ContactLaw>& laws,
+                 const std::function<FullDistribution(double carrier_angle)>& solved,
+                 const SpatialLoad::Orbit& wanted);
+
 /// A turn of the carrier under a load case.
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                  const PerInterface<ContactLaw>& laws, FullSolver& solver,
                  const SpatialLoad::Orbit& wanted);
 
+Warning no_orbit(const Orbit::Failure& failure);
 /// Why a position of the carrier has no equilibrium, and which.
 std::string text(const Orbit::Failure& failure);
 

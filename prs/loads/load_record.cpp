@@ -22,13 +22,48 @@ std::optional<std::string> factorization(const LoadCaseResult& r) {
 
 namespace {
 
+constexpr Quantity<FrictionForces> kFrictionForces[] = {
+    {"axial", of<&FrictionForces::axial>, "along x, from the loaded end of the screw"},
+    {"radial", of<&FrictionForces::radial>, "outwards"},
+    {"tangential", of<&FrictionForces::tangential>, "along the orbit"},
+};
+
+constexpr Quantity<RunningLoads> kRunning[] = {
+    {"status", of<&RunningLoads::status>, "how the search for loads and friction ended"},
+    {"rounds", of<&RunningLoads::rounds>, "evaluations of slip", "", "", "", "", Reach::document},
+    {"change", of<&RunningLoads::change>,
+     "of a thread's load in the last round, over the largest load", "", "", "", "",
+     Reach::document},
+};
+
+struct LargestAtRest {
+  double normal_load;
+};
+
+constexpr Quantity<LargestAtRest> kLargestAtRest[] = {
+    {"largest_normal_load_N", of<&LargestAtRest::normal_load>, "of all threads"},
+};
+
+template <Interface i>
+constexpr auto largest_at_rest = of<[](const RunningLoads::AtRest& r) {
+  return LargestAtRest{r.largest_normal_load[i]};
+}>;
+
+constexpr Quantity<RunningLoads::AtRest> kAtRest[] = {
+    {"screw", largest_at_rest<Interface::screw>, "threads at the screw"},
+    {"nut", largest_at_rest<Interface::nut>, "threads at the nut"},
+    {"axial_displacement_um", of<&RunningLoads::AtRest::axial_displacement>,
+     "of the loaded section; > 0 along the load"},
+};
+
 constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
     {"hertz_constant_N_per_mm1_5", of<&InterfaceLoads::hertz_constant>,
      "k_0 of N = k_0 delta^1.5, as used in the solve", source::kHertz},
     {"normal_angle_deg", of<&InterfaceLoads::normal_angle>,
      "psi between the normal and the axis, as used in the solve"},
-    {"axial_load_N", of<&InterfaceLoads::axial_load>, "axial part of the normal load"},
-    {"normal_load_N", of<&InterfaceLoads::normal_load>, "axial load over cos(psi)"},
+    {"axial_load_N", of<&InterfaceLoads::axial_load>,
+     "axial part of the normal load, of a running screw with that of friction"},
+    {"normal_load_N", of<&InterfaceLoads::normal_load>, "at rest axial load over cos(psi)"},
     {"load_rate_percent", of<&InterfaceLoads::load_rate>, "share: axial load over force per roller",
      "Abevi 2015, (3)"},
     {"approach_um", of<&InterfaceLoads::approach>,
@@ -45,6 +80,10 @@ constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
     {"max_shear_depth_mm", of<&InterfaceLoads::max_shear_depth>,
      "where the largest shear stress acts, for the depth of hardening", source::kHertz,
      "depth of the largest shear stress", "", "", Reach::complete},
+    {"friction_force_N", of<&InterfaceLoads::friction>,
+     "of each thread on the roller; running loads"},
+    {"running_over_static", of<&InterfaceLoads::running_over_static>,
+     "largest normal load over the largest of the same case at rest; running loads"},
     {"", of<&InterfaceLoads::rollers>},
 };
 
@@ -78,6 +117,7 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
      "tension | compression"},
     {"position_mm", of<[](const LoadCaseResult& r) { return r.load_case.position; }>,
      "of the first roller contact on the nut"},
+    {"loads", of<&LoadCaseResult::loads>, "static | running: of a screw that turns, with friction"},
     {"converged", of<&LoadCaseResult::converged>, "whether there is an equilibrium"},
     {"status", of<status_name>, "how the solve ended; equal shares need none"},
     {"iterations", of_solve<&fe::NewtonSummary::iterations>, "linear solves", "", "", "", "",
@@ -94,6 +134,11 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
     {"tangent_stiffness_N_per_um",
      of<&LoadCaseResult::tangent_stiffness, &LoadCaseResult::converged>,
      "derivative of the force by the displacement"},
+    {"running", of<&LoadCaseResult::running>, "how loads and friction were found together"},
+    {"static", of<[](const LoadCaseResult& r) {
+       return r.running ? &r.running->at_rest : nullptr;
+     }, &LoadCaseResult::converged>,
+     "the same case at rest, at the same temperatures; running loads"},
     {"screw", of_loads<Interface::screw>, "threads of one roller at the screw"},
     {"nut", of_loads<Interface::nut>, "threads of one roller at the nut"},
     {"", of<[](const LoadCaseResult& r) { return r.full.get(); }>},
@@ -106,6 +151,26 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
 };
 
 }  // namespace
+
+template <>
+Record<FrictionForces> record_of() {
+  return {"FrictionForces", "Friction of each thread on the roller.", kFrictionForces};
+}
+
+template <>
+Record<RunningLoads> record_of() {
+  return {"Running", "How loads of a running screw and their friction were found.", kRunning};
+}
+
+template <>
+Record<LargestAtRest> record_of() {
+  return {"LargestAtRest", "Threads of an interface of a screw at rest.", kLargestAtRest};
+}
+
+template <>
+Record<RunningLoads::AtRest> record_of() {
+  return {"AtRest", "What a running load case is at rest.", kAtRest};
+}
 
 template <>
 Record<InterfaceLoads> record_of() {

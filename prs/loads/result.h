@@ -36,8 +36,8 @@ struct InterfaceLoads {
   std::optional<RollerShares> rollers;
   std::optional<double> hertz_constant;  ///< As used in the solve [N/m^1.5].
   double normal_angle = 0.0;             ///< As used in the solve [rad].
-  std::vector<double> axial_load;        ///< [N]
-  std::vector<double> normal_load;       ///< axial / cos psi [N]
+  std::vector<double> axial_load;        ///< Of normal load and friction [N].
+  std::vector<double> normal_load;       ///< At rest axial / cos psi [N].
   std::vector<double> load_rate;         ///< l_v = axial load / (force/rollers), Abevi (3) [-]
   std::vector<double> approach;          ///< delta [m]
   std::vector<double> semi_major;        ///< Empty where the geometry gives no contact.
@@ -45,12 +45,16 @@ struct InterfaceLoads {
   std::vector<double> peak_pressure;     ///< [Pa]
   std::vector<double> max_shear_stress;  ///< Largest below the surface [Pa].
   std::vector<double> max_shear_depth;   ///< Where it acts, for the case depth [m].
+  // Of a running screw:
+  std::optional<FrictionForces> friction;
+  std::optional<double> running_over_static;  ///< Largest normal load over that at rest.
 };
 
 /// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
 /// stiffness are absent.
 struct LoadCaseResult {
   LoadCase load_case;
+  ModelOptions::Loads loads = ModelOptions::Loads::at_rest;
   std::optional<fe::NewtonSummary> solve;
   std::optional<double> axial_displacement;             ///< [m], > 0 in the direction of the load.
   std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
@@ -62,7 +66,9 @@ struct LoadCaseResult {
   std::optional<HeatResult> heat;         ///< With `heat` the slip is that at its temperatures.
   std::vector<Warning> warnings;
 
-  bool converged() const { return !solve || solve->converged(); }
+  bool converged() const {
+    return (!solve || solve->converged()) && (!running || running->converged());
+  }
 };
 
 /// Everything that `analyze` computes from a case.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "prs/model/load_case.h"
 #include "prs/model/part.h"
 #include "prs/threads/kinematics.h"
 
@@ -68,8 +69,8 @@ using RollerForces = RollerForcesOf<double>;
 struct RollerHead {
   double guide_force = 0.0;         ///< R_h, of the guides on the roller, > 0 outwards [N].
   double bearing_force = 0.0;       ///< F_h, of the bearing, that of the gears included [N].
-  double torque = 0.0;              ///< M_h >= 0; 0 without `bearing` [N m].
-  double eccentricity_ratio = 0.0;  ///< e/c; 0 without oil.
+  std::optional<double> torque;     ///< M_h >= 0; with `bearing` [N m].
+  std::optional<double> eccentricity_ratio;  ///< e/c; with a film.
 };
 
 /// How the search for the slip ratio ended.
@@ -87,11 +88,6 @@ constexpr std::string_view name(SlipStatus status) {
                                          "no_equilibrium", "jammed",    "iteration_limit"};
   return kNames[static_cast<std::size_t>(status)];
 }
-
-/// Whose power goes into the mechanism: force x speed x lead > 0 of a screw that drives its load.
-enum class DrivenBy { screw, load };
-
-constexpr std::string_view name(DrivenBy by) { return by == DrivenBy::screw ? "screw" : "load"; }
 
 struct ThreadOf {
   Interface interface = Interface::screw;
@@ -135,7 +131,7 @@ struct SlipResult {
   double torque_nut = 0.0;    ///< C_N, on the nut [N m] (3.31)
   RollerMoments moments;
   RollerForces forces;
-  /// Near and far end; of a full mechanism of each roller present.
+  /// Near and far end; of a full mechanism of each roller, missing ones without forces.
   std::vector<std::array<RollerHead, 2>> heads;
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
   std::optional<double> viscosity;             ///< eta_0 in operation, mean oil [Pa s].

@@ -77,6 +77,40 @@ constexpr Quantity<RollerForces> kRollerForces[] = {
      "needs the rollers' density", "Sandu 2018, (3.33)"},
 };
 
+/// Heads, near and far: of one roller, or roller after roller.
+struct RollerHeads {
+  int threads_per_roller = 0;  ///< Heads of a roller, where all rollers stand.
+  std::vector<double> guide_force, bearing_force, torque, eccentricity_ratio;
+};
+
+std::optional<RollerHeads> heads_of(const SlipResult& slip) {
+  if (slip.heads.empty()) return std::nullopt;
+  RollerHeads all{slip.threads.screw.threads_per_roller > 0 ? 2 : 0, {}, {}, {}, {}};
+  const auto has = [&](auto member) {
+    return std::ranges::any_of(slip.heads,
+                               [&](const auto& ends) { return (ends[0].*member).has_value(); });
+  };
+  const bool torques = has(&RollerHead::torque), films = has(&RollerHead::eccentricity_ratio);
+  for (const std::array<RollerHead, 2>& ends : slip.heads)
+    for (const RollerHead& head : ends) {
+      all.guide_force.push_back(head.guide_force);
+      all.bearing_force.push_back(head.bearing_force);
+      if (torques) all.torque.push_back(head.torque.value_or(0.0));
+      if (films) all.eccentricity_ratio.push_back(head.eccentricity_ratio.value_or(0.0));
+    }
+  return all;
+}
+
+constexpr Quantity<RollerHeads> kRollerHeads[] = {
+    {"guide_force_N", of<&RollerHeads::guide_force>,
+     "of the guides on the roller, near and far end; > 0 outwards"},
+    {"bearing_force_N", of<&RollerHeads::bearing_force>,
+     "of the bearing, that of the gears and the carrier's drive included"},
+    {"torque_Nmm", of<&RollerHeads::torque>, "that resists; needs carrier.bearing"},
+    {"eccentricity_ratio", of<&RollerHeads::eccentricity_ratio>,
+     "e/c; needs a carrier.bearing with a film"},
+};
+
 constexpr Quantity<SlipEstimates> kSlipEstimates[] = {
     {"simple", of<&SlipEstimates::simple>, "contacts at the pitch points", "Sandu 2018, (2.21)",
      "slip ratio, estimate by contacts at the pitch points"},
@@ -151,13 +185,14 @@ constexpr Quantity<SlipResult> kSlip[] = {
      "torque on the nut"},
     {"viscosity_mPas", found<&SlipResult::viscosity>, "dynamic, in operation; needs a lubricant"},
     {"bearing_eccentricity_ratio", found<&SlipResult::bearing_eccentricity>,
-     "e/c of the roller heads in the carrier"},
+     "e/c of the roller heads in the carrier, the larger one"},
     {"slip_ratio_estimates", found<&SlipResult::estimates>, "by geometry alone"},
     {"share_percent", found<shares>, "of each source in the power that is lost"},
     {"roller_moments_Nmm", found<&SlipResult::moments>,
      "on one roller about its axis, by source; the mean of all in a full mechanism"},
     {"roller_forces_N", found<&SlipResult::forces>,
      "on one roller across its axis, by source; the mean of all in a full mechanism"},
+    {"heads", found<heads_of>, "of the rollers in the carrier, near and far end"},
     {"hottest_thread", found<hottest_thread>, "of the largest power density"},
     {"equal_shares", found<&SlipResult::equal_shares>,
      "what slip would be if all threads carried the same load"},
@@ -204,6 +239,11 @@ Record<RollerForces> record_of() {
   return {"RollerForces",
           "Forces on one roller across its axis, x away from the screw's axis, y along the orbit.",
           kRollerForces};
+}
+
+template <>
+Record<RollerHeads> record_of() {
+  return {"RollerHeads", "The heads of a roller in the carrier, or of each roller.", kRollerHeads};
 }
 
 template <>

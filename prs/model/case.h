@@ -46,6 +46,21 @@ struct Conditions {
   std::optional<Heat> heat;
 };
 
+/// Whether slip, heat and life take the loads of a running screw, where friction and a speed stand.
+inline bool slip_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
+  return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest;
+}
+/// Whether `solve` does.
+inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
+  return share == LoadCase::Share::solved && model.loads == ModelOptions::Loads::running;
+}
+
+/// Whether `life` takes running loads.
+inline bool life_takes_running_loads(const Conditions& c) {
+  return slip_takes_running_loads(c.model, c.life->share) && !c.preload && c.friction &&
+         c.operation && c.operation->speed != 0.0;
+}
+
 /// Everything that a file states.
 struct Case : Conditions {
   Mechanism mechanism;  ///< As stated in the file.

@@ -13,6 +13,7 @@ std::vector<Problem> check_case(const Case& c) {
   check_meshing(c.mechanism, problems);
   if (c.structure) check_structure(*c.structure, c.mechanism, problems);
   check_load_cases(c, problems);
+  check_loads(c, problems);
   check_thickness(c, problems);
   check_deviations(c, problems);
   check_full_mechanism(c, problems);

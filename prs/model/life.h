@@ -26,7 +26,11 @@ struct HistorySource {
   std::optional<double> interval;  ///< Between two samples [s], in place of `time`.
   std::optional<CsvColumn> position;
   std::optional<CsvColumn> speed;
-  double hysteresis = 0.0;  ///< Ranges up to this are no load cycles [N].
+  /// Who drives, of running loads. By travel: the position grows as the screw moves out at its
+  /// loaded end, so that force x change > 0 is driven by the load; a speed counts as in slip.
+  enum class DrivenBy { travel, screw, load };
+  std::optional<DrivenBy> driven_by;  ///< Absent: travel where position or speed tells it.
+  double hysteresis = 0.0;            ///< Ranges up to this are no load cycles [N].
   int bins = 32;            ///< Classes of the cycle matrix, along range and mean.
 
   bool operator==(const HistorySource&) const = default;
@@ -40,6 +44,7 @@ struct SpectrumLoad {
   std::optional<double> distance;     ///< Travel under the load [m].
   std::optional<double> duration;     ///< Time at the operation's speed [s].
   std::optional<double> share;        ///< Share of all revolutions.
+  DrivenBy driven_by = DrivenBy::screw;  ///< Of running loads.
 };
 
 /// Inputs of `prs life`. One of `history` and `spectrum` is given.

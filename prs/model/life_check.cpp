@@ -127,6 +127,7 @@ void require_life(const Case& c, Problems& problems) {
                  "missing; expected the parts around the threads for `life`; add `structure` with "
                  "`roller` and `nut`, or `share: equal` to `life`");
   if (!c.life) return;
+  if (life_takes_running_loads(c)) require_friction(c, problems);
   require_load_case_of_life(c, problems);
   if (!c.preload) return;
   if (c.model.mechanism == ModelOptions::Mechanism::full &&

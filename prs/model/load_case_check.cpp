@@ -126,4 +126,26 @@ void check_load_cases(const Case& c, Problems& problems) {
   }
 }
 
+void check_loads(const Case& c, Problems& problems) {
+  if (c.model.loads != ModelOptions::Loads::running) return;
+  if (!c.friction)
+    problems.add_missing("friction", "a law of friction for `model: {loads: running}`",
+                         "{model: {coulomb: 0.1}}");
+  const auto check_share = [&](LoadCase::Share share, std::string path) {
+    if (share == LoadCase::Share::equal)
+      problems.add(std::move(path),
+                   "got `equal` with `model: {loads: running}`, whose loads are solved; expected "
+                   "`solved`; delete it, or write `loads: static`");
+  };
+  bool has_speed = !c.life || c.operation.has_value();
+  for (const LoadCase& load : c.load_cases) {
+    check_share(load.share, path_in(load, "share"));
+    has_speed = has_speed && (load.speed || c.operation);
+  }
+  if (c.life) check_share(c.life->share, "life.share");
+  if (!has_speed)
+    problems.add_missing("operation", "the speed for `model: {loads: running}`",
+                         "{speed: 400 rpm}");
+}
+
 }  // namespace prs

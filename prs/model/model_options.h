@@ -52,7 +52,7 @@ struct ModelOptions {
   ContactPhase contact_phase = ContactPhase::equal;
   bool shear = false;  ///< Timoshenko's beams in screw, nut and rollers of a full mechanism.
   Bodies bodies = Bodies::bars;
-  Loads loads = Loads::at_rest;
+  std::optional<Loads> loads;  ///< Absent: at rest for `solve`, running for slip and life.
   Roller roller = Roller::flexible;
   bool roller_shear = false;  ///< Timoshenko instead of Euler-Bernoulli beams in the roller.
   std::optional<RollerContacts> roller_contacts;  ///< By the starts where absent; bars: opposite.
@@ -65,6 +65,10 @@ struct ModelOptions {
 constexpr std::string_view name(ModelOptions::Bodies bodies) {
   using enum ModelOptions::Bodies;
   return bodies == bars ? "bars" : bodies == refined ? "refined" : "influence";
+}
+
+constexpr std::string_view name(ModelOptions::Loads loads) {
+  return loads == ModelOptions::Loads::running ? "running" : "static";
 }
 
 /// The stated arrangement, else that of a helical roller.

@@ -103,10 +103,21 @@ struct HeadFriction {
   /// hydrodynamic: short bearings; coulomb: M = mu F d/2; mixed: both by the share of touching
   /// surfaces, `contact::boundary_share`.
   enum class Model { hydrodynamic, coulomb, mixed };
+  struct Mixed {
+    double boundary = 0.0;   ///< mu without film.
+    double roughness = 0.0;  ///< Composite Rq of pin and bore [m].
+    double exponent = 2.0;
+  };
   Model model = Model::hydrodynamic;
-  double coefficient = 0.0;  ///< mu, without film.
-  double roughness = 0.0;    ///< Composite Rq of pin and bore, mixed only [m].
-  double exponent = 2.0;     ///< Mixed only.
+  double coefficient = 0.0;  ///< mu, coulomb only.
+  Mixed mixed = {};
+};
+
+/// The plain bearing of a roller's head in the carrier; one that rubs dry has a diameter alone.
+struct HeadBearing : contact::JournalBearing {
+  HeadFriction friction = {};
+
+  bool has_film() const { return friction.model != HeadFriction::Model::coulomb; }
 };
 
 /// What acts on the rollers besides the threads. Torques are resisting magnitudes [N m].
@@ -115,9 +126,10 @@ struct Carrier {
   double screw_torque = 0.0;   ///< C_P/S
   double nut_torque = 0.0;     ///< C_P/N
   /// The two heads of a roller in the carrier; in place of `roller_torque`.
-  std::optional<contact::JournalBearing> bearing;
-  HeadFriction head_friction;
+  std::optional<HeadBearing> bearing;
   double gear_pressure_angle = std::numbers::pi / 9;  ///< alpha_g [rad]
+
+  bool is_oiled() const { return bearing && bearing->has_film(); }
 };
 
 }  // namespace prs

@@ -32,6 +32,7 @@ void require_load_cases(const Case& c, Command command, Problems& problems) {
 
 void need_solve(const Case& c, Problems& problems) {
   require_load_cases(c, Command::solve, problems);
+  if (c.model.loads == ModelOptions::Loads::running) require_slip(c, problems);
 }
 
 void need_compare(const Case& c, Problems& problems) {

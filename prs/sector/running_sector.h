@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "prs/sector/load_distribution.h"
 #include "prs/sector/roller_push.h"
 
@@ -16,11 +13,5 @@ namespace prs {
 /// against nut at a contact: with w = s cos(psi) delta_x + sin(psi) delta_y its approach. f_c: half
 /// of the centrifugal force of each length of the roller at both its ends.
 std::vector<fe::NodalLoad> push_loads(const Sector& sector, const RollerPush& push);
-
-/// R_near and R_far, the forces of the guides on the roller at its ends, > 0 outwards [N]; none
-/// where rollers stay straight.
-std::optional<std::array<double, 2>> guide_forces(const Sector& sector,
-                                                  const fe::Equations& equations,
-                                                  const fe::State& state, const RollerPush& push);
 
 }  // namespace prs

@@ -1,17 +1,20 @@
 #include "prs/slip/running.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
 
+#include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/sector/bodies.h"
-#include "prs/mechanism/full_distribution.h"
 #include "prs/sector/running_sector.h"
 #include "prs/sector/section_properties.h"
+#include "prs/slip/slip.h"
 
 namespace prs {
 namespace {
@@ -72,6 +75,11 @@ RunningStatus status_of(fe::NewtonStatus status) {
                                                : RunningStatus::no_equilibrium;
 }
 
+RollerPush no_push(std::size_t threads) {
+  const std::vector<double> none(threads, 0.0);
+  return {{none, none}, {none, none}};
+}
+
 /// The fixed point of loads and friction for one load case.
 class FixedPoint {
  public:
@@ -80,9 +88,12 @@ class FixedPoint {
   FixedPoint(const Conditions& c, const Contacts& contacts, const SlipModels& models,
              Rollers rollers, LoadCaseResult& loaded)
       : c_(c), contacts_(contacts), models_(models), rollers_(std::move(rollers)), loaded_(loaded) {
-    running().largest_static_load = {largest(threads().screw.normal_load),
-                                     largest(threads().nut.normal_load)};
-    running().static_displacement = loaded.axial_displacement.value_or(0.0);
+    running().at_rest = {{largest(threads().screw.normal_load), largest(threads().nut.normal_load)},
+                         loaded.axial_displacement.value_or(0.0)};
+    for (const Interface i : kInterfaces) {
+      InterfaceLoads& loads = threads()[i];
+      loads.friction.emplace().threads_per_roller = loads.threads_per_roller;
+    }
     const std::optional<double>& density = c.materials->roller.density;
     if (!density) return;
     const double volume = roller_body(contacts.mechanism, c.structure->roller).volume;
@@ -91,14 +102,11 @@ class FixedPoint {
   }
 
   /// From the state at rest, which `loaded` has; its loads become those of the running screw.
-  SlipEquilibrium solve(const Bodies& bodies, const std::optional<double>& near) {
+  SlipEquilibrium solve(Answer answer, const Bodies& bodies, const std::optional<double>& near) {
     RunningLoads& r = running();
     SlipEquilibrium slip;
     std::optional<double> slip_ratio = near;
-    push_ = std::vector<RollerPush>(rollers_.present.size(), no_push());
-    Answer answer{fe::NewtonStatus::converged,
-                  {threads().screw.normal_load, threads().nut.normal_load},
-                  r.guide_force};
+    push_ = std::vector<RollerPush>(rollers_.present.size(), no_push(rollers_.threads));
     for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
       const SlipModel model = model_on(answer);
       slip = find_slip_equilibrium(model, slip_ratio);
@@ -133,9 +141,9 @@ class FixedPoint {
     RunningLoads& r = running();
     const PerInterface<std::vector<double>> start = answer.normal_load;
     PerInterface<std::vector<double>> before = start;
-    const PerInterface<RunningLoads::Friction> given = r.friction;
+    const PerInterface<FrictionForces> given{*threads().screw.friction, *threads().nut.friction};
     Anderson anderson;
-    Eigen::VectorXd x = vector_of(pushes(r.friction), centrifugal);
+    Eigen::VectorXd x = vector_of(pushes(), centrifugal);
     for (int step = 0; step < kMostRounds; ++step) {
       take(x);
       answer = bodies(push_);
@@ -149,12 +157,13 @@ class FixedPoint {
       for (const Interface i : kInterfaces)
         for (std::size_t k = 0; k < before[i].size(); ++k) {
           const double times = start[i][k] > 0.0 ? before[i][k] / start[i][k] : 0.0;
-          r.friction[i].axial[k] = times * given[i].axial[k];
-          r.friction[i].radial[k] = times * given[i].radial[k];
-          r.friction[i].tangential[k] = times * given[i].tangential[k];
+          FrictionForces& friction = *threads()[i].friction;
+          friction.axial[k] = times * given[i].axial[k];
+          friction.radial[k] = times * given[i].radial[k];
+          friction.tangential[k] = times * given[i].tangential[k];
         }
       if (change <= std::max(kShare * r.change, 0.1 * kTolerance)) return true;
-      x = anderson.next(x, vector_of(pushes(r.friction), centrifugal));
+      x = anderson.next(x, vector_of(pushes(), centrifugal));
     }
     r.status = RunningStatus::iteration_limit;
     return false;
@@ -170,11 +179,6 @@ class FixedPoint {
         load = std::max(load, now[i][k]);
       }
     return change / load;
-  }
-
-  RollerPush no_push() const {
-    const std::vector<double> none(rollers_.threads, 0.0);
-    return {{none, none}, {none, none}};
   }
 
   /// The model of slip on these loads. Where the file states the angle of a normal, F_i is that of
@@ -200,7 +204,7 @@ class FixedPoint {
   void set_friction(const SlipModel& model, const SlipEquilibrium& slip) {
     for (const Interface i : kInterfaces) {
       const LoadedThreads& t = model.threads[i];
-      RunningLoads::Friction& friction = running().friction[i];
+      FrictionForces& friction = *threads()[i].friction;
       const std::size_t count = t.patch_of_thread.size();
       for (auto* values : {&friction.axial, &friction.radial, &friction.tangential})
         values->assign(count, 0.0);
@@ -223,17 +227,19 @@ class FixedPoint {
     const double unit = std::abs(model.axial_force) / contacts_.mechanism.rollers;
     for (const Interface i : kInterfaces) {
       InterfaceLoads& loads = threads()[i];
-      const std::vector<double>& friction = running().friction[i].axial;
+      const std::vector<double>& friction = loads.friction->axial;
       for (std::size_t k = 0; k < loads.axial_load.size(); ++k) {
         if (!c_.contact.normal_angle[i])
           loads.axial_load[k] =
               std::abs(loads.normal_load[k] * model.frames[i].normal.z - friction[k]);
         loads.load_rate[k] = loads.axial_load[k] / unit;
       }
+      loads.running_over_static =
+          largest(loads.normal_load) / running().at_rest.largest_normal_load[i];
     }
   }
 
-  std::vector<RollerPush> pushes(const PerInterface<RunningLoads::Friction>& friction) const {
+  std::vector<RollerPush> pushes() const {
     std::vector<RollerPush> all;
     for (const std::size_t roller : rollers_.present) {
       RollerPush& push = all.emplace_back();
@@ -242,8 +248,9 @@ class FixedPoint {
         return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(rollers_.threads));
       };
       for (const Interface i : kInterfaces) {
-        push.axial[i] = part(friction[i].axial);
-        push.radial[i] = part(friction[i].radial);
+        const FrictionForces& friction = *(*loaded_.threads)[i].friction;
+        push.axial[i] = part(friction.axial);
+        push.radial[i] = part(friction.radial);
       }
     }
     return all;
@@ -282,8 +289,7 @@ class FixedPoint {
 
 /// Without loads.
 LoadCaseResult not_running(LoadCaseResult rest) {
-  const fe::NewtonStatus status = rest.solve->status;
-  if (!rest.threads) rest.running->status = status_of(status);
+  if (!rest.threads) rest.running->status = status_of(rest.solve->status);
   rest.threads.reset();
   rest.full.reset();
   rest.axial_displacement = rest.axial_stiffness = rest.tangent_stiffness = {};
@@ -293,65 +299,67 @@ LoadCaseResult not_running(LoadCaseResult rest) {
 /// Loads that stand on friction, with axial forces as slip has them.
 LoadCaseResult with_friction(LoadCaseResult loaded, LoadCaseResult slipped) {
   for (const Interface i : kInterfaces) {
-    (*loaded.threads)[i].axial_load = std::move((*slipped.threads)[i].axial_load);
-    (*loaded.threads)[i].load_rate = std::move((*slipped.threads)[i].load_rate);
+    InterfaceLoads &to = (*loaded.threads)[i], &from = (*slipped.threads)[i];
+    to.axial_load = std::move(from.axial_load);
+    to.load_rate = std::move(from.load_rate);
+    to.friction = std::move(from.friction);
+    to.running_over_static = from.running_over_static;
   }
+  loaded.loads = slipped.loads;
   loaded.running = std::move(slipped.running);
   return loaded;
 }
 
-}  // namespace
-
-std::string_view name(RunningStatus status) {
-  constexpr std::string_view kNames[] = {"converged", "iteration_limit", "slip_no_equilibrium",
-                                         "jammed",    "no_equilibrium",  "mechanism"};
-  return kNames[static_cast<std::size_t>(status)];
+void start(LoadCaseResult& rest) {
+  rest.loads = ModelOptions::Loads::running;
+  rest.running.emplace();
 }
 
-LoadCaseResult RunningSolver::solve(const LoadCase& load_case,
+}  // namespace
+
+LoadCaseResult RunningSolver::solve(const LoadCase& load_case, Detail detail,
                                     std::optional<SlipEquilibrium>& slip) {
   return conditions_.model.mechanism == ModelOptions::Mechanism::full
-             ? of_all_rollers(load_case, slip)
+             ? of_all_rollers(load_case, detail, slip)
              : of_sector(load_case, slip);
+}
+
+RunningSolver::SectorAt& RunningSolver::sector_at(Direction d, double position) {
+  std::unique_ptr<SectorAt>& kept = sectors_[{d, position}];
+  if (!kept)
+    kept = std::make_unique<SectorAt>(build_sector(
+        sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
+                     conditions_.model, laws_, d, position, conditions_.deviations)));
+  return *kept;
 }
 
 LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
                                         std::optional<SlipEquilibrium>& slip) {
-  std::unique_ptr<SectorSolver>& kept = sectors_[{*load_case.direction, *load_case.position}];
-  if (!kept)
-    kept = std::make_unique<SectorSolver>(build_sector(
-        sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
-                     conditions_.model, laws_, *load_case.direction, *load_case.position,
-                     conditions_.deviations)));
-  SectorSolver& solver = *kept;
-  const auto threads = static_cast<std::size_t>(solver.sector().contacts());
-  const auto forces_on_guides = [&](const RollerPush& push) {
-    std::vector<std::array<double, 2>> all;
-    if (const auto guides =
-            guide_forces(solver.sector(), solver.equations(), solver.state(), push))
-      all.push_back(*guides);
-    return all;
+  SectorAt& at = sector_at(*load_case.direction, *load_case.position);
+  SectorSolver& solver = at.solver;
+  const Sector& sector = solver.sector();
+  const double force = load_case.axial_force;
+  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, solver.solve(force));
+  start(rest);
+  if (!rest.threads) return not_running(std::move(rest));
+  const auto answer_to = [&](const RollerPush& push, fe::NewtonStatus status) {
+    Answer answer{status, {}, {}};
+    for (const Interface i : kInterfaces)
+      for (int k = 0; k < sector.contacts(); ++k)
+        answer.normal_load[i].push_back(
+            solver.equations().response(solver.state(), sector.spring(i, k)).force);
+    if (at.guides) answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
+    return answer;
   };
 
-  const double force = load_case.axial_force;
-  const PerInterface<std::vector<double>> none(
-      {std::vector<double>(threads, 0.0), std::vector<double>(threads, 0.0)});
-  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, solver.solve(force));
-  rest.running.emplace();
-  rest.running->guide_force = forces_on_guides({none, none});
-  if (!rest.threads) return not_running(std::move(rest));
-
+  const auto threads = static_cast<std::size_t>(sector.contacts());
   fe::NewtonSummary last;
   FixedPoint point(conditions_, contacts_, models_, {{0}, threads}, rest);
   slip = point.solve(
+      answer_to(no_push(threads), fe::NewtonStatus::converged),
       [&](const std::vector<RollerPush>& push) {
-        last = solver.go_on(force, push_loads(solver.sector(), push.front()));
-        Answer answer{last.status, {}, forces_on_guides(push.front())};
-        for (const Interface i : kInterfaces)
-          for (int k = 0; k < solver.sector().contacts(); ++k)
-            answer.normal_load[i].push_back(
-                solver.equations().response(solver.state(), solver.sector().spring(i, k)).force);
-        return answer;
+        last = solver.go_on(force, push_loads(sector, push.front()));
+        return answer_to(push.front(), last.status);
       },
       last_slip_ratio_);
   if (!rest.running->converged()) return not_running(std::move(rest));
@@ -361,16 +369,20 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
   return with_friction(solved_result(load_case, contacts_, laws_, std::move(d)), std::move(rest));
 }
 
-LoadCaseResult RunningSolver::of_all_rollers(const LoadCase& load_case,
-                                             std::optional<SlipEquilibrium>& slip) {
-  FullSolver solver(FullStart::neighbour);
-  const auto result = [&](Detail detail, const std::vector<RollerPush>& push) {
-    return full_result(load_case, conditions_, contacts_, laws_, solver, detail, push);
-  };
+/// The running loads of all rollers where the carrier stands, and what they are found by.
+struct RunningSolver::AllRunning {
+  LoadCaseResult result;
+  FullDistribution loads;
+  std::vector<RollerPush> push;
+  std::optional<SlipEquilibrium> slip;
+};
+
+RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_case,
+                                                        FullSolver& solver) {
   Rollers rollers{{}, static_cast<std::size_t>(contacts_.mechanism.contacts_per_roller)};
+  const std::vector<int>& missing = conditions_.deviations.missing_rollers;
   for (int r = 0; r < contacts_.mechanism.rollers; ++r)
-    if (std::ranges::find(conditions_.deviations.missing_rollers, r + 1) ==
-        conditions_.deviations.missing_rollers.end())
+    if (std::ranges::find(missing, r + 1) == missing.end())
       rollers.present.push_back(static_cast<std::size_t>(r));
   const auto forces_on_guides = [&](const std::array<RingForce, 2>& rings) {
     std::vector<std::array<double, 2>> all;
@@ -380,25 +392,114 @@ LoadCaseResult RunningSolver::of_all_rollers(const LoadCase& load_case,
     return all;
   };
 
-  LoadCaseResult rest = result(Detail::numbers, {});
-  rest.running.emplace();
-  if (!rest.threads) return not_running(std::move(rest));
-  rest.running->guide_force = forces_on_guides(rest.full->rings);
+  AllRunning all;
+  all.result = full_result(load_case, conditions_, contacts_, laws_, solver, Detail::numbers);
+  LoadCaseResult& rest = all.result;
+  start(rest);
+  if (!rest.threads) {
+    rest = not_running(std::move(rest));
+    return all;
+  }
   FixedPoint point(conditions_, contacts_, models_, rollers, rest);
-  slip = point.solve(
+  all.slip = point.solve(
+      {fe::NewtonStatus::converged,
+       {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
+       forces_on_guides(rest.full->rings)},
       [&](const std::vector<RollerPush>& push) {
-        FullDistribution d = full_distribution(load_case, conditions_, contacts_, laws_, solver,
-                                               Detail::numbers, push);
-        Answer answer{d.solve.status, {}, forces_on_guides(d.rings)};
+        all.loads = full_distribution(load_case, conditions_, contacts_, laws_, solver,
+                                      Detail::numbers, push);
+        Answer answer{all.loads.solve.status, {}, forces_on_guides(all.loads.rings)};
         for (const Interface i : kInterfaces)
-          for (const std::vector<double>& roller : d.normal_load[i])
-            answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(), roller.end());
+          for (const std::vector<double>& roller : all.loads.normal_load[i])
+            answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(),
+                                         roller.end());
         return answer;
       },
       last_slip_ratio_);
-  if (!rest.running->converged()) return not_running(std::move(rest));
-  last_slip_ratio_ = slip->balance.motion.slip_ratio;
-  return with_friction(result(Detail::complete, point.push()), std::move(rest));
+  all.push = point.push();
+  if (rest.running->converged())
+    last_slip_ratio_ = all.slip->balance.motion.slip_ratio;
+  else
+    rest = not_running(std::move(rest));
+  return all;
+}
+
+LoadCaseResult RunningSolver::of_all_rollers(const LoadCase& load_case, Detail detail,
+                                             std::optional<SlipEquilibrium>& slip) {
+  LoadCase here = load_case;
+  here.spatial.orbit.reset();
+  FullSolver solver(FullStart::neighbour);
+  AllRunning all = all_rollers_at(here, solver);
+  slip = std::move(all.slip);
+  all.result.load_case = load_case;
+  if (!all.result.threads) return std::move(all.result);
+  LoadCaseResult result = with_friction(
+      full_result(load_case, conditions_, contacts_, laws_, solver, detail, all.push),
+      std::move(all.result));
+  FullLoads full = *result.full;
+  set_symmetric(full, result);
+  if (load_case.spatial.orbit) {
+    Orbit orbit = turned(here, *load_case.spatial.orbit);
+    if (orbit.converged())
+      full.orbit = std::move(orbit);
+    else
+      result.warnings.push_back(no_orbit(*orbit.failure));
+  }
+  result.full = std::make_shared<const FullLoads>(std::move(full));
+  return result;
+}
+
+void RunningSolver::set_symmetric(FullLoads& full, LoadCaseResult& result) const {
+  Conditions nominal = conditions_;
+  nominal.deviations = {};
+  nominal.model.mechanism = ModelOptions::Mechanism::sector;
+  LoadCase axial = result.load_case;
+  axial.spatial = {};
+  std::optional<SlipEquilibrium> slip;
+  const SlipModels models(nominal, contacts_, models_.oils());
+  const LoadCaseResult alike =
+      RunningSolver(nominal, contacts_, models).solve(axial, Detail::numbers, slip);
+  if (!alike.threads) return;
+  full.symmetric = {*alike.axial_displacement, alike.tangent_stiffness, {}};
+  full.symmetric_stiffness = *alike.axial_stiffness;
+  for (const Interface i : kInterfaces) {
+    full.symmetric.largest_normal_load[i] = largest((*alike.threads)[i].normal_load);
+    RollerShares& shares = *(*result.threads)[i].rollers;
+    shares.overload_factor = shares.largest_normal_load / full.symmetric.largest_normal_load[i];
+  }
+}
+
+Orbit RunningSolver::turned(const LoadCase& load_case, const SpatialLoad::Orbit& wanted) {
+  FullSolver solver(FullStart::neighbour);
+  const auto solved = [&](double carrier_angle) {
+    LoadCase at = load_case;
+    at.spatial.carrier_angle = carrier_angle;
+    at.spatial.orbit.reset();
+    AllRunning all = all_rollers_at(at, solver);
+    if (all.result.threads) return std::move(all.loads);
+    FullDistribution failed;
+    failed.reason = fmt::format("running loads end as {}", name(all.result.running->status));
+    return failed;
+  };
+  return full_orbit(load_case, conditions_, contacts_, laws_, solved, wanted);
+}
+
+Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+  const auto runs = [&](const LoadCase& load) {
+    return solve_takes_running_loads(c.model, load.share);
+  };
+  if (std::ranges::none_of(c.load_cases, runs)) return analyze(c, std::move(contacts), options);
+  require_rolling(c, contacts);
+  Result result = analyze(c, std::move(contacts), options, runs);
+  const SlipModels models(c, result.contacts);
+  RunningSolver solver(c, result.contacts, models);
+  for (LoadCaseResult& loaded : result.load_cases) {
+    if (!runs(loaded.load_case)) continue;
+    std::optional<SlipEquilibrium> slip;
+    loaded = solver.solve(loaded.load_case, options.detail, slip);
+    if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
+  }
+  return result;
 }
 
 }  // namespace prs

@@ -5,8 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "prs/loads/analysis_options.h"
+#include "prs/loads/analyze.h"
+#include "prs/loads/full_result.h"
 #include "prs/sector/load_distribution.h"
+#include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_model.h"
 #include "prs/threads/contact_laws.h"
 
@@ -38,18 +40,43 @@ class RunningSolver {
 
   /// A load case with solved shares and all that belongs to no slip; `running` says how the search
   /// ended. Where it converged: its slip.
-  LoadCaseResult solve(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
+  LoadCaseResult solve(const LoadCase& load_case, Detail detail,
+                       std::optional<SlipEquilibrium>& slip);
+
+  /// A turn of the carrier under a load case on all rollers: each position is an equilibrium with
+  /// its own slip ratio.
+  Orbit turned(const LoadCase& load_case, const SpatialLoad::Orbit& wanted);
 
  private:
+  struct SectorAt {
+    explicit SectorAt(Sector sector) : solver(std::move(sector)) {
+      if (solver.sector().bends()) guides.emplace(solver.sector());
+    }
+    SectorSolver solver;
+    std::optional<RollerGuides> guides;  ///< None of rollers that stay straight.
+  };
+
+  SectorAt& sector_at(Direction d, double position);
   LoadCaseResult of_sector(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
-  LoadCaseResult of_all_rollers(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
+  LoadCaseResult of_all_rollers(const LoadCase& load_case, Detail detail,
+                                std::optional<SlipEquilibrium>& slip);
+  struct AllRunning;
+  AllRunning all_rollers_at(const LoadCase& load_case, FullSolver& solver);
+  /// The same screw loaded symmetrically runs as well.
+  void set_symmetric(FullLoads& full, LoadCaseResult& result) const;
 
   const Conditions& conditions_;
   const Contacts& contacts_;
   PerInterface<ContactLaw> laws_;
   const SlipModels& models_;
-  std::map<std::pair<Direction, double>, std::unique_ptr<SectorSolver>> sectors_;
+  std::map<std::pair<Direction, double>, std::unique_ptr<SectorAt>> sectors_;
   std::optional<double> last_slip_ratio_;
 };
+
+/// What `analyze` delivers, on the loads that `model.loads` asks of `solve`.
+Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
+inline Result analyze_loads(const Case& c, AnalysisOptions options = {}) {
+  return analyze_loads(c, checked_contacts(c, options.detail), options);
+}
 
 }  // namespace prs

@@ -293,32 +293,24 @@ void require_admissible(const SlipModel& model) {
                               std::max(range.pure_sliding, range.ideal)));
 }
 
-/// Loads as slip takes them: solved ones, and equal shares by the geometry.
+bool runs(const Conditions& c, const LoadCase& load) {
+  return slip_takes_running_loads(c.model, load.share);
+}
+
+/// Loads at rest as slip takes them: solved ones, and equal shares by the geometry. Those of a
+/// running screw are still to be solved.
 Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions options) {
   const auto equal = [](const LoadCase& load) { return load.share == LoadCase::Share::equal; };
   if (std::ranges::all_of(c.load_cases, equal))
     return analyze_contacts(c, std::move(contacts), options.detail);
   require_contacts(c, contacts);
-  Result result = analyze(c, std::move(contacts), options);
+  Result result = analyze(c, std::move(contacts), options,
+                          [&](const LoadCase& load) { return runs(c, load); });
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!equal(loaded.load_case)) continue;
     loaded = equal_share_result(loaded.load_case, result.contacts);
     if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
   }
-  return result;
-}
-
-/// Load cases of a running screw, still to be solved.
-Result unsolved(const Conditions& c, Contacts contacts, AnalysisOptions options) {
-  Result result = analyze_contacts(c, std::move(contacts), options.detail);
-  auto equal = std::move(result.load_cases);
-  result.load_cases.clear();
-  auto next = equal.begin();
-  for (const LoadCase& load : c.load_cases)
-    if (load.share == LoadCase::Share::equal)
-      result.load_cases.push_back(std::move(*next++));
-    else
-      result.load_cases.emplace_back().load_case = load;
   return result;
 }
 
@@ -432,7 +424,7 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
   slip.forces = b.forces;
   set_heads(slip.heads, model, b);
-  if (model.has_bearing()) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
+  if (model.bearing_viscosity > 0.0) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
   double hottest = -1.0;
   for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
     if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = thread;
@@ -441,9 +433,7 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
                     const std::optional<Oils>& oils) {
-  const bool runs = c.model.loads == ModelOptions::Loads::running;
-  Result result = runs ? unsolved(c, std::move(contacts), options)
-                       : loaded_threads_of(c, std::move(contacts), options);
+  Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)
     if (std::optional<Warning> note = unknown_film_ratio(c))
@@ -452,9 +442,9 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
   RunningSolver running(c, result.contacts, models);
   for (LoadCaseResult& loaded : result.load_cases) {
     std::optional<SlipEquilibrium> found;
-    if (runs && loaded.load_case.share == LoadCase::Share::solved) {
+    if (runs(c, loaded.load_case)) {
       require_admissible(models.unloaded(loaded.load_case));
-      loaded = running.solve(loaded.load_case, found);
+      loaded = running.solve(loaded.load_case, options.detail, found);
       if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
     }
     if (!loaded.threads) continue;
@@ -488,7 +478,7 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
       return std::nullopt;
   if (!rolls(contacts.threads)) return std::nullopt;
   Oils oils = oils_in_operation(c);
-  const bool oiled = c.friction->of_film() || c.carrier.bearing;
+  const bool oiled = c.friction->of_film() || c.carrier.is_oiled();
   if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
   const SlipModels models(c, contacts, std::move(oils));
   SlipModel model = models.of(loaded);

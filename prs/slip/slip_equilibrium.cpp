@@ -1,5 +1,6 @@
 #include "prs/slip/slip_equilibrium.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -162,14 +163,27 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optiona
 
 void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
                const SlipBalance& b) {
-  heads.clear();
+  std::vector<std::array<RollerHead, 2>> present;
   for_each_roller(model, b.forces, b.motion.roller_to_carrier, [&](const auto& of_roller) {
-                    auto& added = heads.emplace_back();
-                    for (std::size_t h = 0; h < 2; ++h)
-                      added[h] = {of_roller[h].guide_force, of_roller[h].bearing_force,
-                                  of_roller[h].state.torque,
-                                  of_roller[h].state.eccentricity_ratio};
-                  });
+    std::array<RollerHead, 2>& added = present.emplace_back();
+    for (std::size_t h = 0; h < 2; ++h) {
+      const auto& head = of_roller[h];
+      added[h] = {head.guide_force, head.bearing_force, {}, {}};
+      if (model.has_bearing()) added[h].torque = head.state.torque;
+      if (model.bearing_viscosity > 0.0) added[h].eccentricity_ratio = head.state.eccentricity_ratio;
+    }
+  });
+  heads = present;
+  if (model.threads.screw.threads_per_roller == 0) return;
+  const std::vector<int>& missing = model.guides.missing;
+  heads.clear();
+  std::size_t next = 0;
+  const auto rollers = static_cast<int>(model.rollers) + static_cast<int>(missing.size());
+  for (int r = 1; r <= rollers; ++r)
+    if (std::ranges::find(missing, r) != missing.end())
+      heads.emplace_back();
+    else
+      heads.push_back(present[present.size() == 1 ? 0 : next++]);
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {

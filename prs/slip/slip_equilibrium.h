@@ -41,9 +41,11 @@ struct Oils {
   std::optional<contact::Lubricant> carrier;  ///< In the bearings of the roller heads.
 };
 
-/// R_near and R_far of each roller whose beam is known, the forces of its guides, > 0 outwards [N].
+/// R_near and R_far of each roller present whose beam is known, the forces of its guides, > 0
+/// outwards [N].
 struct GuideForces {
   std::vector<std::array<double, 2>> of_roller;  ///< None: half of what the balance asks for each.
+  std::vector<int> missing;                      ///< Rollers that are not there, from 1.
   bool carry_centrifugal = false;                ///< Whether that of the roller is in them.
 };
 
@@ -110,7 +112,7 @@ struct SlipEquilibrium {
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model,
                                       const std::optional<double>& near = {});
 
-/// Near and far end of each roller whose guides are known by themselves, else of the mean roller.
+/// Near and far end: of a full mechanism of each roller, those that are missing without forces.
 void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
                const SlipBalance& balance);
 

@@ -36,13 +36,13 @@ struct RollerModelOf {
   Real screw_torque{};
   Real nut_torque{};
   Real roller_torque{};
-  contact::JournalBearingOf<Real> bearing{};  ///< Where it has a length, not `roller_torque`.
+  contact::JournalBearingOf<Real> bearing{};  ///< Where it has a diameter, not `roller_torque`.
   Real bearing_viscosity{};                   ///< 0 without oil [Pa s]
   HeadFrictionOf<Real> head_friction{};
   Real gear_tangent{};                        ///< Of the pressure angle.
   Real roller_mass{};                         ///< [kg]
 
-  simd::Lanes<Real> has_bearing() const { return bearing.length > Real(0.0); }
+  simd::Lanes<Real> has_bearing() const { return bearing.diameter > Real(0.0); }
 };
 
 /// Forces and moment of the threads of an interface on one roller.

@@ -1,9 +1,12 @@
 #include "prs/slip/slip_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "prs/loads/full_result.h"
 #include "prs/sector/bodies.h"
+#include "prs/threads/contact_laws.h"
 
 namespace prs {
 namespace {
@@ -124,14 +127,19 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.screw_torque = c.carrier.screw_torque;
   m.nut_torque = c.carrier.nut_torque;
   m.roller_torque = c.carrier.roller_torque;
-  m.bearing = c.carrier.bearing.value_or(contact::JournalBearing{});
-  if (c.carrier.bearing) {
-    const HeadFriction& f = c.carrier.head_friction;
-    m.head_friction = {f.model == HeadFriction::Model::hydrodynamic ? 0.0 : 1.0,
-                       0.5 * f.coefficient * m.bearing.diameter, f.roughness, f.exponent};
-  }
+  m.bearing = c.carrier.bearing.value_or(HeadBearing{});
+  m.head_friction = {};
   m.oils = oils;
-  m.bearing_viscosity = oils.carrier ? oils.carrier->viscosity : 0.0;
+  m.bearing_viscosity = 0.0;
+  if (const auto& bearing = c.carrier.bearing) {
+    const HeadFriction& f = bearing->friction;
+    if (c.carrier.is_oiled()) m.bearing_viscosity = oils.carrier->viscosity;
+    if (f.model == HeadFriction::Model::coulomb)
+      m.head_friction = {1.0, 0.5 * f.coefficient * bearing->diameter};
+    if (f.model == HeadFriction::Model::mixed)
+      m.head_friction = {1.0, 0.5 * f.mixed.boundary * bearing->diameter, f.mixed.roughness,
+                         f.mixed.exponent};
+  }
   m.gear_tangent = std::tan(c.carrier.gear_pressure_angle);
   m.roller_mass = roller_mass(c, mechanism);
   m.friction = *c.friction;
@@ -182,9 +190,38 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
         threads.contacts.back().normal_load = loads.normal_load[k];
     }
   }
-  if (loaded.running) model.guides = {loaded.running->guide_force, true};
+  model.guides = guides_of(loaded);
   add_patches(model);
   return model;
+}
+
+GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
+  GuideForces guides;
+  const bool full = loaded.full != nullptr;
+  if (full) guides.missing = conditions_.deviations.missing_rollers;
+  if (loaded.running) {
+    guides.of_roller = loaded.running->guide_force;
+    guides.carry_centrifugal = true;
+  } else if (conditions_.model.roller == ModelOptions::Roller::rigid_bending) {
+    return guides;
+  } else if (full) {
+    for (int r = 0; r < contacts_.mechanism.rollers; ++r)
+      if (std::ranges::find(guides.missing, r + 1) == guides.missing.end())
+        guides.of_roller.push_back({loaded.full->rings[0].rollers[static_cast<std::size_t>(r)],
+                                    loaded.full->rings[1].rollers[static_cast<std::size_t>(r)]});
+  } else {
+    std::optional<RollerGuides>& known = roller_guides_[*loaded.load_case.direction];
+    if (!known)
+      known.emplace(build_sector(sector_model(
+          contacts_.mechanism, *conditions_.structure, *conditions_.materials, conditions_.model,
+          contact_laws(conditions_, contacts_), *loaded.load_case.direction,
+          *loaded.load_case.position, conditions_.deviations)));
+    const std::vector<double> none(loaded.threads->screw.normal_load.size(), 0.0);
+    guides.of_roller.push_back(
+        known->forces({loaded.threads->screw.normal_load, loaded.threads->nut.normal_load},
+                      {{none, none}, {none, none}}));
+  }
+  return guides;
 }
 
 SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils& oils) const {

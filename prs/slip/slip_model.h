@@ -7,6 +7,7 @@
 #include "contact/patch.h"
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
+#include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_equilibrium.h"
 
 namespace prs {
@@ -60,16 +61,20 @@ class SlipModels {
   /// Without threads.
   SlipModel unloaded(const LoadCase& load_case) const { return unloaded(load_case, oils_); }
 
+  const Oils& oils() const { return oils_; }
   const contact::PatchGrid& grid() const { return *grid_; }
 
  private:
   SlipModel unloaded(const LoadCase& load_case, const Oils& oils) const;
   void add_patches(SlipModel& model) const;
+  GuideForces guides_of(const LoadCaseResult& loaded) const;
 
   Conditions conditions_;
   const Contacts& contacts_;
   std::shared_ptr<const contact::PatchGrid> grid_;
   Oils oils_;
+  /// Of the roller of a sector at rest, made when first asked for: not for two threads at once.
+  mutable PerDirection<std::optional<RollerGuides>> roller_guides_;
 };
 
 }  // namespace prs

@@ -682,7 +682,7 @@ TEST(Slip, FullFitLiesBetweenHamrockDowsonAndSandu) {
 /// A bearing on the roller heads takes part in the balance: both powers still agree.
 TEST(Slip, AJournalBearingKeepsTheEnergyBalance) {
   Case c = test::sandu_reference();
-  c.carrier.bearing = contact::JournalBearing{6e-3, 6e-3, 0.1e-3};
+  c.carrier.bearing = HeadBearing{{6e-3, 6e-3, 0.1e-3}};
   c.materials->roller.density = 7810.0;
   const SlipResult s = slip_of(c);
   ASSERT_EQ(s.status, SlipStatus::converged);
@@ -776,7 +776,7 @@ Case full_case() {
 TEST(SlipOfAllRollers, IsThatOfTheSectorWhereAllAreAlike) {
   Case sector = full_case();
   sector.carrier.roller_torque = 0.0;
-  sector.carrier.bearing = contact::JournalBearing{5e-3, 5e-3, 0.1e-3};
+  sector.carrier.bearing = HeadBearing{{5e-3, 5e-3, 0.1e-3}};
   sector.materials->roller.density = 7810.0;
   sector.wear = Wear{1e-17};
   sector.roughness = PerPart<double>{0.2e-6, 0.2e-6, 0.2e-6};
