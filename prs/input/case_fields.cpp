@@ -108,6 +108,17 @@ void alternatives(Choices& io, MeasureOptions::Ends& e) {
   io("fixed_fixed", e, fixed_fixed, "both ends clamped");
 }
 
+void alternatives(Choices& io, MeasureOptions::System::Axial& a) {
+  using enum MeasureOptions::System::Axial;
+  io("one_end", a, one_end, "one axial bearing, behind which the shaft is free");
+  io("both_ends", a, both_ends, "an axial bearing at each end of `length`");
+}
+
+void alternatives(Choices& io, LifeTemperatures& t) {
+  io("heat", t, LifeTemperatures::heat, "the steady ones of the spectrum's mean heat");
+  io("reference", t, LifeTemperatures::reference, "that at which the nominal geometry holds");
+}
+
 void alternatives(Choices& io, Direction& d) {
   io("tension", d, Direction::tension, "the load pulls the screw out of the mechanism");
   io("compression", d, Direction::compression, "the load pushes the screw in");
@@ -354,6 +365,10 @@ void fields(const Fields& io, Material& m) {
   io("density", m.density, Quantity{unit::density, positive}, "Density");
   io("thermal_expansion", m.thermal_expansion, Quantity{unit::thermal_expansion, not_negative},
      "Coefficient of linear thermal expansion");
+  io("conductivity", m.conductivity, Quantity{unit::thermal_conductivity, positive, "45 W/(m K)"},
+     "Of heat, for flash temperatures");
+  io("specific_heat", m.specific_heat, Quantity{unit::specific_heat, positive},
+     "For flash temperatures");
 }
 
 void fields(const Fields& io, PitchWave& w) {
@@ -530,6 +545,8 @@ void fields(const Fields& io, Preload& p) {
   io("distance", p.distance, length, in_two_nuts,
      "From the last contact of the first nut to the first one of the second");
   io("load", p.load, Block{}, required, "External axial loads of the curve");
+  io("load_case", p.load_case, Text{"pull"},
+     "With `heat`: the load case whose steady temperatures the parts have; the first by default");
   io("lost_motion_load", p.lost_motion_load, Quantity{unit::force, positive},
      "The lost motion is the travel between this load in tension and in compression; 5 % of "
      "the largest load of the curve by default");
@@ -579,6 +596,7 @@ void fields(const Fields& io, Life& l) {
   io("spectrum", l.spectrum, List{Block{}, l.history ? 0 : 1},
      required_only_if(!l.history, "in place of `history`"), "Loads and how long each acts");
   io("share", l.share, Choice{}, "How the load spreads over the threads");
+  io("temperatures", l.temperatures, Choice{}, "Of the parts, with a block `heat`");
   io("position", l.position, Quantity{unit::length},
      required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`"),
      "Axial position of the first roller contact on the nut");
@@ -606,6 +624,29 @@ void fields(const Fields& io, MeasureOptions::Shaft& s) {
   io("ends", s.ends, Choice{}, required, "How the screw is held at both ends of it");
 }
 
+void fields(const Fields& io, MeasureOptions::System::Shaft& s) {
+  const Quantity length{unit::length, positive, "300 mm"};
+  const bool two_bearings = s.axial == MeasureOptions::System::Axial::both_ends;
+  io("length", s.length, length, required,
+     "From the loaded section of the screw to the axial bearing, or between two of them; that of "
+     "`measures.shaft` is another one, for buckling and critical speed");
+  io("axial", s.axial, Choice{}, "Where the shaft is held along its axis");
+  io("from_bearing", s.from_bearing, length,
+     required_only_if(two_bearings, "only with `axial: both_ends`"),
+     "From the nearer axial bearing to the loaded section");
+  io("torsion_length", s.torsion_length, length,
+     "From the loaded section to where the rotation is held; `length` by default");
+}
+
+void fields(const Fields& io, MeasureOptions::System& s) {
+  const Quantity stiffness{unit::stiffness, positive, "600 N/um"};
+  io("shaft", s.shaft, Block{},
+     "Stretch and wind-up of the screw's shaft; not `measures.shaft`, whose length is that for "
+     "buckling and critical speed");
+  io("support_bearing", s.support_bearing, stiffness, "Of all bearings of the shaft together");
+  io("housing", s.housing, stiffness, "Of what holds the nut");
+}
+
 void fields(const Fields& io, MeasureOptions& m) {
   io("loaded_width", m.loaded_width, Quantity{unit::length, positive},
      "Of thread that one contact loads, for the compliance and the strength of its tooth");
@@ -615,6 +656,7 @@ void fields(const Fields& io, MeasureOptions& m) {
   io("yield_strength", m.yield_strength, Quantity{unit::pressure, positive, "900 MPa"},
      "Of the screw's shaft, for short columns");
   io("shaft", m.shaft, Block{}, "Of the screw, for buckling and critical speed");
+  io("system", m.system, Block{}, "What is in series with the mechanism, for the stiffness of the axis");
 }
 
 void fields(const Fields& io, ViscosityPoint& p) {
@@ -628,6 +670,15 @@ void fields(const Fields& io, ViscosityPoint& p) {
 void fields(const Fields& io, contact::WaltherLine& w) {
   io("intercept", w.intercept, Number{unbounded, "9.5"}, required, "At T = 1 K");
   io("slope", w.slope, Number{positive, "3.6"}, required, "Fall with log10(T/K)");
+}
+
+void fields(const Fields& io, Lubricant::Film::InletHeating& h) {
+  io("conductivity", h.conductivity,
+     Quantity{unit::thermal_conductivity, positive, "0.14 W/(m K)"}, required,
+     "Of heat, of the oil");
+  io("temperature_coefficient", h.temperature_coefficient,
+     Quantity{unit::temperature_coefficient, positive},
+     "-(d eta/dT)/eta of its viscosity; that of its own law by default, where it has one");
 }
 
 void fields(const Fields& io, Lubricant& l) {
@@ -658,6 +709,11 @@ void fields(const Fields& io, Lubricant& l) {
   io("film", l.film, Keys{[&](const Fields& film) {
        film("direction", l.film.direction, Choice{},
             "Direction of rolling that the central film takes");
+       film("starvation", l.film.starvation,
+            Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}, "0.7"},
+            "Film over that of a full inlet, measured or chosen");
+       film("inlet_heating", l.film.inlet_heating, Block{},
+            "Film that the shear at the inlet warms and thins (Gupta et al. 1992)");
      }},
      "Central film of the contacts");
 }

@@ -24,9 +24,11 @@ struct InterfaceSlip {
   std::vector<double> max_sliding_speed;     ///< Over the points [m/s]
   std::vector<double> film_thickness;        ///< Sandu's h_c [m] (2.39); empty without lubricant.
   std::vector<double> central_film;          ///< `contact::central_film` [m]; the same.
+  std::vector<double> film_factor;           ///< phi, `contact::film_factor`; the same.
   std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
   std::vector<double> boundary_share;        ///< Of the load on flanks that touch; with film_ratio.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
+  std::vector<double> flash_temperature;  ///< `contact::flash_temperature` [K]; empty without data.
   double along_major = 0.0;  ///< Share of the squared rolling speed along the major axis.
   std::vector<double> wear;  ///< Volume of both bodies over travel [m^3/m]; empty without `wear`.
 };

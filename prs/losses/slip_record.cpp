@@ -23,8 +23,12 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"central_film_nm", of<&InterfaceSlip::central_film>, "central film; needs a lubricant",
      "Nijenbanning, Venner, Moes 1994; with lubricant.film.direction: rolling Chittenden et al. "
      "1985"},
+    {"film_factor", of<&InterfaceSlip::film_factor>,
+     "phi, the film over that of a full and cold inlet: starvation times shear heating, 1 without "
+     "lubricant.film; needs a lubricant",
+     "Gupta, Cheng, Zhu, Forster, Krauter 1992"},
     {"film_ratio", of<&InterfaceSlip::film_ratio>,
-     "Lambda: central film over the composite roughness; needs lubricant and roughness"},
+     "Lambda: phi times central film over the composite roughness; needs lubricant and roughness"},
     {"boundary_share", of<&InterfaceSlip::boundary_share>,
      "share (1 + Lambda)^-exponent of the load on flanks that touch, exponent 2 where the case has "
      "none; that of friction only if mixed",
@@ -35,6 +39,10 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"wear_mm3_per_km", of<&InterfaceSlip::wear>,
      "volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear",
      "Archard 1953"},
+    {"flash_temperature_K", of<&InterfaceSlip::flash_temperature>,
+     "largest rise of the surfaces above their parts while they pass the contact; needs "
+     "conductivity, density and specific_heat of the materials",
+     "Greenwood 1991; Muzychka, Yovanovich 2001; Blok 1937"},
 };
 
 template <std::size_t source>

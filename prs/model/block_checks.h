@@ -45,6 +45,7 @@ void check_carrier(const Carrier& carrier, Problems& problems);
 void check_preload(const Case& c, Problems& problems);
 void check_life(const Case& c, Problems& problems);
 void check_heat(const Case& c, Problems& problems);
+void check_measures(const MeasureOptions& m, Problems& problems);
 
 // What commands need of their blocks.
 

@@ -47,11 +47,18 @@ struct SpectrumLoad {
   DrivenBy driven_by = DrivenBy::screw;  ///< Of running loads.
 };
 
+/// Which temperatures the parts have in `life` with a block `heat`.
+enum class LifeTemperatures {
+  heat,       ///< Those of the mean heat of the whole spectrum.
+  reference,  ///< The reference temperature of all parts.
+};
+
 /// Inputs of `prs life`. One of `history` and `spectrum` is given.
 struct Life {
   std::optional<HistorySource> history;
   std::vector<SpectrumLoad> spectrum;
   LoadCase::Share share = LoadCase::Share::solved;
+  LifeTemperatures temperatures = LifeTemperatures::heat;
   std::optional<double> position;          ///< First roller contact on the nut [m].
   std::optional<double> dynamic_capacity;  ///< C_a of a catalogue [N], in place of Lemor's.
   std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].

@@ -37,6 +37,14 @@ struct Lubricant {
 
   struct Film {
     contact::FilmDirection direction = contact::FilmDirection::minor_axis;
+    std::optional<double> starvation;  ///< phi_s, film over that of a full inlet.
+    /// Reduction of the film by shear heating at the inlet.
+    struct InletHeating {
+      double conductivity = 0.0;  ///< k of the oil [W/(m K)]
+      /// beta = -(d eta/dT)/eta [1/K]; by default that of the oil's own law.
+      std::optional<double> temperature_coefficient;
+    };
+    std::optional<InletHeating> inlet_heating;
   };
   Film film;
 };

@@ -120,7 +120,14 @@ void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Proble
                                     "has its viscosity; add `temperature: 60 degC`, for example",
                                     l.name ? data_of(*l.name).name : "the oil"));
   }
-  if (l.viscosity) return;
+  if (l.viscosity) {
+    const auto& heating = l.film.inlet_heating;
+    if (heating && !heating->temperature_coefficient)
+      problems.add("lubricant.film.inlet_heating.temperature_coefficient",
+                   "missing; expected it beside a `viscosity` that has no law of the temperature; "
+                   "add `temperature_coefficient: 0.035 1/K`, for example");
+    return;
+  }
   const bool kinematic = l.walther || std::ranges::any_of(points, [](const auto& p) {
                            return p.kinematic_viscosity.has_value();
                          });

@@ -22,6 +22,9 @@ namespace {
 /// Coulomb's coefficient from which surfaces are taken to touch.
 constexpr double kTouchingFriction = 0.05;
 
+/// Flash temperature from which it is told [K].
+constexpr double kHotFlash = 50.0;
+
 /// Power densities that differ by less than this share differ by rounding: the first one counts.
 constexpr double kEqualPower = 1e-9;
 
@@ -71,11 +74,29 @@ void set_values(std::vector<double>& values, const LoadedThreads& threads, Value
     values.push_back(!k ? 0.0 : of_patch.empty() ? shared : of_patch[*k]);
 }
 
+/// Roller and body as their surfaces move through the contact, which the carrier holds.
+std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bodies,
+                                          const SlipModel& model, const SlipBalance& balance,
+                                          Interface i) {
+  const ContactMotion motion = contact_motion(model.geometry, balance.motion, i);
+  const ContactFrameOf<double>& frame = model.frames[i];
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double sense = k == 0 ? -1.0 : 1.0;  // Sliding: of the body against the roller.
+    const auto along = [&](const contact::Vector3<double>& axis) {
+      return 0.5 * (dot(motion.rolling, axis) + sense * dot(motion.sliding, axis));
+    };
+    bodies[k].speed_major = along(frame.major_axis);
+    bodies[k].speed_minor = along(frame.minor_axis);
+  }
+  return bodies;
+}
+
 void clear_values(InterfaceSlip& slip) {
   for (auto* values :
        {&slip.power, &slip.power_density, &slip.friction_coefficient, &slip.spin_torque,
         &slip.sliding_speed, &slip.max_sliding_speed, &slip.film_thickness, &slip.central_film,
-        &slip.film_ratio, &slip.boundary_share, &slip.dynamic_normal_load, &slip.wear})
+        &slip.film_factor, &slip.film_ratio, &slip.boundary_share, &slip.dynamic_normal_load,
+        &slip.wear, &slip.flash_temperature})
     values->clear();
 }
 
@@ -112,6 +133,12 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
              travel;
     });
   }
+  if (model.heated[i] && detail.threads) {
+    const std::array<contact::HeatedBody, 2> bodies = moving(*model.heated[i], model, balance, i);
+    add(slip.flash_temperature, [&](std::size_t k) {
+      return contact::flash_temperature(threads.contacts[k].ellipse, bodies, power(k));
+    });
+  }
   if (!model.oils.threads[i] || !detail.films) return;
   const contact::Lubricant& oil = *model.oils.threads[i];
   const double rolling = motion.rolling_speed;
@@ -122,9 +149,17 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
     return contact::central_film(oil, threads.contacts[k].film, rolling, motion.along_major);
   };
   add(slip.central_film, central_film);
+  const double sliding = std::hypot(motion.sliding_major, motion.sliding_minor);
+  const auto film_factor = [&](std::size_t k) {
+    const LoadedThreads::Contact& c = threads.contacts[k];
+    return contact::film_factor(oil, c.film, c.ellipse.peak_pressure, rolling, sliding);
+  };
+  add(slip.film_factor, film_factor);
   const std::optional<double>& roughness = model.roughness[i];
   if (!roughness) return;
-  const auto film_ratio = [&](std::size_t k) { return central_film(k) / *roughness; };
+  const auto film_ratio = [&](std::size_t k) {
+    return film_factor(k) * central_film(k) / *roughness;
+  };
   add(slip.film_ratio, film_ratio);
   add(slip.boundary_share, [&](std::size_t k) {
     return contact::boundary_share(film_ratio(k), model.friction.mixed.exponent);
@@ -182,6 +217,22 @@ void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
                           "`friction: {model: {mixed: {boundary: 0.11}}}`"
                         : "take a friction coefficient of surfaces that touch"}
               .with(least, kFullFilm, {}, Warning::Worse::smaller));
+  }
+}
+
+void warn_of_flashes(const SlipResult& slip, std::vector<Warning>& warnings) {
+  for (const Interface i : kInterfaces) {
+    const std::vector<double>& flashes = slip.threads[i].flash_temperature;
+    const double hottest = flashes.empty() ? 0.0 : std::ranges::max(flashes);
+    if (hottest > kHotFlash)
+      warnings.push_back(
+          Warning{"friction", fmt::format("{}_flash_temperature", name(i)),
+                  fmt::format("the {} contacts flash {{value}} above their parts, more than "
+                              "{{limit}}: films there are thinner than computed, and scuffing is "
+                              "near",
+                              label(i)),
+                  "less speed or load, or an oil with less friction"}
+              .with(hottest, kHotFlash, text_unit::kelvin));
   }
 }
 
@@ -460,6 +511,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
     warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
     if (loaded.slip->converged()) {
       warn_of_film(model, *loaded.slip, loaded.warnings);
+      warn_of_flashes(*loaded.slip, loaded.warnings);
       if (auto note = unknown_heat_flow(c, result.contacts.mechanism, loaded.slip->power.total()))
         loaded.warnings.push_back(std::move(*note));
     }

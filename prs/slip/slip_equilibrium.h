@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/film.h"
+#include "contact/flash_temperature.h"
 #include "contact/journal_bearing.h"
 #include "contact/lubricant.h"
 #include "contact/patch.h"
@@ -63,6 +64,9 @@ struct SlipModel : RollerModelOf<double> {
   // What results say of it.
   Friction friction;
   contact::FilmDirection film_direction = contact::FilmDirection::minor_axis;
+  contact::FilmThinning film_thinning;
+  /// Roller and the other body; where their heat properties are known.
+  PerInterface<std::optional<std::array<contact::HeatedBody, 2>>> heated;
   std::optional<Wear> wear;
   PerInterface<std::optional<double>> roughness;  ///< Composite Rq [m].
   std::optional<double> imposed_slip_ratio;

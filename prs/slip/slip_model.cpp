@@ -41,6 +41,19 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
   return *density * roller_body(m, roller).volume;
 }
 
+/// Roller and body; none where conductivity, density or specific heat of one is not known.
+std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials& materials,
+                                                                Part body) {
+  std::array<contact::HeatedBody, 2> bodies;
+  const Part parts[] = {Part::roller, body};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Material& m = materials[parts[k]];
+    if (!m.conductivity || !m.density || !m.specific_heat) return std::nullopt;
+    bodies[k] = {*m.conductivity, *m.density, *m.specific_heat};
+  }
+  return bodies;
+}
+
 contact::FrictionLaw friction_of(const SlipModel& model, Interface i,
                                  const contact::FilmContact& film) {
   const Friction& friction = model.friction;
@@ -65,7 +78,8 @@ LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact
                                   .curvature = relative.second,
                                   .contact_modulus = contact.contact_modulus,
                                   .curvature_ratio = relative.first / relative.second,
-                                  .direction = model.film_direction};
+                                  .direction = model.film_direction,
+                                  .thinning = model.film_thinning};
   return {axial_load, std::nullopt, contact::at_load(contact.hertz, normal_load), film,
           friction_of(model, i, film)};
 }
@@ -144,6 +158,12 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.roller_mass = roller_mass(c, mechanism);
   m.friction = *c.friction;
   m.film_direction = c.lubricant ? c.lubricant->film.direction : contact::FilmDirection::minor_axis;
+  if (c.lubricant) {
+    const Lubricant::Film& film = c.lubricant->film;
+    m.film_thinning = {film.starvation.value_or(1.0),
+                       film.inlet_heating ? film.inlet_heating->conductivity : 0.0};
+  }
+  for (const Interface i : kInterfaces) m.heated[i] = heated_bodies(*c.materials, body_of(i));
   m.wear = c.wear;
   for (const Interface i : kInterfaces) m.roughness[i] = composite_roughness(c, i);
   m.imposed_slip_ratio = c.operation ? c.operation->slip_ratio : std::nullopt;

@@ -62,6 +62,7 @@ constexpr std::pair<std::string_view, OnDemand> kOnDemand[] = {
     {"tangent_stiffness_N_per_um", OnDemand::tangent_stiffness},
     {"film_thickness_nm", OnDemand::films},
     {"central_film_nm", OnDemand::films},
+    {"film_factor", OnDemand::films},
     {"film_ratio", OnDemand::films},
     {"boundary_share", OnDemand::films}};
 
