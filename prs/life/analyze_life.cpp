@@ -13,6 +13,7 @@
 #include "prs/life/share_curve.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/case_error.h"
+#include "prs/slip/running.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 
@@ -149,8 +150,10 @@ struct Sense {
   std::optional<ShareCurve> curve;  ///< At rest.
   /// sum (load)^3 n of each rated contact, as `LifeModel::rated` has it, and the same at rest.
   std::vector<double> cubes, cubes_at_rest;
-  int solves = 0;           ///< Equilibria of all curves.
-  double error = 0.0;       ///< Largest of them.
+  int solves = 0;      ///< Equilibria of all curves.
+  double error = 0.0;  ///< Largest of them.
+  /// Largest load of a thread over that at rest, under the force where friction moves it most.
+  PerInterface<double> over_static{1.0, 1.0};
 
   bool exists() const { return !forces.empty(); }
   /// Keeps the loads under a force that is asked for again.
@@ -265,6 +268,24 @@ std::vector<double> cubes_of(const LifeModel& p, const Sense& s, const ShareCurv
   return std::move(sums).take();
 }
 
+/// Compares running loads with those at rest, at the forces of a sense or some of many.
+void compare_with_rest(const LifeModel& p, Sense& s, const ShareCurve& running) {
+  const RatedContacts rated = p.rated();
+  const std::size_t step = (s.forces.size() + kFewForces - 1) / kFewForces;
+  std::vector<double> runs(rated.count()), rests(rated.count());
+  for (std::size_t k = 0; k < s.forces.size(); k += step) {
+    running.shares_at(s.forces[k], runs);
+    s.curve->shares_at(s.forces[k], rests);
+    for (const Interface i : kInterfaces) {
+      const auto largest = [&](const std::vector<double>& loads) {
+        return std::ranges::max(std::span(loads).subspan(rated.body(i), rated.threads));
+      };
+      const double over = largest(runs) / largest(rests);
+      if (std::abs(over - 1.0) > std::abs(s.over_static[i] - 1.0)) s.over_static[i] = over;
+    }
+  }
+}
+
 /// Curves of a sense and the damage of its loads; where they failed, the force.
 std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
   const auto found = [&](const ShareCurve& curve) {
@@ -288,6 +309,7 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
     if (!(std::ranges::max(turns) > 0.0)) continue;
     const ShareCurve curve = curve_of_sense(p, s, running_loads_solver(p, d, by));
     if (const auto failed = found(curve)) return failed;
+    compare_with_rest(p, s, curve);
     const std::vector<double> cubes = cubes_of(p, s, curve, turns);
     for (std::size_t k = 0; k < cubes.size(); ++k) s.cubes[k] += cubes[k];
   }
@@ -500,6 +522,12 @@ void find_lives(const LifeModel& p, LifeResult& r) {
   }
   for (const Direction d : kDirections)
     if (!r.failure && (wanted[d] || p.preloaded())) find_flank(p, senses, r, d);
+  if (!p.running() || r.failure) return;
+  for (const Direction d : kDirections)
+    if (auto warning = guides_without_play(p.c, senses[d].over_static)) {
+      r.warnings.push_back(std::move(*warning));
+      return;
+    }
 }
 
 void find_weakest(LifeResult& r) {

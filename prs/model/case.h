@@ -47,18 +47,22 @@ struct Conditions {
 };
 
 /// Whether slip, heat and life take the loads of a running screw, where friction and a speed stand.
+/// The bodies of `influence` know no friction on their threads.
 inline bool slip_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
-  return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest;
+  return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest &&
+         model.bodies != ModelOptions::Bodies::influence;
 }
 /// Whether `solve` does.
 inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
   return share == LoadCase::Share::solved && model.loads == ModelOptions::Loads::running;
 }
 
-/// Whether `life` takes running loads.
+/// Whether `life` takes running loads. With preload both flanks carry, and it does not; nor where
+/// `heat` alone knows the temperature of the oil.
 inline bool life_takes_running_loads(const Conditions& c) {
   return slip_takes_running_loads(c.model, c.life->share) && !c.preload && c.friction &&
-         c.operation && c.operation->speed != 0.0;
+         c.operation && c.operation->speed != 0.0 &&
+         !(c.heat && c.lubricant && !has_operating_point(*c.lubricant));
 }
 
 /// Everything that a file states.

@@ -149,6 +149,7 @@ constexpr Quantity<CommandNeeds> kNeeds[] = {
     {"ready", always<[](auto& command) { return command.unmet.empty(); }>},
     {"missing", unmet_paths<true>, "what to add"},
     {"wrong", unmet_paths<false>, "what to change"},
+    {"loads", of<&CommandNeeds::loads>, "static | running, of commands that have loads of threads"},
 };
 
 using Input = Within<CheckResult, input::EchoEntry>;

@@ -22,6 +22,8 @@ namespace {
 /// Change of a thread's load over a round, relative to the largest load, at which to stop.
 constexpr double kTolerance = 1e-10;
 constexpr int kMostRounds = 100;
+/// Of the slip ratio that a last step may be away from the one that balances.
+constexpr double kSlipMissed = 1e-13;
 /// Share of a round's change down to which friction in proportion to the loads is followed.
 constexpr double kShare = 0.02;
 
@@ -106,19 +108,31 @@ class FixedPoint {
     RunningLoads& r = running();
     SlipEquilibrium slip;
     std::optional<double> slip_ratio = near;
+    bool anew = true;  // Looks for the slip ratio, in place of a step by the last slope.
     push_ = std::vector<RollerPush>(rollers_.present.size(), no_push(rollers_.threads));
     for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
       const SlipModel model = model_on(answer);
-      slip = find_slip_equilibrium(model, slip_ratio);
-      if (!slip.ok()) {
-        r.status = slip.status == SlipStatus::jammed ? RunningStatus::jammed
-                                                     : RunningStatus::slip_no_equilibrium;
-        return slip;
+      const double before = r.change;
+      std::optional<double> next;
+      if (!anew) {
+        slip.balance.motion.slip_ratio = *slip_ratio;
+        next = next_slip_ratio(model, slip);
       }
-      slip_ratio = slip.balance.motion.slip_ratio;
+      if (!next) {
+        slip = find_slip_equilibrium(model, slip_ratio);
+        if (!slip.ok()) {
+          r.status = slip.status == SlipStatus::jammed ? RunningStatus::jammed
+                                                       : RunningStatus::slip_no_equilibrium;
+          return slip;
+        }
+        next = slip.balance.motion.slip_ratio;
+      }
+      const double missed = std::abs(*next - slip.balance.motion.slip_ratio);
+      slip_ratio = next;
       set_friction(model, slip);
       if (!follow(bodies, slip.balance.forces.centrifugal, answer)) return slip;
-      if (r.change > kTolerance) continue;
+      anew = r.rounds > 1 && r.change > 0.3 * before;
+      if (r.change > kTolerance || missed > kSlipMissed) continue;
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
       r.guide_force = answer.guide_force;
       r.status = RunningStatus::converged;
@@ -287,9 +301,34 @@ class FixedPoint {
   double thread_share_ = 0.0, head_share_ = 0.0;     ///< Of a roller's mass per length [1/m].
 };
 
+/// Why there are no loads of a running screw, where those at rest are known.
+Warning why_not_running(const RunningLoads& r) {
+  switch (r.status) {
+    case RunningStatus::jammed:
+      return {"friction", "jammed",
+              "running loads: a contact jams: its friction takes more of the axial load than its "
+              "normal load gives; expect the screw to stick"};
+    case RunningStatus::slip_no_equilibrium:
+      return {"carrier", "no_slip_ratio",
+              "running loads: no slip ratio balances the moment on a roller",
+              "check the carrier's torques"};
+    case RunningStatus::iteration_limit:
+      return Warning{"friction", "running_iteration_limit",
+                     "running loads do not settle: the largest load still changes by the share "
+                     "{value} a round"}
+          .with(r.change);
+    default:
+      return {"friction", "running_no_equilibrium",
+              "running loads: with this friction no loads of the threads are in equilibrium"};
+  }
+}
+
 /// Without loads.
 LoadCaseResult not_running(LoadCaseResult rest) {
-  if (!rest.threads) rest.running->status = status_of(rest.solve->status);
+  if (rest.threads)
+    rest.warnings.push_back(why_not_running(*rest.running));
+  else
+    rest.running->status = status_of(rest.solve->status);
   rest.threads.reset();
   rest.full.reset();
   rest.axial_displacement = rest.axial_stiffness = rest.tangent_stiffness = {};
@@ -482,6 +521,24 @@ Orbit RunningSolver::turned(const LoadCase& load_case, const SpatialLoad::Orbit&
     return failed;
   };
   return full_orbit(load_case, conditions_, contacts_, laws_, solved, wanted);
+}
+
+std::optional<Warning> guides_without_play(const Conditions& c,
+                                           const PerInterface<double>& over_static) {
+  constexpr double kMuch = 0.2;
+  const auto change = [&](Interface i) { return over_static[i] - 1.0; };
+  const Interface i = std::abs(change(Interface::nut)) > std::abs(change(Interface::screw))
+                          ? Interface::nut
+                          : Interface::screw;
+  if (std::abs(change(i)) <= kMuch) return std::nullopt;
+  constexpr std::string_view kGuidance[] = {"both_end_nodes", "outer_node", "ring"};
+  const auto kind = static_cast<std::size_t>(c.structure->roller.guidance.kind);
+  return Warning{"structure.roller.guidance", "guides_without_play",
+                 fmt::format("guides_without_play: friction moves the largest load of a {} thread "
+                             "by {:+.1f} %: rollers are pressed against guides ({}) taken without "
+                             "play; other guidance gives another share (5 to 146 % of one screw)",
+                             name(i), change(i) * per_si::percent, kGuidance[kind])}
+      .with(std::abs(change(i)), kMuch, text_unit::percent);
 }
 
 Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options) {

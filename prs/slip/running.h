@@ -73,6 +73,11 @@ class RunningSolver {
   std::optional<double> last_slip_ratio_;
 };
 
+/// A warning where friction moves the largest load of screw or nut by much: on which guidance that
+/// stands. `over_static`: the largest load of each over that at rest.
+std::optional<Warning> guides_without_play(const Conditions& c,
+                                           const PerInterface<double>& over_static);
+
 /// What `analyze` delivers, on the loads that `model.loads` asks of `solve`.
 Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
 inline Result analyze_loads(const Case& c, AnalysisOptions options = {}) {

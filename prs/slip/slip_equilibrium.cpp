@@ -157,8 +157,19 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optiona
   }
   found.status = search.status();
   found.evaluations = search.evaluations();
+  found.slope = search.slope();
   if (near && found.status == SlipStatus::no_equilibrium) return find_slip_equilibrium(model);
   return found;
+}
+
+std::optional<double> next_slip_ratio(const SlipModel& model, SlipEquilibrium& slip) {
+  constexpr double kSmall = 1e-3;
+  const double at = slip.balance.motion.slip_ratio;
+  if (!balance_at(model, at, slip.balance)) return std::nullopt;
+  if (slip.status == SlipStatus::imposed) return at;
+  const double step = -relative_residue(model, slip.balance) / slip.slope;
+  const bool small = std::abs(step) <= kSmall * std::abs(at - slip_range(model.geometry).ideal);
+  return small ? std::optional(at + step) : std::nullopt;
 }
 
 void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,

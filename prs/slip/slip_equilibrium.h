@@ -106,6 +106,7 @@ struct SlipEquilibrium {
   SlipStatus status = SlipStatus::not_computed;
   int evaluations = 0;  ///< Of the balance, with slopes or without.
   SlipBalance balance;  ///< At the root.
+  double slope = 0.0;   ///< Of the relative residue along the slip ratio, near the root.
 
   bool ok() const { return status == SlipStatus::converged || status == SlipStatus::imposed; }
 };
@@ -115,6 +116,10 @@ struct SlipEquilibrium {
 /// `near`: a slip ratio that may be near.
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model,
                                       const std::optional<double>& near = {});
+
+/// Goes on from an equilibrium under loads that have hardly changed: the balance at its slip ratio,
+/// to which a step by the slope then leads. None where that is no small step.
+std::optional<double> next_slip_ratio(const SlipModel& model, SlipEquilibrium& slip);
 
 /// Near and far end: of a full mechanism of each roller, those that are missing without forces.
 void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,

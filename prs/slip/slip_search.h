@@ -25,6 +25,8 @@ class SlipSearch {
 
   bool done() const { return status_ != SlipStatus{}; }
   SlipStatus status() const { return status_; }
+  /// Slope of the residue along the slip ratio, where it was last asked for.
+  double slope() const { return slope_ / (sense_ * way_); }
   int evaluations() const { return evaluations_; }
 
   double slip_ratio() const;

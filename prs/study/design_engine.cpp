@@ -21,6 +21,7 @@
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/losses/slip_record.h"
 #include "prs/measures/analyze_measures.h"
 #include "prs/measures/measures_analysis.h"
@@ -29,6 +30,7 @@
 #include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/sector/chain/refined_designs.h"
+#include "prs/slip/running.h"
 #include "prs/study/bar_batch.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
@@ -48,7 +50,7 @@ Result analyze_for(Command command, const Conditions& c, Contacts contacts,
                    AnalysisOptions options) {
   if (command == Command::contact) return analyze_contacts(c, std::move(contacts), options.detail);
   return command == Command::slip ? analyze_heat(c, std::move(contacts), options)
-                                  : analyze(c, std::move(contacts), options);
+                                  : analyze_loads(c, std::move(contacts), options);
 }
 
 /// That of a duty, or of the first load case, which did not converge.
@@ -617,7 +619,8 @@ struct DesignEngine::Parts {
       DesignStatus status = status_after([&]() -> DesignStatus {
         Case& c = read(worker.reader, row);
         if (c.model.bodies == Bodies::influence ||
-            c.model.mechanism == ModelOptions::Mechanism::full) {
+            c.model.mechanism == ModelOptions::Mechanism::full ||
+            (!measures() && c.model.loads == ModelOptions::Loads::running)) {
           DesignStatus answered = answer(c, worker, row_of(block, row));
           if (stop && stop()) to = row + 1;
           return answered;

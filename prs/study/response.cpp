@@ -8,6 +8,7 @@
 #include "prs/life/life_analysis.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
 
 namespace prs {

@@ -1,4 +1,4 @@
-#include "prs/loads/load_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/record/document.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "prs/study/design_engine.h"
-#include "prs/loads/load_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/losses/slip_analysis.h"
 
 #include <fmt/format.h>
