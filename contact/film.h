@@ -240,12 +240,11 @@ Number film_factor(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>
   using simd::any, simd::power, simd::select, simd::value;
   const FilmThinningOf<Real>& t = contact.thinning;
   const Number cold(t.starvation), none(Real(0.0)), least(Real(0.05));
-  const auto warms =
-      t.conductivity > Real(0.0) && value(rolling_speed) > Real(0.0);
+  const auto warms = t.conductivity > Real(0.0) && value(rolling_speed) > Real(0.0);
   if (!any(warms)) return cold;
   const Number mean = 0.5 * rolling_speed;
-  const Number loading = lubricant.temperature_coefficient * lubricant.viscosity / t.conductivity *
-                         (mean * mean);
+  const Number loading =
+      lubricant.temperature_coefficient * lubricant.viscosity / t.conductivity * (mean * mean);
   const auto slides = value(sliding_speed) > Real(0.0);
   const Number slip = select(slides, power(Number(sliding_speed / mean), Real(0.83)), none);
   const Number pressure =

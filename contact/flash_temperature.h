@@ -22,15 +22,15 @@ struct HeatedBody {
 ///     theta_s = 3 P K/(4 pi k a)                             at rest, exact,
 ///     theta_f = 1.23462 q_0 sqrt(l/(k rho c V))              fast: a band of half length l,
 ///
-/// K the complete elliptic integral for b/a, l half of the ellipse's length along the motion through
-/// its centre. The limits are combined with the exponent of Greenwood (Wear 150 (1991) 153), for
-/// ellipses in any direction by Muzychka and Yovanovich (ASME J. Heat Transfer 123 (2001) 624).
-/// Half spaces, steady.
+/// K the complete elliptic integral for b/a, l half of the ellipse's length along the motion
+/// through its centre. The limits are combined with the exponent of Greenwood (Wear 150 (1991)
+/// 153), for ellipses in any direction by Muzychka and Yovanovich (ASME J. Heat Transfer 123 (2001)
+/// 624). Half spaces, steady.
 double surface_rise(const HertzContact& ellipse, const HeatedBody& body, double power);
 
-/// Flash temperature [K]: rise of both surfaces, which are equally hot (Blok 1937), where they share
-/// the power [W]: 1/theta = 1/theta_1 + 1/theta_2 with all of it in each. Above the bodies' own
-/// temperature.
+/// Flash temperature [K]: rise of both surfaces, which are equally hot (Blok 1937), where they
+/// share the power [W]: 1/theta = 1/theta_1 + 1/theta_2 with all of it in each. Above the bodies'
+/// own temperature.
 double flash_temperature(const HertzContact& ellipse, const std::array<HeatedBody, 2>& bodies,
                          double power);
 

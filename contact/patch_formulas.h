@@ -146,10 +146,10 @@ PatchLawOf<Number> law_at(const FrictionLawOf<Real>& law, const Real& peak_press
   const MoesNumbersOf<Number> moes = moes_numbers(law.oil, law.film, rolling_speed);
   const Number thinned = film_factor(law.oil, law.film, peak_pressure, rolling_speed,
                                      simd::length(motion.sliding_major, motion.sliding_minor));
-  at.factor = select(has_film && rolls,
-                     sliding_factor_of(law.oil, law.film,
-                                       Number(thinned * sandu_parameter(moes)), rolling_speed),
-                     none);
+  at.factor = select(
+      has_film && rolls,
+      sliding_factor_of(law.oil, law.film, Number(thinned * sandu_parameter(moes)), rolling_speed),
+      none);
   at.scale = Number(select(has_film, Real(law.oil.eyring_stress / peak_pressure), Real(0.0)));
   const auto touches = law.kind == FrictionKind::mixed;
   if (!any(touches)) return at;

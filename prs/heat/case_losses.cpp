@@ -46,7 +46,8 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
     const Conditions warm = at_temperatures(conditions_, load_, temperature);
     const SlipModels models(warm, contacts_, oils);
     std::optional<SlipEquilibrium> slip;
-    const LoadCaseResult found = RunningSolver(warm, contacts_, models).solve(load_, Detail::numbers, slip);
+    const LoadCaseResult found =
+        RunningSolver(warm, contacts_, models).solve(load_, Detail::numbers, slip);
     if (found.threads) return of(models.of(found), *slip);
     failure_ = fmt::format("running loads end as {}", name(found.running->status));
     return std::nullopt;

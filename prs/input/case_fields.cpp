@@ -446,7 +446,8 @@ void fields(const Fields& io, ModelOptions& m) {
      "Where the rollers touch along the axis; `mechanism: full`");
   io("shear", m.shear, Flag{}, "Shear flexibility of screw, nut and rollers; `mechanism: full`");
   io("loads", m.loads, Choice{},
-     "Of `solve`, slip, heat and life; static for `solve`, running for the others by default, where "
+     "Of `solve`, slip, heat and life; static for `solve`, running for the others by default, "
+     "where "
      "shares are solved");
   io("bodies", m.bodies, Choice{}, "How screw, roller and nut deform");
   io("refined", m.refined, Block{}, "Effects of `bodies: refined`, all by default");
@@ -656,7 +657,8 @@ void fields(const Fields& io, MeasureOptions& m) {
   io("yield_strength", m.yield_strength, Quantity{unit::pressure, positive, "900 MPa"},
      "Of the screw's shaft, for short columns");
   io("shaft", m.shaft, Block{}, "Of the screw, for buckling and critical speed");
-  io("system", m.system, Block{}, "What is in series with the mechanism, for the stiffness of the axis");
+  io("system", m.system, Block{},
+     "What is in series with the mechanism, for the stiffness of the axis");
 }
 
 void fields(const Fields& io, ViscosityPoint& p) {
@@ -673,9 +675,8 @@ void fields(const Fields& io, contact::WaltherLine& w) {
 }
 
 void fields(const Fields& io, Lubricant::Film::InletHeating& h) {
-  io("conductivity", h.conductivity,
-     Quantity{unit::thermal_conductivity, positive, "0.14 W/(m K)"}, required,
-     "Of heat, of the oil");
+  io("conductivity", h.conductivity, Quantity{unit::thermal_conductivity, positive, "0.14 W/(m K)"},
+     required, "Of heat, of the oil");
   io("temperature_coefficient", h.temperature_coefficient,
      Quantity{unit::temperature_coefficient, positive},
      "-(d eta/dT)/eta of its viscosity; that of its own law by default, where it has one");
@@ -757,7 +758,8 @@ void fields(const Fields& io, HeadFriction::Mixed& m) {
 
 void fields(const Fields& io, HeadBearing& b) {
   const Quantity length{unit::length, positive};
-  const Presence of_film = required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
+  const Presence of_film =
+      required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
   io("friction", b.friction, Choice{}, "How a head rubs");
   io("length", b.length, length, of_film, "Axial length of one head's bearing");
   io("diameter", b.diameter, length, required, "Diameter of the roller's head");

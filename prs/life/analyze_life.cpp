@@ -66,8 +66,9 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
   if (r.history) {
     using enum HistorySource::DrivenBy;
     const HistorySource& source = *c.life->history;
-    r.steps = load_steps(*r.history, lead, speed,
-                         source.driven_by.value_or(source.position || source.speed ? travel : screw));
+    r.steps =
+        load_steps(*r.history, lead, speed,
+                   source.driven_by.value_or(source.position || source.speed ? travel : screw));
     r.duration = duration(*r.history);
   } else {
     r.steps = load_steps(c.life->spectrum, lead, speed);
@@ -137,17 +138,17 @@ bool has_pressures(const Contacts& contacts) {
 
 /// What the spectrum has of one sense of the force, and the loads that follow.
 struct Sense {
-  double revolutions = 0.0;    ///< Under a force other than 0.
-  double largest = 0.0;        ///< [N]
-  double running = 0.0;        ///< Largest force under which the screw turns [N].
-  double damage = 0.0;         ///< sum F^3 n
-  std::vector<double> forces;  ///< Magnitudes [N].
-  std::vector<double> turns;   ///< Revolutions under each.
+  double revolutions = 0.0;            ///< Under a force other than 0.
+  double largest = 0.0;                ///< [N]
+  double running = 0.0;                ///< Largest force under which the screw turns [N].
+  double damage = 0.0;                 ///< sum F^3 n
+  std::vector<double> forces;          ///< Magnitudes [N].
+  std::vector<double> turns;           ///< Revolutions under each.
   std::vector<double> driven_by_load;  ///< Those of them that the load drives.
 
   ContactSolver solver;
   std::optional<ContactLoads> at_largest, at_running;  ///< Loads under these forces, once solved.
-  std::optional<ShareCurve> curve;  ///< At rest.
+  std::optional<ShareCurve> curve;                     ///< At rest.
   /// sum (load)^3 n of each rated contact, as `LifeModel::rated` has it, and the same at rest.
   std::vector<double> cubes, cubes_at_rest;
   int solves = 0;      ///< Equilibria of all curves.

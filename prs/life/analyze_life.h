@@ -44,7 +44,7 @@ struct FlankLife {
   /// Cubic mean over the revolutions of *both* senses [N]; of what the flanks carry at the screw,
   /// which differs from the force with preload alone.
   double mean_load = 0.0;
-  double life = 0.0;  ///< L10 with the real thread loads [revolutions of both senses].
+  double life = 0.0;          ///< L10 with the real thread loads [revolutions of both senses].
   double life_at_rest = 0.0;  ///< The same with those of a screw at rest.
   PerInterface<ThreadLives> threads;
   PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest force [Pa].
@@ -108,9 +108,9 @@ struct LifeResult {
   double mean_load = 0.0;                 ///< Cubic mean over all loads [N].
   double largest_force = 0.0;             ///< [N]
 
-  double catalogue_life = 0.0;     ///< (C_a/F_m)^3, one flank, equal shares.
-  double equal_shares_life = 0.0;  ///< Both flanks on their own, equal shares.
-  double system_life = 0.0;        ///< Both flanks on their own, real thread loads.
+  double catalogue_life = 0.0;         ///< (C_a/F_m)^3, one flank, equal shares.
+  double equal_shares_life = 0.0;      ///< Both flanks on their own, equal shares.
+  double system_life = 0.0;            ///< Both flanks on their own, real thread loads.
   std::optional<double> life_at_rest;  ///< The same at rest, where those are of a running screw.
   std::optional<WeakestThread> weakest;
   PerDirection<std::optional<FlankLife>> flanks;

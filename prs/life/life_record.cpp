@@ -318,10 +318,11 @@ constexpr Quantity<LifeResult> kLife[] = {
      "counted from a history (rainflow)"},
     {"system", life_at<&LifeResult::system_life>, "of the mechanism, real thread loads", "",
      "life of the mechanism"},
-    {"static", of<[](const LifeResult& r) {
+    {"static",
+     of<[](const LifeResult& r) {
        return r.life_at_rest ? std::optional(LifeAtRest{&r}) : std::nullopt;
      },
-                  converged>,
+        converged>,
      "the same on the loads of a screw at rest; where thread_loads is running"},
     {"equal_shares", life_at<&LifeResult::equal_shares_life>,
      "of the mechanism, equal thread loads", "", "life with equal thread loads"},

@@ -229,8 +229,8 @@ Warning no_orbit(const Orbit::Failure& failure) {
 }
 
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, FullSolver& solver,
-                           Detail detail, const std::vector<RollerPush>& push) {
+                           const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail,
+                           const std::vector<RollerPush>& push) {
   const SpatialLoad& load = load_case.spatial;
   const AllRollers all(load_case, c, contacts, laws, solver, push);
   const FullModel f = all.model(load.carrier_angle);

@@ -53,9 +53,7 @@ bool has_several_threads(const Result& r) {
 
 /// Titles name the loads that figures stand on where a screw runs.
 Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
-  const auto runs = [](const LoadCaseResult& c) {
-    return c.loads == ModelOptions::Loads::running;
-  };
+  const auto runs = [](const LoadCaseResult& c) { return c.loads == ModelOptions::Loads::running; };
   if (std::ranges::none_of(r.load_cases, runs)) return pictures;
   const char* loads =
       std::ranges::all_of(r.load_cases, runs) ? ", running loads" : ", static and running loads";

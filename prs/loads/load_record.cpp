@@ -45,9 +45,8 @@ constexpr Quantity<LargestAtRest> kLargestAtRest[] = {
 };
 
 template <Interface i>
-constexpr auto largest_at_rest = of<[](const RunningLoads::AtRest& r) {
-  return LargestAtRest{r.largest_normal_load[i]};
-}>;
+constexpr auto largest_at_rest =
+    of<[](const RunningLoads::AtRest& r) { return LargestAtRest{r.largest_normal_load[i]}; }>;
 
 constexpr Quantity<RunningLoads::AtRest> kAtRest[] = {
     {"screw", largest_at_rest<Interface::screw>, "threads at the screw"},
@@ -135,9 +134,9 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
      of<&LoadCaseResult::tangent_stiffness, &LoadCaseResult::converged>,
      "derivative of the force by the displacement"},
     {"running", of<&LoadCaseResult::running>, "how loads and friction were found together"},
-    {"static", of<[](const LoadCaseResult& r) {
-       return r.running ? &r.running->at_rest : nullptr;
-     }, &LoadCaseResult::converged>,
+    {"static",
+     of<[](const LoadCaseResult& r) { return r.running ? &r.running->at_rest : nullptr; },
+        &LoadCaseResult::converged>,
      "the same case at rest, at the same temperatures; running loads"},
     {"screw", of_loads<Interface::screw>, "threads of one roller at the screw"},
     {"nut", of_loads<Interface::nut>, "threads of one roller at the nut"},

@@ -69,9 +69,9 @@ using RollerForces = RollerForcesOf<double>;
 
 /// A head of a roller in the carrier.
 struct RollerHead {
-  double guide_force = 0.0;         ///< R_h, of the guides on the roller, > 0 outwards [N].
-  double bearing_force = 0.0;       ///< F_h, of the bearing, that of the gears included [N].
-  std::optional<double> torque;     ///< M_h >= 0; with `bearing` [N m].
+  double guide_force = 0.0;      ///< R_h, of the guides on the roller, > 0 outwards [N].
+  double bearing_force = 0.0;    ///< F_h, of the bearing, that of the gears included [N].
+  std::optional<double> torque;  ///< M_h >= 0; with `bearing` [N m].
   std::optional<double> eccentricity_ratio;  ///< e/c; with a film.
 };
 

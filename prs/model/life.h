@@ -31,7 +31,7 @@ struct HistorySource {
   enum class DrivenBy { travel, screw, load };
   std::optional<DrivenBy> driven_by;  ///< Absent: travel where position or speed tells it.
   double hysteresis = 0.0;            ///< Ranges up to this are no load cycles [N].
-  int bins = 32;            ///< Classes of the cycle matrix, along range and mean.
+  int bins = 32;                      ///< Classes of the cycle matrix, along range and mean.
 
   bool operator==(const HistorySource&) const = default;
 };
@@ -40,10 +40,10 @@ struct HistorySource {
 struct SpectrumLoad {
   double force = 0.0;  ///< [N], > 0
   Direction direction = Direction::tension;
-  std::optional<double> revolutions;  ///< Revolutions of the screw against the nut.
-  std::optional<double> distance;     ///< Travel under the load [m].
-  std::optional<double> duration;     ///< Time at the operation's speed [s].
-  std::optional<double> share;        ///< Share of all revolutions.
+  std::optional<double> revolutions;     ///< Revolutions of the screw against the nut.
+  std::optional<double> distance;        ///< Travel under the load [m].
+  std::optional<double> duration;        ///< Time at the operation's speed [s].
+  std::optional<double> share;           ///< Share of all revolutions.
   DrivenBy driven_by = DrivenBy::screw;  ///< Of running loads.
 };
 

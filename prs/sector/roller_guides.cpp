@@ -45,8 +45,8 @@ class RollerBeam {
     std::vector<int> free;
     for (int i = 0; i < size_; ++i)
       if (!held[static_cast<std::size_t>(i)]) free.push_back(i);
-    const Eigen::MatrixXd found = Eigen::MatrixXd(k(free, free)).ldlt().solve(
-        Eigen::MatrixXd(loads(free, Eigen::all)));
+    const Eigen::MatrixXd found =
+        Eigen::MatrixXd(k(free, free)).ldlt().solve(Eigen::MatrixXd(loads(free, Eigen::all)));
     for (std::size_t i = 0; i < free.size(); ++i)
       shapes_.row(free[i]) = found.row(static_cast<Eigen::Index>(i));
   }
@@ -70,13 +70,13 @@ RollerGuides::RollerGuides(const Sector& s) : sense_(s.sense), cosine_(s.cosine)
       for (int k = 0; k < s.contacts(); ++k) {
         const fe::SpringElement& spring = s.model.springs[static_cast<std::size_t>(s.spring(i, k))];
         const fe::RigidArm& at = i == Interface::screw ? spring.to : spring.from;
-        end.threads[i].push_back({beam.shape(h, at.node, Dof::v),
-                                  -at.dy * beam.shape(h, at.node, Dof::theta)});
+        end.threads[i].push_back(
+            {beam.shape(h, at.node, Dof::v), -at.dy * beam.shape(h, at.node, Dof::theta)});
       }
     for (const fe::BeamElement& b : s.model.beams) {
       double& integral = is_head(s, b) ? end.of_heads : end.of_thread;
-      integral += 0.5 * b.beam.length *
-                  (beam.shape(h, b.first, Dof::v) + beam.shape(h, b.second, Dof::v));
+      integral +=
+          0.5 * b.beam.length * (beam.shape(h, b.first, Dof::v) + beam.shape(h, b.second, Dof::v));
     }
   }
 }

@@ -224,8 +224,7 @@ class FixedPoint {
         values->assign(count, 0.0);
       for (std::size_t k = 0; k < count; ++k) {
         if (!t.patch_of_thread[k]) continue;
-        const contact::PatchFriction& f =
-            slip.balance.patches[i].friction[*t.patch_of_thread[k]];
+        const contact::PatchFriction& f = slip.balance.patches[i].friction[*t.patch_of_thread[k]];
         const double major = threads()[i].normal_load[k] * f.traction_major;
         const double minor = threads()[i].normal_load[k] * f.traction_minor;
         const ContactFrameOf<double>& frame = model.frames[i];
@@ -297,8 +296,8 @@ class FixedPoint {
   const SlipModels& models_;
   Rollers rollers_;
   LoadCaseResult& loaded_;
-  std::vector<RollerPush> push_;                     ///< On each roller present.
-  double thread_share_ = 0.0, head_share_ = 0.0;     ///< Of a roller's mass per length [1/m].
+  std::vector<RollerPush> push_;                  ///< On each roller present.
+  double thread_share_ = 0.0, head_share_ = 0.0;  ///< Of a roller's mass per length [1/m].
 };
 
 /// Why there are no loads of a running screw, where those at rest are known.
@@ -450,8 +449,7 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
         Answer answer{all.loads.solve.status, {}, forces_on_guides(all.loads.rings)};
         for (const Interface i : kInterfaces)
           for (const std::vector<double>& roller : all.loads.normal_load[i])
-            answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(),
-                                         roller.end());
+            answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(), roller.end());
         return answer;
       },
       last_slip_ratio_);
@@ -472,9 +470,9 @@ LoadCaseResult RunningSolver::of_all_rollers(const LoadCase& load_case, Detail d
   slip = std::move(all.slip);
   all.result.load_case = load_case;
   if (!all.result.threads) return std::move(all.result);
-  LoadCaseResult result = with_friction(
-      full_result(load_case, conditions_, contacts_, laws_, solver, detail, all.push),
-      std::move(all.result));
+  LoadCaseResult result =
+      with_friction(full_result(load_case, conditions_, contacts_, laws_, solver, detail, all.push),
+                    std::move(all.result));
   FullLoads full = *result.full;
   set_symmetric(full, result);
   if (load_case.spatial.orbit) {

@@ -355,8 +355,8 @@ Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions
   if (std::ranges::all_of(c.load_cases, equal))
     return analyze_contacts(c, std::move(contacts), options.detail);
   require_contacts(c, contacts);
-  Result result = analyze(c, std::move(contacts), options,
-                          [&](const LoadCase& load) { return runs(c, load); });
+  Result result =
+      analyze(c, std::move(contacts), options, [&](const LoadCase& load) { return runs(c, load); });
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!equal(loaded.load_case)) continue;
     loaded = equal_share_result(loaded.load_case, result.contacts);

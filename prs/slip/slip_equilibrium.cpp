@@ -36,8 +36,7 @@ InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
             ? forces_of(frame, friction, turned_normal<Number, double>(frame, friction),
                         Number(*contact.normal_load), threads.alike)
             : patch_forces(frame, friction, contact.axial_load, threads.alike);
-    possible =
-        is_possible(at.normal_load) && value(at.on_roller.force.z) * frame.normal.z <= 0.0;
+    possible = is_possible(at.normal_load) && value(at.on_roller.force.z) * frame.normal.z <= 0.0;
     sum.force = sum.force + at.on_roller.force;
     sum.spin_torque += at.on_roller.spin_torque;
     take(k, friction, at);
@@ -57,7 +56,8 @@ std::array<RollerHeadOf<Number>, 2> heads_of(const SlipModel& model,
     if (!guides || !model.guides.carry_centrifugal) head.guide_force -= 0.5 * f.centrifugal;
     head.bearing_force =
         simd::length(Number(head.guide_force - 0.5 * f.gears_x), Number(0.5 * f.carrier_y));
-    if (model.has_bearing()) head.state = head_state<Number, double>(model, speed, head.bearing_force);
+    if (model.has_bearing())
+      head.state = head_state<Number, double>(model, speed, head.bearing_force);
   }
   return heads;
 }
@@ -74,7 +74,7 @@ void for_each_roller(const SlipModel& model, const RollerForcesOf<Number>& f, co
 /// See `balance_carrier`: the mean torque of all rollers.
 template <class Number>
 contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model,
-                                                       const RollerForcesOf<Number>& f,
+                                                  const RollerForcesOf<Number>& f,
                                                   const Number& speed) {
   if (model.guides.of_roller.empty()) return equal_heads<Number, double>(model, f, speed);
   contact::JournalBearingStateOf<Number> mean{Number(0.0), Number(0.0)};
@@ -98,13 +98,13 @@ auto heads_in(const SlipModel& model) {
 std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double slip_ratio) {
   using Number = Dual<double>;
   bool possible = true;
-  const RollerBalanceOf<Number> found =
-      roller_balance(model, Number(slip_ratio, 1.0),
-                     [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
-                       return interface_forces(model, i, sliding, possible,
-                                               [](std::size_t, const auto&, const auto&) {});
-                     },
-                     heads_in<Number>(model));
+  const RollerBalanceOf<Number> found = roller_balance(
+      model, Number(slip_ratio, 1.0),
+      [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
+        return interface_forces(model, i, sliding, possible,
+                                [](std::size_t, const auto&, const auto&) {});
+      },
+      heads_in<Number>(model));
   if (!possible) return std::nullopt;
   return found.moments.residue() / residue_unit(model);
 }
@@ -113,8 +113,9 @@ std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double sl
 
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
   bool possible = true;
-  b.RollerBalance::operator=(
-      roller_balance(model, slip_ratio, [&](Interface i, const contact::PatchMotion& sliding) {
+  b.RollerBalance::operator=(roller_balance(
+      model, slip_ratio,
+      [&](Interface i, const contact::PatchMotion& sliding) {
         PatchBalance& at = b.patches[i];
         const LoadedThreads& threads = model.threads[i];
         at.friction.resize(threads.patches.size());
@@ -128,7 +129,8 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
                                   at.power +=
                                       threads.alike * forces.normal_load * friction.power_per_load;
                                 });
-      }, heads_in<double>(model)));
+      },
+      heads_in<double>(model)));
   return possible;
 }
 
@@ -181,7 +183,8 @@ void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& m
       const auto& head = of_roller[h];
       added[h] = {head.guide_force, head.bearing_force, {}, {}};
       if (model.has_bearing()) added[h].torque = head.state.torque;
-      if (model.bearing_viscosity > 0.0) added[h].eccentricity_ratio = head.state.eccentricity_ratio;
+      if (model.bearing_viscosity > 0.0)
+        added[h].eccentricity_ratio = head.state.eccentricity_ratio;
     }
   });
   heads = present;

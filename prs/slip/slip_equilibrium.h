@@ -22,7 +22,7 @@ namespace prs {
 struct LoadedThreads {
   /// A patch under its static load, or that of the running screw.
   struct Contact {
-    double axial_load = 0.0;  ///< F_i, > 0; not used with a normal load [N]
+    double axial_load = 0.0;                 ///< F_i, > 0; not used with a normal load [N]
     std::optional<double> normal_load = {};  ///< N_i where the running screw has it [N].
     contact::HertzContact ellipse;
     contact::FilmContact film;

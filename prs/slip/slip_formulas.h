@@ -39,8 +39,8 @@ struct RollerModelOf {
   contact::JournalBearingOf<Real> bearing{};  ///< Where it has a diameter, not `roller_torque`.
   Real bearing_viscosity{};                   ///< 0 without oil [Pa s]
   HeadFrictionOf<Real> head_friction{};
-  Real gear_tangent{};                        ///< Of the pressure angle.
-  Real roller_mass{};                         ///< [kg]
+  Real gear_tangent{};  ///< Of the pressure angle.
+  Real roller_mass{};   ///< [kg]
 
   simd::Lanes<Real> has_bearing() const { return bearing.diameter > Real(0.0); }
 };
@@ -210,8 +210,7 @@ void balance_carrier(const RollerModelOf<Real>& m, RollerBalanceOf<Number>& b, H
   auto active = m.has_bearing();
   for (int i = 0; i < 30 && any(active); ++i) {
     const RollerForcesOf<Number> f = forces_with(m, b, Number(sense * torque));
-    const contact::JournalBearingStateOf<Number> state =
-        heads(m, f, b.motion.roller_to_carrier);
+    const contact::JournalBearingStateOf<Number> state = heads(m, f, b.motion.roller_to_carrier);
     const Real before = value(torque);
     b.bearing.eccentricity_ratio =
         select(active, state.eccentricity_ratio, b.bearing.eccentricity_ratio);

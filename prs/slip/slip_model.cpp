@@ -87,8 +87,7 @@ LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact
 /// Under its static load.
 LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
                                   Interface i, double axial_load) {
-  return contact_of(model, contact, i, axial_load,
-                    axial_load / std::abs(model.frames[i].normal.z));
+  return contact_of(model, contact, i, axial_load, axial_load / std::abs(model.frames[i].normal.z));
 }
 
 }  // namespace
@@ -202,9 +201,8 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
       threads.patch_of_thread.back() = threads.contacts.size();
       const InterfaceContact& contact = contacts_.interfaces[i];
       threads.contacts.push_back(
-          loaded.running
-              ? contact_of(model, contact, i, loads.axial_load[k], loads.normal_load[k])
-              : contact_of(model, contact, i, loads.axial_load[k]));
+          loaded.running ? contact_of(model, contact, i, loads.axial_load[k], loads.normal_load[k])
+                         : contact_of(model, contact, i, loads.axial_load[k]));
       // Sector and geometry agree on the normal, but where the file states another one.
       if (loaded.running && !conditions_.contact.normal_angle[i])
         threads.contacts.back().normal_load = loads.normal_load[k];

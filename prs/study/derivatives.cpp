@@ -10,9 +10,9 @@
 #include <memory>
 #include <utility>
 
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/units.h"
 #include "prs/loads/analyze.h"
-#include "prs/heat/analyze_heat.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/case_error.h"
 #include "prs/sector/load_distribution.h"

@@ -12,8 +12,8 @@ namespace {
 
 /// The screw of 25 mm x 5 mm that `prs new` designs for 20 kN, bodies of bars.
 Case base() {
-  const auto all = nlohmann::json::parse(
-      std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
+  const auto all =
+      nlohmann::json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
   nlohmann::json input = all["cases"][0]["input"];
   input["mechanism"]["contacts_per_roller"] = 50;
   input["structure"]["nut"]["length"] = "73 mm";

@@ -15,8 +15,8 @@ SystemStiffness stiffness(const System& system) {
 
 System shaft(std::optional<double> from_bearing = {}) {
   System system;
-  system.shaft = {0.3, from_bearing ? System::Axial::both_ends : System::Axial::one_end,
-                  from_bearing, {}};
+  system.shaft = {
+      0.3, from_bearing ? System::Axial::both_ends : System::Axial::one_end, from_bearing, {}};
   return system;
 }
 

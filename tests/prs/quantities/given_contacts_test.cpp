@@ -4,8 +4,8 @@
 
 #include "prs/input/reader.h"
 #include "prs/life/life_analysis.h"
-#include "prs/losses/solve_analysis.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/preload/preload_analysis.h"
 #include "prs/slip/slip.h"

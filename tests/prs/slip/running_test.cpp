@@ -137,7 +137,8 @@ TEST(RunningLoads, TendToThoseAtRestInProportionToFriction) {
   const Case c = running(base());
   const auto growth = [&](double friction) {
     const LoadCaseResult r = solved(with(c, friction));
-    return largest(r.threads->screw.normal_load) / r.running->at_rest.largest_normal_load.screw - 1.0;
+    return largest(r.threads->screw.normal_load) / r.running->at_rest.largest_normal_load.screw -
+           1.0;
   };
   EXPECT_NEAR(growth(1e-9), 0.0, 1e-8);
   EXPECT_NEAR(growth(2e-4) / growth(1e-4), 2.0, 1e-3);
@@ -186,8 +187,8 @@ TEST(RunningLoads, AreThoseOfTheMirrorImage) {
   for (std::size_t k = 0; k < a.threads->screw.normal_load.size(); ++k) {
     EXPECT_NEAR(a.threads->screw.normal_load[k], b.threads->screw.normal_load[k], 1e-8);
     EXPECT_NEAR(a.threads->screw.friction->radial[k], b.threads->screw.friction->radial[k], 1e-8);
-    EXPECT_NEAR(a.threads->screw.friction->tangential[k],
-                -b.threads->screw.friction->tangential[k], 1e-8);
+    EXPECT_NEAR(a.threads->screw.friction->tangential[k], -b.threads->screw.friction->tangential[k],
+                1e-8);
   }
 }
 
@@ -222,7 +223,8 @@ TEST(RunningLoads, GrowWhereTheScrewDrivesAndShrinkWhereTheLoadDoes) {
     return solved(c);
   };
   const auto percent = [](const LoadCaseResult& r, Interface i) {
-    return 100.0 * (largest((*r.threads)[i].normal_load) / r.running->at_rest.largest_normal_load[i] - 1.0);
+    return 100.0 *
+           (largest((*r.threads)[i].normal_load) / r.running->at_rest.largest_normal_load[i] - 1.0);
   };
   const LoadCaseResult drives = of(Direction::tension, 1.0), driven = of(Direction::tension, -1.0);
   EXPECT_NEAR(percent(drives, Interface::screw), 29.6, 0.05);
@@ -258,8 +260,7 @@ TEST(RunningLoads, AreThoseOfTheTurnedForces) {
   const fe::Equations& equations = solver.equations();
   solver.solve(c.load_cases[0].axial_force);
   fe::State q = solver.state();
-  const Eigen::VectorXd load =
-      c.load_cases[0].axial_force / sector.rollers * solver.unit_load();
+  const Eigen::VectorXd load = c.load_cases[0].axial_force / sector.rollers * solver.unit_load();
   const auto size = static_cast<Eigen::Index>(equations.size());
   const std::vector<double> none(static_cast<std::size_t>(sector.contacts()), 0.0);
   const auto turned = [&](Interface i, int k) {

@@ -1,6 +1,6 @@
 #include "prs/study/design_engine.h"
-#include "prs/losses/solve_analysis.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
