@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,12 @@ class SectorSolver {
 
   /// Equilibrium under further loads [N, N m] besides the axial force, from the last state on.
   fe::NewtonSummary go_on(double axial_force, const std::vector<fe::NodalLoad>& further);
+
+  /// The same under a load that follows the state, see `fe::NewtonSolver::follow`.
+  bool follow(double axial_force,
+              const std::function<void(const fe::State&, Eigen::VectorXd&)>& load) {
+    return solver_.follow(load, newton_options(axial_force), state_);
+  }
 
   /// What a state says under the axial force, be it in equilibrium or not; `solve` is left empty.
   LoadDistribution at(const fe::State& state, double axial_force);

@@ -86,6 +86,7 @@ RollerPush no_push(std::size_t threads) {
 class FixedPoint {
  public:
   using Bodies = std::function<Answer(const std::vector<RollerPush>&)>;
+  using Turned = std::function<std::optional<Answer>(const std::vector<RollerPush>&)>;
 
   FixedPoint(const Conditions& c, const Contacts& contacts, const SlipModels& models,
              Rollers rollers, LoadCaseResult& loaded)
@@ -104,7 +105,10 @@ class FixedPoint {
   }
 
   /// From the state at rest, which `loaded` has; its loads become those of the running screw.
-  SlipEquilibrium solve(Answer answer, const Bodies& bodies, const std::optional<double>& near) {
+  /// `turned`, where it is given: the answer to friction in these proportions to the normal loads;
+  /// none where it must be followed step by step.
+  SlipEquilibrium solve(Answer answer, const Bodies& bodies, const Turned& turned,
+                        const std::optional<double>& near) {
     RunningLoads& r = running();
     SlipEquilibrium slip;
     std::optional<double> slip_ratio = near;
@@ -130,7 +134,7 @@ class FixedPoint {
       const double missed = std::abs(*next - slip.balance.motion.slip_ratio);
       slip_ratio = next;
       set_friction(model, slip);
-      if (!follow(bodies, slip.balance.forces.centrifugal, answer)) return slip;
+      if (!follow(bodies, turned, slip.balance.forces.centrifugal, answer)) return slip;
       anew = r.rounds > 1 && r.change > 0.3 * before;
       if (r.change > kTolerance || missed > kSlipMissed) continue;
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
@@ -151,11 +155,35 @@ class FixedPoint {
 
   /// Loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is
   /// that of the round. False where there are none.
-  bool follow(const Bodies& bodies, double centrifugal, Answer& answer) {
+  bool follow(const Bodies& bodies, const Turned& turned, double centrifugal, Answer& answer) {
     RunningLoads& r = running();
     const PerInterface<std::vector<double>> start = answer.normal_load;
     PerInterface<std::vector<double>> before = start;
     const PerInterface<FrictionForces> given{*threads().screw.friction, *threads().nut.friction};
+    const auto set_in_proportion = [&](const PerInterface<std::vector<double>>& normal_load) {
+      for (const Interface i : kInterfaces)
+        for (std::size_t k = 0; k < normal_load[i].size(); ++k) {
+          const double times = start[i][k] > 0.0 ? normal_load[i][k] / start[i][k] : 0.0;
+          FrictionForces& friction = *threads()[i].friction;
+          friction.axial[k] = times * given[i].axial[k];
+          friction.radial[k] = times * given[i].radial[k];
+          friction.tangential[k] = times * given[i].tangential[k];
+        }
+    };
+    if (turned) {
+      PerInterface<std::vector<double>> unit = start;
+      for (const Interface i : kInterfaces) std::ranges::fill(unit[i], 1.0);
+      set_in_proportion(unit);
+      take(vector_of(pushes(), centrifugal));
+      if (std::optional<Answer> found = turned(push_)) {
+        answer = std::move(*found);
+        r.change = largest_change(answer.normal_load, start);
+        set_in_proportion(answer.normal_load);
+        take(vector_of(pushes(), centrifugal));
+        return true;
+      }
+      set_in_proportion(start);
+    }
     Anderson anderson;
     Eigen::VectorXd x = vector_of(pushes(), centrifugal);
     for (int step = 0; step < kMostRounds; ++step) {
@@ -168,14 +196,7 @@ class FixedPoint {
       const double change = largest_change(answer.normal_load, before);
       r.change = largest_change(answer.normal_load, start);
       before = answer.normal_load;
-      for (const Interface i : kInterfaces)
-        for (std::size_t k = 0; k < before[i].size(); ++k) {
-          const double times = start[i][k] > 0.0 ? before[i][k] / start[i][k] : 0.0;
-          FrictionForces& friction = *threads()[i].friction;
-          friction.axial[k] = times * given[i].axial[k];
-          friction.radial[k] = times * given[i].radial[k];
-          friction.tangential[k] = times * given[i].tangential[k];
-        }
+      set_in_proportion(before);
       if (change <= std::max(kShare * r.change, 0.1 * kTolerance)) return true;
       x = anderson.next(x, vector_of(pushes(), centrifugal));
     }
@@ -391,17 +412,30 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
   };
 
   const auto threads = static_cast<std::size_t>(sector.contacts());
-  fe::NewtonSummary last;
+  const auto under = [&](const RollerPush& push) {
+    return solver.go_on(force, push_loads(sector, push));
+  };
   FixedPoint point(conditions_, contacts_, models_, {{0}, threads}, rest);
   slip = point.solve(
       answer_to(no_push(threads), fe::NewtonStatus::converged),
       [&](const std::vector<RollerPush>& push) {
-        last = solver.go_on(force, push_loads(sector, push.front()));
-        return answer_to(push.front(), last.status);
+        return answer_to(push.front(), under(push.front()).status);
+      },
+      [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
+        RollerPush push = per_normal_load.front();
+        if (!solver.follow(force, TurnedLoads(solver, force, push))) return std::nullopt;
+        const Answer loads = answer_to(push, fe::NewtonStatus::converged);
+        for (const Interface i : kInterfaces)
+          for (std::size_t k = 0; k < threads; ++k) {
+            push.axial[i][k] *= loads.normal_load[i][k];
+            push.radial[i][k] *= loads.normal_load[i][k];
+          }
+        return answer_to(push, fe::NewtonStatus::converged);
       },
       last_slip_ratio_);
   if (!rest.running->converged()) return not_running(std::move(rest));
   last_slip_ratio_ = slip->balance.motion.slip_ratio;
+  fe::NewtonSummary last = under(point.push().front());
   LoadDistribution d = solver.at(solver.state(), force);
   d.solve = std::move(last);
   return with_friction(solved_result(load_case, contacts_, laws_, std::move(d)), std::move(rest));
@@ -452,7 +486,7 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
             answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(), roller.end());
         return answer;
       },
-      last_slip_ratio_);
+      {}, last_slip_ratio_);
   all.push = point.push();
   if (rest.running->converged())
     last_slip_ratio_ = all.slip->balance.motion.slip_ratio;
