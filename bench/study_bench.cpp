@@ -11,11 +11,10 @@
 
 #include "prs/input/optimize_reader.h"
 #include "prs/run/optimization.h"
-#include "prs/study/analysis.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/schedule.h"
 #include "prs/study/study_files.h"
-#include "prs/study/study_folder.h"
+#include "prs/study/study_result.h"
 #include "prs/study/study_run.h"
 #include "tests/prs/input/abevi.h"
 

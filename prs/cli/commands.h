@@ -8,7 +8,7 @@
 
 #include "prs/cli/printing.h"
 #include "prs/run/commands.h"
-#include "prs/study/design_range.h"
+#include "prs/study/designs.h"
 
 namespace CLI {
 class App;

@@ -15,7 +15,6 @@
 #include "prs/input/source.h"
 #include "prs/loads/load_json.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/measures/measures_table.h"
 #include "prs/run/results_schema.h"
 #include "prs/text.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "prs/file_descriptor.h"
-#include "prs/output/unfinished.h"
+#include "prs/output/staged_file.h"
 
 namespace prs::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "prs/cli/program.h"
 #include "prs/cli/quantity_option.h"
 #include "prs/cli/usage_error.h"
-#include "prs/configurations/configurations_json.h"
+#include "prs/configurations/configurations_files.h"
 #include "prs/configurations/screw_case.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"

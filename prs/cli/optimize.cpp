@@ -16,12 +16,11 @@
 #include "prs/optimize/optimize_pictures.h"
 #include "prs/optimize/optimize_table.h"
 #include "prs/output/files.h"
-#include "prs/output/plots.h"
 #include "prs/record/pictures.h"
 #include "prs/run/commands.h"
 #include "prs/run/optimization.h"
 #include "prs/study/schedule.h"
-#include "prs/study/study_folder.h"
+#include "prs/study/study_run.h"
 
 namespace prs::cli {
 namespace {

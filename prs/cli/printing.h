@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "prs/output/plots.h"
-#include "prs/record/csv_style.h"
+#include "prs/output/files.h"
+#include "prs/record/csv_writer.h"
 #include "prs/record/table_units.h"
 #include "prs/run/exit_status.h"
 

@@ -20,7 +20,7 @@
 #include "prs/components/picture.h"
 #include "prs/input/source.h"
 #include "prs/output/run_files.h"
-#include "prs/output/unfinished.h"
+#include "prs/output/staged_file.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/study/journal.h"
 

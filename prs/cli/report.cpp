@@ -13,9 +13,9 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/usage_error.h"
 #include "prs/loads/load_json.h"
+#include "prs/output/files.h"
 #include "prs/output/run_files.h"
 #include "prs/output/staged_file.h"
-#include "prs/study/temporary_folder.h"
 
 namespace prs::cli {
 namespace {

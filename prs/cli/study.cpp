@@ -22,7 +22,6 @@
 #include "prs/record/pictures.h"
 #include "prs/run/commands.h"
 #include "prs/run/study.h"
-#include "prs/study/analysis.h"
 #include "prs/study/derivatives.h"
 #include "prs/study/derivatives_files.h"
 #include "prs/study/design_engine.h"
@@ -31,6 +30,7 @@
 #include "prs/study/study_files.h"
 #include "prs/study/study_json.h"
 #include "prs/study/study_pictures.h"
+#include "prs/study/study_result.h"
 #include "prs/study/study_run.h"
 #include "prs/study/study_table.h"
 #include "prs/text.h"
@@ -89,6 +89,13 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
       .document = [&](const DocumentInfo& i) { return study_outline(result, i); },
       .table = [&] { return study_table(result); },
       .notes = notes_of(study_failures(result)),
+      .files =
+          [&](const CsvStyle& style) {
+            std::vector<OutputFile> files;
+            if (const StudySummary& s = result.summary; s.envelope)
+              files.push_back({"envelope.csv", envelope_csv(study, *s.maps, *s.envelope, style)});
+            return files;
+          },
       .pictures = [&] { return study_pictures(result); },
       .keeps_figures = true,
       .converged = result.failed == 0,

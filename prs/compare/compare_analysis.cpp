@@ -1,18 +1,305 @@
 #include "prs/compare/compare_analysis.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "prs/compare/comparison_record.h"
-#include "prs/compare/comparison_table.h"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "prs/compare/compare_models.h"
+#include "prs/loads/case_groups.h"
+#include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
+#include "prs/loads/load_record.h"
 #include "prs/loads/warnings.h"
+#include "prs/model/units.h"
 #include "prs/model/void_inputs.h"
+#include "prs/record/figure_parts.h"
+#include "prs/record/quantity_csv.h"
+#include "prs/record/record_table.h"
+#include "prs/record/table_units.h"
+#include "prs/text.h"
 
 namespace prs {
+namespace {
 
-Figures loads_by_model(const ModelComparison& result, const FigureOptions& options);
+struct ComparedLoad {
+  const ModelComparison* comparison = nullptr;
+  std::size_t load_case = 0;
+
+  const LoadCaseResult& best() const { return comparison->best().load_cases[load_case]; }
+  const LoadCase& load() const { return best().load_case; }
+};
+
+/// Threads of one interface.
+struct MostLoaded {
+  const InterfaceLoads* loads = nullptr;
+  int threads_per_roller = 0;
+
+  const std::vector<double>& shares() const { return loads->load_rate; }
+};
+
+std::optional<double> largest_of(const std::vector<double>& values) {
+  return entry(values, index_of_largest(values));
+}
+
+std::optional<double> over(std::optional<double> value, std::optional<double> best) {
+  if (!value || !best || *best == 0.0) return std::nullopt;
+  return *value / *best;
+}
+
+std::optional<MostLoaded> most_loaded(const ComparedModel& m, Interface i) {
+  if (!m.result().threads) return std::nullopt;
+  const InterfaceLoads& loads = (*m.result().threads)[i];
+  return MostLoaded{&loads, loads.threads_per_roller};
+}
+
+std::vector<std::string> model_names(const ModelComparison& c) {
+  std::vector<std::string> names;
+  for (const Result& model : c.models) names.emplace_back(name_of_model(model.model));
+  return names;
+}
+
+}  // namespace
+
+template <>
+Record<MostLoaded> record_of();
+template <>
+Record<ComparedLoad> record_of();
 
 namespace {
+
+constexpr Quantity<MostLoaded> kMostLoaded[] = {
+    {"most_loaded_thread",
+     of<[](const MostLoaded& m) { return most_loaded_thread(*m.loads).value_or(1); }>,
+     "1 is next to the loaded end of the screw"},
+    {"most_loaded_roller", of<[](const MostLoaded& m) {
+       return m.loads->rollers ? std::optional(m.loads->rollers->largest_roller) : std::nullopt;
+     }>,
+     "from 1; of a full mechanism"},
+    {"largest_load_rate_percent", of<[](const MostLoaded& m) { return largest_of(m.shares()); }>,
+     "its share: axial load over force per roller"},
+    {"largest_peak_pressure_MPa",
+     of<[](const MostLoaded& m) { return largest_of(m.loads->peak_pressure); }>,
+     "largest of a thread"},
+    {"load_rate_percent", of<&MostLoaded::shares>,
+     "share of each thread; of a full mechanism [roller][thread]"},
+};
+
+constexpr Quantity<ComparedModel> kModel[] = {
+    {"bodies", of<&ComparedModel::model_name>,
+     "bars | refined | influence of one sector, or full: all rollers"},
+    {"converged", of<[](const ComparedModel& m) { return m.result().converged(); }>,
+     "whether there is an equilibrium"},
+    {"axial_stiffness_N_per_um",
+     of<[](const ComparedModel& m) { return m.result().axial_stiffness; }>,
+     "secant: force over displacement"},
+    {"stiffness_over_best", of<stiffness_over_best>, "over that of the best model"},
+    {"axial_displacement_um",
+     of<[](const ComparedModel& m) { return m.result().axial_displacement; }>,
+     "of the loaded section; > 0 along the load"},
+    {"largest_peak_pressure_MPa",
+     of<[](const ComparedModel& m) { return largest_pressure(m.result()); }>,
+     "largest of a thread at either interface"},
+    {"pressure_over_best", of<pressure_over_best>, "largest over that of the best model"},
+    {"screw", of<[](const ComparedModel& m) { return most_loaded(m, Interface::screw); }>,
+     "threads of one roller at the screw"},
+    {"nut", of<[](const ComparedModel& m) { return most_loaded(m, Interface::nut); }>,
+     "threads of one roller at the nut"},
+};
+
+constexpr Quantity<ComparedLoad> kLoad[] = {
+    {"name", of<[](const ComparedLoad& l) -> const std::string& { return l.load().name; }>,
+     "as the file has it"},
+    {"axial_force_N", of<[](const ComparedLoad& l) { return l.load().axial_force; }>,
+     "on the whole screw"},
+    {"direction", of<[](const ComparedLoad& l) { return l.load().direction; }>,
+     "tension | compression"},
+    {"position_mm", of<[](const ComparedLoad& l) { return l.load().position; }>,
+     "of the first roller contact on the nut"},
+    {"models", of<[](const ComparedLoad& l) {
+       std::vector<ComparedModel> models;
+       for (std::size_t m = 0; m < l.comparison->models.size(); ++m)
+         models.push_back({l.comparison, l.load_case, m});
+       return models;
+     }>,
+     "the best last"},
+    {"warnings", of<[](const ComparedLoad& l) { return sentences(l.best().warnings); }>,
+     "what is unusual about this load, by the best model"},
+};
+
+constexpr Quantity<ModelComparison> kComparison[] = {
+    {"models", of<model_names>,
+     "that were compared: bars | refined | influence, or one of them | full; the best last"},
+    {"load_cases", of<[](const ModelComparison& c) {
+       std::vector<ComparedLoad> loads;
+       for (std::size_t k = 0; k < c.load_cases(); ++k) loads.push_back({&c, k});
+       return loads;
+     }>,
+     "those that are solved, not of equal shares"},
+};
+
+}  // namespace
+
+std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads) {
+  if (loads.rollers) return static_cast<std::size_t>(loads.rollers->largest_thread);
+  const auto thread = index_of_largest(loads.load_rate);
+  return thread ? std::optional(*thread + 1) : std::nullopt;
+}
+
+std::optional<double> largest_pressure(const LoadCaseResult& result) {
+  if (!result.threads) return std::nullopt;
+  const std::optional<double> screw = largest_of(result.threads->screw.peak_pressure);
+  const std::optional<double> nut = largest_of(result.threads->nut.peak_pressure);
+  return screw && nut ? std::max(*screw, *nut) : screw ? screw : nut;
+}
+
+std::optional<double> stiffness_over_best(const ComparedModel& m) {
+  return over(m.result().axial_stiffness, m.best().axial_stiffness);
+}
+
+std::optional<double> pressure_over_best(const ComparedModel& m) {
+  return over(largest_pressure(m.result()), largest_pressure(m.best()));
+}
+
+template <>
+Record<MostLoaded> record_of() {
+  return {"MostLoadedThread", "What an interface's threads carry, by one model.", kMostLoaded};
+}
+
+template <>
+Record<ComparedModel> record_of() {
+  return {"ComparedModel", "The answer of one model of the bodies to a load case.", kModel};
+}
+
+template <>
+Record<ComparedLoad> record_of() {
+  return {"ComparedLoadCase", "A load case by each model of the bodies.", kLoad};
+}
+
+template <>
+Record<ModelComparison> record_of() {
+  return {"Comparison", "The models of the bodies side by side.", kComparison};
+}
+
+namespace {
+
+constexpr std::size_t kLongestName = 19;
+
+std::string comparison_row(std::initializer_list<std::string> cells) {
+  constexpr std::size_t kWidths[] = {0, 10, 10, 6, 8, 12, 12, 13, 6};  // Behind the name.
+  std::string line = "  ";
+  std::size_t column = 0;
+  for (const std::string& cell : cells) {
+    line += padded(cell, kWidths[column], column <= 1);
+    ++column;
+  }
+  return ended(line);
+}
+
+std::string model_row(const std::string& load_case, const ComparedModel& m) {
+  const LoadCaseResult& r = m.result();
+  const std::string bodies(m.model_name());
+  if (!r.converged()) return comparison_row({load_case, bodies, not_converged(r)});
+  return comparison_row({load_case, bodies, stiffness_cell(r),
+                         fixed(stiffness_over_best(m), 1.0, 3), displacement_cell(r),
+                         most_loaded_cell(r, Interface::screw), most_loaded_cell(r, Interface::nut),
+                         pressure_cell(r), fixed(pressure_over_best(m), 1.0, 3)});
+}
+
+}  // namespace
+
+std::string comparison_table(const ModelComparison& c) {
+  const std::size_t shown = std::min(c.load_cases(), kMaxUnfoldedCases);
+  std::size_t name_width = std::string_view("load case").size();
+  for (std::size_t k = 0; k < shown; ++k)
+    name_width = std::max(name_width, width(case_name_cell(c.best().load_cases[k])));
+  name_width = std::min(name_width, kLongestName);
+  const auto cell = [&](const std::string& text) { return fitted(text, name_width, true) + "  "; };
+  std::string text = comparison_row({cell(""), "", "stiffness", "over", "displ.", "screw max.",
+                                     "nut max.", "pressure", "over"}) +
+                     comparison_row({cell("load case"), "model", with_table_unit("N/µm"), "best",
+                                     with_table_unit("µm"), "thread: %", "thread: %",
+                                     with_table_unit("max. GPa"), "best"});
+  for (std::size_t k = 0; k < shown; ++k)
+    for (std::size_t m = 0; m < c.models.size(); ++m)
+      text += model_row(cell(m == 0 ? case_name_cell(c.best().load_cases[k]) : ""), {&c, k, m});
+  if (shown < c.load_cases())
+    text += fmt::format("  … {} of {} load cases; {}\n", shown, c.load_cases(),
+                        all_in("comparison.csv"));
+  return text + warning_section(all_warnings(c.warnings, c.best().load_cases));
+}
+
+std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
+  CsvWriter csv(style);
+  load_header(csv);
+  csv.row("bodies", "converged", "axial_stiffness_N_per_um", "stiffness_over_best",
+          "axial_displacement_um", "screw_most_loaded_thread", "screw_largest_load_rate_percent",
+          "nut_most_loaded_thread", "nut_largest_load_rate_percent", "largest_peak_pressure_MPa",
+          "pressure_over_best");
+  for (std::size_t k = 0; k < c.load_cases(); ++k)
+    for (std::size_t model = 0; model < c.models.size(); ++model) {
+      const ComparedModel m{&c, k, model};
+      const LoadCaseResult& r = m.result();
+      load_fields(csv, r.load_case);
+      csv.fields(m.model_name(), r.converged(),
+                 scaled(r.axial_stiffness, per_si::newton_per_micrometre), stiffness_over_best(m),
+                 scaled(r.axial_displacement, per_si::micrometre));
+      for (const Interface i : kInterfaces) {
+        const std::vector<double> shares =
+            r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
+        csv.integer(r.threads ? most_loaded_thread((*r.threads)[i]) : std::nullopt);
+        csv.number(entry(shares, index_of_largest(shares)), per_si::percent);
+      }
+      csv.row(scaled(largest_pressure(r), per_si::megapascal), pressure_over_best(m));
+    }
+  return csv.take();
+}
+
+namespace {
+
+/// Shares of the roller with the largest load; of a sector those of its roller.
+std::vector<double> of_most_loaded_roller(const InterfaceLoads& loads) {
+  if (!loads.rollers) return loads.load_rate;
+  const auto from =
+      loads.load_rate.begin() + (loads.rollers->largest_roller - 1) * loads.threads_per_roller;
+  return {from, from + loads.threads_per_roller};
+}
+
+/// One line per model, that of the most loaded roller of a full mechanism, and one panel per
+/// interface; of the load case that the options choose, else of the first that every model has an
+/// answer to.
+Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
+  const auto answered = [&](std::size_t k) {
+    return std::ranges::all_of(
+        c.models, [&](const Result& model) { return model.load_cases[k].threads.has_value(); });
+  };
+  std::size_t k = options.load_case.value_or(0);
+  while (!options.load_case && k < c.load_cases() && !answered(k)) ++k;
+  if (k >= c.load_cases() || !answered(k)) return {};
+  const LoadCase& load = c.best().load_cases[k].load_case;
+  Figure figure{"loads_by_model",
+                fmt::format("Load distribution by model, {}, {:.4g} kN", shown_name(load.name),
+                            load.axial_force * per_si::kilonewton)};
+  figure.y = {"Share of the load", "%"};
+  figure.columns = std::size(kInterfaces);
+  for (std::size_t m = 0; m < c.models.size(); ++m)
+    figure.add(std::string(name_of_model(c.models[m].model)), case_line(m));
+  const auto threads = static_cast<std::size_t>(c.best().contacts.mechanism.contacts_per_roller);
+  for (const Interface i : kInterfaces) {
+    Panel& panel = figure.panels.emplace_back();
+    panel.title = interface_title(i);
+    for (std::size_t m = 0; m < c.models.size(); ++m) {
+      const InterfaceLoads& loads = (*c.models[m].load_cases[k].threads)[i];
+      panel.series.push_back({m, {over_threads(of_most_loaded_roller(loads), per_si::percent)}});
+    }
+  }
+  figure.x = thread_axis(threads);
+  add_mean(figure, per_si::percent / static_cast<double>(threads));
+  fit_y_range(figure, true);
+  return {std::move(figure)};
+}
 
 ModelComparison compared(const input::Source&, const input::CaseInput& in) {
   ModelComparison result = compare_models(in.values);

@@ -1,9 +1,48 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "prs/compare/compare_models.h"
 #include "prs/record/analysis.h"
+#include "prs/record/csv_writer.h"
+#include "prs/record/record.h"
 
 namespace prs {
+
+/// The answer of one model to one load case, and the comparison that it belongs to.
+struct ComparedModel {
+  const ModelComparison* comparison = nullptr;
+  std::size_t load_case = 0;
+  std::size_t model = 0;
+
+  std::string_view model_name() const { return name_of_model(comparison->models[model].model); }
+  const LoadCaseResult& result() const { return comparison->models[model].load_cases[load_case]; }
+  const LoadCaseResult& best() const { return comparison->best().load_cases[load_case]; }
+};
+
+/// Number of the thread that carries most, from 1, of whichever roller.
+std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads);
+
+/// Largest pressure of a thread at either interface [Pa].
+std::optional<double> largest_pressure(const LoadCaseResult& result);
+
+/// Over the best model's; absent where either is.
+std::optional<double> stiffness_over_best(const ComparedModel& m);
+std::optional<double> pressure_over_best(const ComparedModel& m);
+
+template <>
+Record<ComparedModel> record_of();
+template <>
+Record<ModelComparison> record_of();
+
+/// A row per load case and model, and the warnings below. Of many load cases the first.
+std::string comparison_table(const ModelComparison& result);
+
+/// `comparison.csv`: a row per load case and model.
+std::string comparison_csv(const ModelComparison& result, const CsvStyle& style);
 
 const Analysis<ModelComparison>& compare_analysis();
 

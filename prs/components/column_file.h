@@ -1,10 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -35,10 +33,8 @@ class ColumnFile {
   virtual int add_column(const std::string& name, Type type) = 0;
   virtual void describe(int column, const char* attribute, const Attribute& value) = 0;
 
-  /// Writes from row `first` on.
+  /// Writes from row `first` on, in the type of the column.
   virtual void write(int column, std::size_t first, std::span<const double> values) = 0;
-  virtual void write(int column, std::size_t first, std::span<const int> values) = 0;
-  virtual void write(int column, std::size_t first, std::span<const signed char> values) = 0;
 
   virtual void close() = 0;
 };

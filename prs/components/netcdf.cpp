@@ -61,16 +61,6 @@ class NetcdfFile : public ColumnFile {
     const std::size_t count = values.size();
     require(nc_put_vara_double(id_, column, &first, &count, values.data()));
   }
-  void write(int column, std::size_t first, std::span<const int> values) override {
-    require_memory();
-    const std::size_t count = values.size();
-    require(nc_put_vara_int(id_, column, &first, &count, values.data()));
-  }
-  void write(int column, std::size_t first, std::span<const signed char> values) override {
-    require_memory();
-    const std::size_t count = values.size();
-    require(nc_put_vara_schar(id_, column, &first, &count, values.data()));
-  }
 
   void close() override {
     require_memory();
@@ -112,13 +102,10 @@ class NetcdfFile : public ColumnFile {
   int dimension_ = 0;
 };
 
-std::unique_ptr<ColumnFile> create(const std::filesystem::path& path,
-                                   const std::filesystem::path& name) {
-  return std::make_unique<NetcdfFile>(path, name);
-}
-
 }  // namespace
 }  // namespace prs
 
-extern "C" __attribute__((visibility("default")))
-const prs::NetcdfModule prs_module{{}, prs::create};
+extern "C" __attribute__((visibility("default"))) const prs::NetcdfModule prs_module{
+    {}, [](const auto& path, const auto& name) -> std::unique_ptr<prs::ColumnFile> {
+      return std::make_unique<prs::NetcdfFile>(path, name);
+    }};

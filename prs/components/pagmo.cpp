@@ -12,7 +12,6 @@
 #include <pagmo/population.hpp>
 #include <pagmo/problem.hpp>
 #include <pagmo/utils/hypervolume.hpp>
-#include <utility>
 
 #include "prs/components/search.h"
 

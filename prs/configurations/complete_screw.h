@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "prs/configurations/gear_pairs.h"
+#include "prs/configurations/roller_spacing.h"
 #include "prs/model/case.h"
+#include "prs/model/heat.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {
@@ -113,5 +114,20 @@ double moderate_force(const Mechanism& m, const Contacts& contacts);
 /// Throws CaseError with the name of a member of `ScrewData` where nothing can have these numbers,
 /// with the nearest that can.
 CompleteScrew complete_screw(const ScrewData& data);
+
+/// Thermal conductivity of bearing steel [W/(m K)].
+inline constexpr double kSteelConductivity = 46.0;
+
+/// Conductances of a screw of which only sizes are known, in still air and without a housing: a
+/// first guess that is on the safe side. With h = `kStillAir` and k = `kSteelConductivity`:
+///
+///     nut      h times its surface but the bore
+///     screw    two fins of the shaft's length beyond the nut, sqrt(h P k A) tanh(L sqrt(h P/(k
+///     A))) contact  2 k sqrt(a b) for each ellipse under equal shares of the proposed load, both
+///     bodies
+///              half spaces (Holm, Electric Contacts, 1967; a circle of the same area)
+///
+/// Grease in the gaps and the motion of the contacts, which both conduct more, are left out.
+Heat::Conductance estimated_conductance(const CompleteScrew& screw, double shaft_length);
 
 }  // namespace prs

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "prs/configurations/complete_screw.h"
-#include "prs/configurations/roller_spacing.h"
 #include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
 #include "prs/threads/contacts.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/configurations/gear_pairs.h"
+#include "prs/configurations/roller_spacing.h"
 #include "prs/model/mechanism.h"
 
 namespace prs {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "prs/model/mechanism.h"
+
+namespace prs {
 
 /// Rollers at equal spacing, 360 deg/N from one to the next.
 ///
@@ -21,7 +25,6 @@
 /// the same turn. The condition of planetary gears with sun and ring, (z_ring + z_sun)/N whole,
 /// does not arise, since each roller has one gear mesh only. It is assumed that on every roller
 /// teeth and threads stand in the same relation, and at both ends.
-namespace prs {
 
 /// Fewer do not centre the screw.
 inline constexpr int kFewestRollers = 3;
@@ -42,5 +45,37 @@ double indexing_angle(Mechanism::Type type, Mechanism::Starts starts, int roller
 /// Whether every roller goes in alike, turned the same way as seen from its place: n_S/N whole.
 /// Other numbers need marks, or rollers that find their turn by rolling in from one place.
 bool go_in_alike(Mechanism::Starts starts, int rollers);
+
+/// Spur gears that keep the rollers in step, by numbers and module: pinions at the ends of the
+/// rollers, in ring gears on the nut (standard) or on gears of the screw (inverted). 20 deg basic
+/// rack of full depth.
+struct GearPair {
+  int roller_teeth = 0;                 ///< z_R, a multiple k n_R of the roller's starts.
+  int body_teeth = 0;                   ///< z_N or z_S, k n_S: the ratio of the leads exactly.
+  double module = 0.0;                  ///< m [m]
+  int series = 1;                       ///< 1 is to be preferred to 2.
+  double working_pressure_angle = 0.0;  ///< alpha_w at the centre distance of the threads [rad].
+  /// x_N - x_R (standard) or x_S + x_R (inverted), in modules, that brings reference gears to that
+  /// centre distance; how it is shared is left to the designer.
+  double profile_shift = 0.0;
+  int most_rollers = 0;  ///< Whose threads and pinions clear each other.
+};
+
+/// Gears that fit a centre distance c [m] (Sandu 2018, (2.1) with the operating pitch radii
+/// c Gamma/(1 -+ Gamma)). With the reference centre distance a = m (z_body -+ z_R)/2:
+///
+///     cos(alpha_w) = (a/c) cos(20 deg),
+///     profile shift = (z_body -+ z_R)(inv alpha_w - inv 20 deg)/(2 tan 20 deg).
+///
+/// Modules of ISO 54, below 1 mm of DIN 780-1, from 0.2 to 10 mm. Pinions of 12 to 40 teeth (below
+/// 18, x_R >= 1 - z_R sin(20 deg)^2/2 keeps them from undercut); profile shifts up to 1, half a
+/// module for either gear. `gap` [m] is kept free between the tips of neighbours, m above the
+/// operating pitch circle; `rollers` is what the threads leave room for. Strength is not looked at,
+/// nor whether the teeth are higher than the threads.
+///
+/// The pairs that hold most rollers come first, then those of series 1, then those of least shift,
+/// to a tenth of the module, and of fewest teeth.
+std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts,
+                                 double centre_distance, int rollers, double gap);
 
 }  // namespace prs

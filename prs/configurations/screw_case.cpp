@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <utility>
 
-#include "prs/configurations/configurations_json.h"
-#include "prs/configurations/heat_estimate.h"
+#include "prs/configurations/configurations_files.h"
 #include "prs/configurations/roller_spacing.h"
 #include "prs/input/units.h"
 #include "prs/life/capacity.h"

@@ -18,7 +18,7 @@
 #include "prs/input/reader.h"
 #include "prs/input/written_case.h"
 #include "prs/record/figure_json.h"
-#include "prs/report/live.h"
+#include "prs/report/report.h"
 #include "prs/run/commands.h"
 #include "prs/run/exit_status.h"
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 namespace prs::input {
-
 namespace {
 
 /// Without the difference of small and large letters, and of what joins words.

@@ -18,7 +18,6 @@
 #include "prs/input/units.h"
 
 namespace prs::input {
-
 namespace {
 
 constexpr std::size_t kDeepest = 64;

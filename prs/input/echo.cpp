@@ -10,7 +10,6 @@
 #include "prs/input/value_text.h"
 
 namespace prs::input {
-
 namespace {
 
 /// Lists the values of one map next to what was written of them (null where nothing was).

@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <string_view>
-#include <utility>
 
 #include "prs/input/fail_at.h"
 #include "prs/input/reader.h"

@@ -21,7 +21,6 @@
 #include "prs/model/requirements.h"
 
 namespace prs::input {
-
 namespace {
 
 constexpr std::size_t kMostLoadCases = 100'000;

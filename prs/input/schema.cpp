@@ -13,7 +13,6 @@
 #include "prs/input/value_text.h"
 
 namespace prs::input {
-
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -8,7 +8,6 @@
 #include "prs/input/field.h"
 
 namespace prs::input {
-
 namespace {
 
 /// The first step of a path, a key or an index, and what follows.

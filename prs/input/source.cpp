@@ -13,7 +13,6 @@
 #include "prs/printable.h"
 
 namespace prs::input {
-
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 20;

@@ -1,20 +1,14 @@
 #include "prs/input/study_envelope.h"
-#include "prs/model/map_axes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "prs/input/units.h"
+#include "prs/model/map_axes.h"
 
 namespace prs::input {
-
 namespace {
 
 class EnvelopeReader {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
-#include <utility>
 
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
@@ -15,7 +13,6 @@
 #include "prs/input/varied_input.h"
 
 namespace prs::input {
-
 namespace {
 
 /// A level as the document has it.

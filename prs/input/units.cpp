@@ -10,7 +10,6 @@
 #include <utility>
 
 namespace prs::input {
-
 namespace {
 
 using std::numbers::pi;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace prs::input {
-
 namespace {
 
 std::string text_of(double value, const Quantity& q) { return format_quantity(value, q.dimension); }

@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace prs {
-
 namespace {
 
 /// Beyond this angle from 45 deg Lemor's factor is stretched.

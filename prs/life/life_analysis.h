@@ -1,9 +1,36 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "prs/life/analyze_life.h"
 #include "prs/record/analysis.h"
+#include "prs/record/csv_writer.h"
 
 namespace prs {
+
+inline constexpr std::string_view kStatedCapacityNote =
+    "A stated C_a comes from real screws, whose threads share unevenly: the life with real thread "
+    "loads counts that twice and is a lower bound.";
+
+/// How long the mechanism lasts, what decides it and the static safety, within 100 columns.
+std::string life_table(const LifeResult& result);
+/// With the estimates by equal thread loads.
+std::string full_life_table(const LifeResult& result);
+
+/// `life_threads.csv`: one row per thread, interface and sense of the load.
+std::string life_threads_csv(const LifeResult& result, const CsvStyle& style = {});
+
+/// `life_rollers.csv`: one row per thread of a roller, interface and sense of the load; of a full
+/// mechanism.
+std::string life_rollers_csv(const LifeResult& result, const CsvStyle& style = {});
+
+/// `cycles.csv`: every cycle in the order in which it closed, its turning points by the row of the
+/// history, counted from 1.
+std::string cycles_csv(const LoadCycles& cycles, const CsvStyle& style = {});
+
+/// `cycle_matrix.csv`: a row for each bin that is not empty.
+std::string cycle_matrix_csv(const CycleMatrix& matrix, const CsvStyle& style = {});
 
 /// Lives that are not finite, without load, are absent.
 const Analysis<LifeResult>& life_analysis();

@@ -5,7 +5,6 @@
 #include "prs/loads/contact_record.h"
 #include "prs/model/units.h"
 #include "prs/record/record_table.h"
-#include "prs/record/sources.h"
 
 namespace prs {
 namespace {

@@ -1,4 +1,4 @@
-#include "prs/life/life_table.h"
+#include "prs/life/life_analysis.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 #include "prs/loads/contact_record.h"
-#include "prs/record/record_table.h"
-#include "prs/record/sources.h"
 
 #include "contact/thread_surface.h"
+#include "prs/record/record_table.h"
 
 namespace prs {
 namespace {

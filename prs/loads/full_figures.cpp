@@ -7,7 +7,7 @@
 
 #include "contact/thread_surface.h"
 #include "prs/loads/full_result.h"
-#include "prs/loads/thread_parts.h"
+#include "prs/loads/load_pictures.h"
 #include "prs/model/units.h"
 #include "prs/record/figure_parts.h"
 
@@ -77,6 +77,8 @@ Figure map_of_rollers(Figure figure, const Result& result, const LoadCaseResult&
   figure.colours = std::move(colours);
   return figure;
 }
+
+namespace {
 
 /// Normal load of every thread of every roller, at both interfaces.
 Figures roller_loads(const Result& result, const FigureOptions& options) {
@@ -175,6 +177,16 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   figure.y.from = 0.0;
   figure.y.to *= 1.1;
   return {std::move(figure)};
+}
+
+}  // namespace
+
+Pictures roller_pictures(const Result& r) {
+  constexpr const char* kNeeds = "a load case of `model: {mechanism: full}` that converged";
+  return {
+      {"roller_loads", kNeeds, of_result(r, roller_loads)},
+      {"roller_shares", kNeeds, of_result(r, roller_shares)},
+      {"carrier_turn", "`orbit` in a load case of the full mechanism", of_result(r, carrier_turn)}};
 }
 
 }  // namespace prs

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "prs/loads/analyze.h"
-#include "prs/loads/contact_table.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_table.h"
 #include "prs/loads/warnings.h"

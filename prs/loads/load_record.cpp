@@ -1,11 +1,11 @@
+#include "prs/loads/load_record.h"
+
 #include <cmath>
 
 #include "fe/cholesky.h"
 #include "prs/loads/factorization.h"
 #include "prs/loads/full_result.h"
-#include "prs/loads/load_record.h"
 #include "prs/record/record_table.h"
-#include "prs/record/sources.h"
 
 namespace prs {
 std::optional<std::string> factorization(const LoadCaseResult& r) {

@@ -3,16 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
 
+#include "contact/mechanism_geometry.h"
+#include "contact/thread_surface.h"
+#include "prs/loads/case_groups.h"
 #include "prs/loads/case_table.h"
+#include "prs/loads/contact_record.h"
 #include "prs/loads/load_record.h"
 #include "prs/loads/model_summary_record.h"
 #include "prs/loads/warnings.h"
 #include "prs/model/units.h"
-#include "prs/record/bar_chart.h"
 #include "prs/record/quantity_csv.h"
+#include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
+#include "prs/threads/thread_clearance.h"
 
 namespace prs {
 namespace {
@@ -122,6 +136,205 @@ std::string load_distribution_csv(const Result& result, const CsvStyle& style) {
     }
   }
   return csv.take();
+}
+
+namespace {
+
+using contact::Thread;
+using contact::ThreadSurface;
+
+constexpr std::size_t kNameWidth = 16;
+constexpr TableRows kRows{38, 16};
+constexpr TableRows kLoadRows{25, 8, 1};
+
+// The mechanism, one column per part.
+
+std::string mechanism_line(const Contacts& contacts) {
+  const Mechanism& m = contacts.mechanism;
+  return fmt::format(
+      "{} roller screw, {}-handed, lead {:.6g} {}, {} roller{} ({} fit)\n"
+      "centre distance {}\n",
+      m.type == Mechanism::Type::standard ? "Standard" : "Inverted",
+      m.lead < 0.0 ? "left" : "right", shown(std::abs(m.lead), "mm"), table_unit("mm").text,
+      m.rollers, m.rollers == 1 ? "" : "s", contact::largest_roller_count(contacts.threads),
+      fixed_with_unit(contacts.threads.centre_distance, "mm", 4));
+}
+
+using Number = std::optional<double>;
+
+struct PartRow {
+  std::string_view label;  ///< With the unit of documents at its end.
+  std::string_view unit;
+  Number (*value)(const Thread&);
+};
+
+constexpr PartRow kPartRows[] = {
+    {"  pitch diameter, mm", "mm", [](const Thread& t) { return Number(2.0 * t.pitch_radius); }},
+    {"  helix angle, deg", "deg",
+     [](const Thread& t) { return Number(ThreadSurface(t).helix_angle()); }},
+    {"  flank from radius, mm", "mm",
+     [](const Thread& t) { return Number(contact::flank_limits(t).smallest); }},
+    {"  flank to radius, mm", "mm",
+     [](const Thread& t) { return Number(contact::flank_limits(t).largest); }},
+    {"  crest width, mm", "mm",
+     [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).crest; }},
+    {"  root width, mm", "mm",
+     [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).root; }},
+};
+
+std::string part_rows(const contact::MechanismGeometry& threads) {
+  std::string rows = kRows("Threads", {"screw", "roller", "nut"});
+  for (const auto& [label, unit, value] : kPartRows) {
+    std::vector<std::string> cells;
+    for (const Thread* thread : {&threads.screw, &threads.roller, &threads.nut})
+      cells.push_back(fixed(value(*thread), unit, 4));
+    if (std::ranges::count(cells, kAbsent) < 3) rows += kRows(with_table_unit(label), cells);
+  }
+  return rows;
+}
+
+// The contacts, one column per interface.
+
+struct ContactRow {
+  std::string_view key;
+  int decimals;
+};
+
+constexpr ContactRow kContactRows[] = {
+    {"radius_on_body_mm", 4},
+    {"radius_on_roller_mm", 4},
+    {"angle_on_body_deg", 4},
+    {"angle_on_roller_deg", 4},
+    {"normal_angle_deg", 4},
+    {"backlash_mm", 4},
+    {"flank_clearance_mm", 4},
+    {"body_crest_clearance_mm", 4},
+    {"roller_crest_clearance_mm", 4},
+    {"body_curvatures_per_mm", 6},
+    {"roller_curvatures_per_mm", 6},
+    {"relative_curvatures_per_mm", 6},
+    {"curvature_sum_per_mm", 6},
+    {"first_directions_angle_deg", 4},
+    {"ellipticity", 6},
+    {"hertz_constant_N_per_mm1_5", 1},
+};
+
+/// One number or both of a pair, in SI.
+std::array<Number, 2> values_of(const Contacts& contacts, Interface i,
+                                const Quantity<ContactAt>& q) {
+  const ContactAt contact{&contacts, i};
+  if (!contact.contact().geometry.ok()) return {};
+  if (q.value.number) {
+    const std::optional<double> si = q.value.number(contact);
+    return {si && std::isfinite(*si) ? si : std::nullopt, {}};
+  }
+  const auto pair = q.value.json(contact, kNoUnit);
+  return {pair[0].get<double>(), pair[1].get<double>()};
+}
+
+std::string contact_rows(const Contacts& contacts) {
+  std::string rows = kRows("Contacts", {label(Interface::screw), label(Interface::nut)});
+  for (const auto& [key, decimals] : kContactRows) {
+    const auto& q = quantity<ContactAt>(key);
+    const std::string_view unit = q.unit.text;
+    std::string label = fmt::format("  {}{}{}", title_of(q), unit.empty() ? "" : ", ", unit);
+    const auto screw = values_of(contacts, Interface::screw, q),
+               nut = values_of(contacts, Interface::nut, q);
+    for (std::size_t k = 0; k < screw.size(); ++k)
+      if (screw[k] || nut[k])
+        rows += kRows(with_table_unit(std::exchange(label, "")),
+                      {fixed(screw[k], unit, decimals), fixed(nut[k], unit, decimals)});
+  }
+  return rows;
+}
+
+// The load cases with equal shares, one row per interface.
+
+/// A thread's value under load; all threads of such a case have the same.
+struct LoadColumn {
+  std::string_view title;
+  std::string_view key;
+  int decimals;
+
+  const Quantity<InterfaceLoads>& of() const { return quantity<InterfaceLoads>(key); }
+};
+
+constexpr LoadColumn kLoadColumns[] = {
+    {"thread", "axial_load_N", 2},
+    {"normal", "normal_load_N", 2},
+    {"a", "semi_major_mm", 4},
+    {"b", "semi_minor_mm", 4},
+    {"peak", "peak_pressure_MPa", 1},
+    {"approach", "approach_um", 3},
+    {"shear", "max_shear_stress_MPa", 1},
+    {"depth", "max_shear_depth_mm", 4},
+};
+
+using Cases = std::vector<const LoadCaseResult*>;
+
+bool has_equal_shares(const LoadCaseResult& result) {
+  return result.load_case.share == LoadCase::Share::equal && result.threads.has_value();
+}
+
+Number value(const LoadCaseResult& result, Interface i, const LoadColumn& column) {
+  const std::span<const double> values = column.of().value.series((*result.threads)[i]);
+  return values.empty() ? std::nullopt : Number(values.front());
+}
+
+/// All of them or, of long ranges, the first, middle and last.
+Cases shown_cases(const std::vector<LoadCaseResult>& results, std::size_t& count) {
+  Cases shown;
+  count = 0;
+  for (const CaseGroup& group : group_cases(results)) {
+    Cases equal;
+    std::ranges::copy_if(group.cases, std::back_inserter(equal),
+                         [](const LoadCaseResult* result) { return has_equal_shares(*result); });
+    count += equal.size();
+    if (results.size() > kMaxUnfoldedCases && equal.size() > 3)
+      equal = {equal.front(), equal[equal.size() / 2], equal.back()};
+    shown.insert(shown.end(), equal.begin(), equal.end());
+  }
+  return shown;
+}
+
+std::string load_table(const std::vector<LoadCaseResult>& results) {
+  std::size_t count = 0;
+  const Cases cases = shown_cases(results, count);
+  if (cases.empty()) return {};
+  std::vector<LoadColumn> columns;
+  std::vector<std::string> titles, units;
+  for (const LoadColumn& column : kLoadColumns) {
+    if (std::ranges::none_of(cases, [&](const LoadCaseResult* c) {
+          return value(*c, Interface::screw, column) || value(*c, Interface::nut, column);
+        }))
+      continue;
+    columns.push_back(column);
+    titles.emplace_back(column.title);
+    units.push_back(with_table_unit(column.of().unit.text));
+  }
+  std::string table =
+      "\nEqual shares of all threads\n" + kLoadRows("", titles) + kLoadRows("  load case", units);
+  for (const LoadCaseResult* result : cases) {
+    std::string label = fitted(printable(result->load_case.name), kNameWidth, true);
+    for (const Interface i : kInterfaces) {
+      std::vector<std::string> cells;
+      for (const LoadColumn& column : columns)
+        cells.push_back(fixed(value(*result, i, column), column.of().unit.text, column.decimals));
+      table += kLoadRows(fmt::format("  {:{}} {}", std::exchange(label, ""), kNameWidth, name(i)),
+                         cells);
+    }
+  }
+  if (cases.size() < count) table += fmt::format("  … {} of {} cases\n", cases.size(), count);
+  return table;
+}
+
+}  // namespace
+
+std::string contact_table(const Result& result) {
+  const Contacts& contacts = result.contacts;
+  std::string table = mechanism_line(contacts) + '\n' + part_rows(contacts.threads) + '\n' +
+                      contact_rows(contacts) + load_table(result.load_cases);
+  return table + warning_section(all_warnings(result));
 }
 
 }  // namespace prs

@@ -8,7 +8,6 @@
 #include "prs/losses/heat_record.h"
 #include "prs/losses/slip_pictures.h"
 #include "prs/losses/slip_record.h"
-#include "prs/losses/slip_table.h"
 #include "prs/model/void_inputs.h"
 
 namespace prs {

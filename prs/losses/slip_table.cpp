@@ -1,4 +1,4 @@
-#include "prs/losses/slip_table.h"
+#include "prs/losses/slip_analysis.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include "prs/losses/heat_record.h"
 #include "prs/losses/slip_record.h"
 #include "prs/model/units.h"
-#include "prs/record/bar_chart.h"
 #include "prs/record/quantity_csv.h"
+#include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
 #include "prs/slip/slip.h"
 #include "prs/text.h"

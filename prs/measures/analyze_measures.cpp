@@ -6,7 +6,6 @@
 #include "prs/life/analyze_life.h"
 
 namespace prs {
-
 namespace {
 
 /// Static ratings of all load cases, each solved once: forces of one sense at one place have one.

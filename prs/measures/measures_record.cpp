@@ -1,9 +1,9 @@
 #include "prs/measures/measures_record.h"
-#include "prs/record/record_table.h"
-#include "prs/record/sources.h"
 
 #include <algorithm>
 #include <initializer_list>
+
+#include "prs/record/record_table.h"
 
 namespace prs {
 namespace {

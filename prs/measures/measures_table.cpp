@@ -1,4 +1,4 @@
-#include "prs/measures/measures_table.h"
+#include "prs/measures/measures_analysis.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 #include "prs/measures/measures_record.h"
 #include "prs/model/units.h"
 #include "prs/record/csv_writer.h"
+#include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
-#include "prs/record/text_words.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -10,7 +10,6 @@
 #include "prs/model/viscosity_points.h"
 
 namespace prs {
-
 namespace {
 
 /// Kinematic viscosity [m^2/s] of a point.

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "prs/model/optimization.h"
 #include "prs/study/designs.h"
-#include "prs/study/row_block.h"
 
 namespace prs {
 
@@ -70,5 +69,25 @@ double limit_of(const Constraint& constraint, const EvaluatedDesign& design,
 
 /// Value of a response in percent of that of the file's own design, less 100.
 std::optional<double> change_percent(double value, double initial);
+
+/// The values of a design as `--set` takes them: `mechanism.flank_angle.screw=42.5 deg`. Those that
+/// are the file's are left out.
+std::vector<std::string> settings_of(const Optimization& optimization,
+                                     const EvaluatedDesign& design);
+
+/// `screw.peak_pressure_MPa.max >= 0.9 x initial`, with numbers of a design.
+std::string constraint_text(const OptimizationResult& result, const Constraint& constraint);
+
+/// Whether a design keeps one of its constraints.
+bool keeps(const Constraint& constraint, const EvaluatedDesign& design,
+           const EvaluatedDesign& initial);
+
+/// Designs of both searches, and how many of them were feasible and had no answer.
+struct SearchCounts {
+  std::size_t designs = 0;
+  std::size_t feasible = 0;
+  std::size_t without_answer = 0;
+};
+SearchCounts count(const Search& search);
 
 }  // namespace prs

@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <optional>
-#include <string_view>
-#include <vector>
 
 #include "prs/input/document.h"
 #include "prs/text.h"

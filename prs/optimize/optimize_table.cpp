@@ -6,14 +6,12 @@
 #include <cmath>
 #include <ranges>
 #include <span>
-#include <vector>
 
 #include "prs/loads/case_table.h"
-#include "prs/optimize/optimize_designs.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/table_units.h"
-#include "prs/study/study_columns.h"
-#include "prs/study/study_text.h"
+#include "prs/study/study_csv.h"
+#include "prs/study/study_parts.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "prs/optimize/optimization_result.h"
-#include "prs/record/csv_style.h"
+#include "prs/record/csv_writer.h"
 
 namespace prs {
 

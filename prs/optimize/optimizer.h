@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prs/optimize/optimization_result.h"
+#include "prs/study/design_engine.h"
 #include "prs/study/journal.h"
 #include "prs/study/study_run.h"
 
@@ -37,5 +38,9 @@ Draw draw_at(const Factor& variable, double x);
 /// Position of the file's own value, such that `draw_at` gives it back; absent where the variable
 /// does not have it.
 std::optional<double> place_of_base(const Factor& variable);
+
+/// A function that evaluates designs with the engine on `threads` threads. The engine must outlive
+/// it.
+EvaluateDesigns evaluate_in_parallel(const DesignEngine& engine, std::size_t threads);
 
 }  // namespace prs

@@ -5,14 +5,12 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 
-#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <regex>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 

@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 
 #include "prs/file_descriptor.h"
 

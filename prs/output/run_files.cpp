@@ -6,17 +6,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <chrono>
-#include <map>
+#include <boost/algorithm/string/split.hpp>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <thread>
-#include <utility>
 
-#include "prs/input/source.h"
-#include "prs/output/file_lock.h"
-#include "prs/output/staged_file.h"
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
 
@@ -55,11 +48,7 @@ struct Listed {
 
 std::vector<std::string> parts_of(std::string_view path) {
   std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('/', begin), path.size());
-    parts.emplace_back(path.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  boost::split(parts, path, [](char c) { return c == '/'; });
   return parts;
 }
 
@@ -149,12 +138,9 @@ std::string list_text(const std::vector<Listed>& runs) {
 }
 
 /// Keeps other runs from the list for as long as the folder stays open, if they let go of it soon.
-bool lock(const FileDescriptor& folder) {
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    if (::flock(folder.get(), LOCK_EX | LOCK_NB) == 0) return true;
-    if (errno != EWOULDBLOCK && errno != EINTR) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+bool lock(const FileDescriptor& folder, const fs::path& name) try {
+  return lock_file(folder, LOCK_EX, name);
+} catch (const std::runtime_error&) {  // The file system has no locks.
   return false;
 }
 
@@ -337,7 +323,7 @@ std::vector<std::string> RunFiles::update(bool complete) {
   Listed own = files_of_record(folder, folder_, command_);
   if (own.files.empty()) return {};
   const std::string list = (folder_ / kFileList).string();
-  if (!lock(folder))
+  if (!lock(folder, folder_))
     return {
         fmt::format("{}: another run holds the list of files, or the file system has no locks: "
                     "nothing was removed or listed, files of earlier runs stay",

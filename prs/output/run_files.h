@@ -2,14 +2,12 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "prs/input/source.h"
 #include "prs/output/file_lock.h"
 #include "prs/output/files.h"
-#include "prs/output/unfinished.h"
+#include "prs/output/staged_file.h"
 
 namespace prs {
 

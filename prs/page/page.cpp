@@ -8,7 +8,6 @@
 
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
-#include "prs/page/resources.h"
 #include "prs/printable.h"
 #include "prs/record/table_units.h"
 #include "prs/report/svg.h"

@@ -1,12 +1,219 @@
 #include "prs/preload/preload_analysis.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prs/loads/case_table.h"
 #include "prs/loads/load_json.h"
+#include "prs/loads/warnings.h"
+#include "prs/model/units.h"
 #include "prs/preload/preload_record.h"
-#include "prs/preload/preload_table.h"
+#include "prs/record/csv_writer.h"
+#include "prs/record/figure_parts.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
+namespace {
 
-Figures preload_curves(const PreloadResult& result);
+enum CurveStyle : std::size_t { kWithout, kWith, kTensionSide, kCompressionSide, kOpening };
+
+/// (load, value) of the points that converged, interrupted at the others.
+Series curve_of(std::size_t style, const PreloadCurve& curve, const auto& value) {
+  Series line{style};
+  for (const PreloadPoint& point : curve.points)
+    line.add(point.axial_force * per_si::kilonewton,
+             point.solve.converged() ? std::optional<double>(value(point)) : std::nullopt);
+  return line;
+}
+
+/// With preload, and without where that is known.
+Panel curve_panel(const PreloadResult& r, std::string title, Axis axis, const auto& value) {
+  Panel panel{std::move(title)};
+  if (r.without_preload) panel.series.push_back(curve_of(kWithout, *r.without_preload, value));
+  panel.series.push_back(curve_of(kWith, r.curve, value));
+  const Range range = range_of_y(panel.series);
+  panel.y = fitted(std::move(axis), range, range.from >= 0.0);
+  return panel;
+}
+
+Panel side_panel(const PreloadResult& r) {
+  Panel panel{"Load of each side"};
+  for (const Direction d : kDirections)
+    panel.series.push_back(curve_of(
+        d == Direction::tension ? kTensionSide : kCompressionSide, r.curve,
+        [d](const PreloadPoint& p) { return p.sides[d].axial_load.screw * per_si::kilonewton; }));
+  panel.y = fitted({"Axial load", "kN"}, range_of_y(panel.series));
+  for (const Direction d : kDirections) {
+    if (!r.opening_force[d]) continue;
+    const double load = sense(d) * -*r.opening_force[d];
+    if (load >= r.preload.load.from && load <= r.preload.load.to)
+      panel.series.push_back({kOpening, {{{load * per_si::kilonewton, 0.0}}}});
+  }
+  return panel;
+}
+
+/// Displacement and tangent stiffness over the external load, with preload and without, and what
+/// each side carries.
+Figures preload_curves(const PreloadResult& r) {
+  if (!r.at_rest.solve.converged()) return {};
+  Figure figure{"preload", r.preload.backlash ? "Axial play" : "Preload"};
+  figure.x = {std::string(kSignedForce), "kN", r.preload.load.from * per_si::kilonewton,
+              r.preload.load.to * per_si::kilonewton};
+  figure.columns = 3;
+  figure.aspect = 1.1;
+  figure.add(line_of(Colour::grey, Dash::dashed));
+  if (r.without_preload) figure.legend.push_back({"without preload", kWithout});
+  figure.add(r.preload.backlash ? "with play" : "with preload",
+             line_of(Colour::blue, Dash::solid, Weight::strong));
+  const bool single = r.preload.arrangement == Preload::Arrangement::single_nut;
+  figure.add(single ? "tension flanks" : "second nut", line_of(Colour::vermillion));
+  figure.add(single ? "compression flanks" : "first nut", line_of(Colour::orange, Dash::dashed));
+  if (r.opening_force.tension || r.opening_force.compression)
+    figure.add("a side opens", points_of(Colour::ink, Mark::circle));
+  figure.panels = {curve_panel(r, "Displacement", {"Displacement", "µm"},
+                               [](const PreloadPoint& p) -> std::optional<double> {
+                                 return p.axial_displacement * per_si::micrometre;
+                               }),
+                   curve_panel(r, "Stiffness", {"Tangent stiffness", "N/µm"},
+                               [](const PreloadPoint& p) -> std::optional<double> {
+                                 if (!p.tangent_stiffness) return std::nullopt;
+                                 return *p.tangent_stiffness * per_si::newton_per_micrometre;
+                               }),
+                   side_panel(r)};
+  return {std::move(figure)};
+}
+
+constexpr std::size_t kMostRows = 24;
+constexpr double kSmallLoad = 1.0;  ///< Shown in newtons below it [N].
+
+std::string line(const std::string& what, const std::string& value) {
+  return hanging("  " + what, 49, value);
+}
+
+/// One value, or one for each sense of the load.
+std::string both(const PerDirection<std::optional<double>>& values, std::string_view unit,
+                 int decimals) {
+  const std::string tension = fixed_with_unit(values.tension, unit, decimals);
+  const std::string compression = fixed_with_unit(values.compression, unit, decimals);
+  if (tension == compression) return tension;
+  return fmt::format("{} in tension, {} in compression", tension, compression);
+}
+
+std::string summary(const PreloadResult& r) {
+  const bool single = r.preload.arrangement == Preload::Arrangement::single_nut;
+  std::string text = single ? "Single nut, tension and compression flanks of the same threads\n"
+                            : "Double nut: the first carries compression, the second tension\n";
+  if (r.preload.backlash)
+    text += line("axial play", fixed_with_unit(r.preload.backlash, "µm", 3));
+  else
+    text += line("preload", fixed_with_unit(r.force(), "kN", 3)) +
+            line(single ? "oversize of the rollers' pitch diameter" : "oversize of the spacer",
+                 fixed_with_unit(r.interference, "µm", 3)) +
+            line("a side opens at", both(r.opening_force, "kN", 3)) +
+            line("stiffness at zero load", both(r.curve.stiffness_at_zero, "N/µm", 1));
+  const std::string load =
+      r.lost_motion_load < kSmallLoad
+          ? fmt::format("{:.3g} {}", shown(r.lost_motion_load, "N"), table_unit("N").text)
+          : fixed_with_unit(r.lost_motion_load, "kN", 3);
+  text += line(
+      fmt::format("lost motion between -{} and +{}", load, load),
+      fixed_with_unit(r.curve.lost_motion, "µm", 3) +
+          (r.without_preload ? fmt::format(" (without preload {})",
+                                           fixed_with_unit(r.without_preload->lost_motion, "µm", 3))
+                             : ""));
+  return text;
+}
+
+constexpr TableRows kRows{0, 14};
+
+/// What follows the force.
+std::vector<std::string> cells(const PreloadPoint& point, const PreloadPoint* loose) {
+  const auto side = [&](Direction d) {
+    const double load = point.sides[d].axial_load.screw;
+    return fixed(load, "kN", force_decimals(load));
+  };
+  double normal = 0.0;
+  for (const Direction d : kDirections)
+    for (const Interface i : kInterfaces)
+      normal = std::max(normal, point.sides[d].max_normal_load[i]);
+  const bool known = loose && loose->solve.converged();
+  return {fixed(point.axial_displacement, "µm", 3),
+          fixed(point.tangent_stiffness, "N/µm", 1),
+          side(Direction::tension),
+          side(Direction::compression),
+          fixed(normal, "N", 1),
+          known ? fixed(loose->axial_displacement, "µm", 3) : std::string(kAbsent)};
+}
+
+std::string row(const PreloadResult& r, std::size_t k) {
+  const PreloadPoint& point = r.curve.points[k];
+  const std::string force =
+      padded(fixed(point.axial_force, "kN", force_decimals(point.axial_force)), 14, false);
+  if (!point.solve.converged())
+    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", force,
+                       fe::name(point.solve.status), point.solve.relative_residual);
+  return kRows(force, cells(point, r.without_preload ? &r.without_preload->points[k] : nullptr));
+}
+
+}  // namespace
+
+std::string preload_table(const PreloadResult& r) {
+  if (!r.at_rest.solve.converged())
+    return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n",
+                       fe::name(r.at_rest.solve.status), r.at_rest.solve.relative_residual);
+  std::string text = summary(r) + '\n';
+  text += kRows("", {"force", "displacement", "tangent", "tension side", "compr. side",
+                     "max. normal", "without"});
+  std::vector<std::string> units;
+  for (const char* unit : {"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"})
+    units.push_back(with_table_unit(unit));
+  text += kRows("", units);
+  const std::size_t count = r.curve.points.size();
+  const std::size_t step = (count + kMostRows - 1) / kMostRows;
+  for (std::size_t k = 0; k < count; ++k)
+    if (k % step == 0 || k + 1 == count || !r.curve.points[k].solve.converged()) text += row(r, k);
+  if (step > 1) text += fmt::format("  … of {} loads; {}\n", count, all_in("preload.csv"));
+  return text + warning_section(r.warnings);
+}
+
+namespace {
+
+/// Empty fields where the solve failed.
+void curve_fields(CsvWriter& csv, const PreloadPoint* point) {
+  const bool solved = point && point->solve.converged();
+  csv.fields(
+      point ? fe::name(point->solve.status) : "",
+      solved ? std::optional(point->axial_displacement * per_si::micrometre) : std::nullopt,
+      solved ? scaled(point->tangent_stiffness, per_si::newton_per_micrometre) : std::nullopt);
+}
+
+}  // namespace
+
+std::string preload_csv(const PreloadResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
+  csv.row("axial_force_N", "status", "axial_displacement_um", "tangent_stiffness_N_per_um",
+          "tension_side_load_N", "tension_side_max_normal_load_N", "compression_side_load_N",
+          "compression_side_max_normal_load_N", "without_preload_status",
+          "without_preload_displacement_um", "without_preload_tangent_stiffness_N_per_um");
+  for (std::size_t k = 0; k < result.curve.points.size(); ++k) {
+    const PreloadPoint& point = result.curve.points[k];
+    csv.number(point.axial_force);
+    curve_fields(csv, &point);
+    for (const Direction d : kDirections) {
+      const SideLoads& side = point.sides[d];
+      if (point.solve.converged())
+        csv.fields(side.axial_load.screw,
+                   std::max(side.max_normal_load.screw, side.max_normal_load.nut));
+      else
+        csv.fields("", "");
+    }
+    curve_fields(csv, result.without_preload ? &result.without_preload->points[k] : nullptr);
+    csv.end_row();
+  }
+  return csv.take();
+}
 
 namespace {
 

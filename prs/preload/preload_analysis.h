@@ -1,9 +1,19 @@
 #pragma once
 
+#include <string>
+
 #include "prs/preload/analyze_preload.h"
 #include "prs/record/analysis.h"
+#include "prs/record/csv_writer.h"
 
 namespace prs {
+
+/// The preload and the curve through zero, within 100 columns. Of many loads, an evenly spaced few
+/// are shown.
+std::string preload_table(const PreloadResult& result);
+
+/// `preload.csv`: one row per load, with the curve without preload in further columns.
+std::string preload_csv(const PreloadResult& result, const CsvStyle& style = {});
 
 /// Forces and displacements are > 0 in tension; `tension` and `compression` of `sides` are the
 /// contacts that carry that sense of the load.

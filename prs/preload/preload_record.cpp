@@ -4,7 +4,6 @@
 
 #include "prs/loads/contact_record.h"
 #include "prs/record/record_table.h"
-#include "prs/record/sources.h"
 
 namespace prs {
 namespace {

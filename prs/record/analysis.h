@@ -25,6 +25,19 @@ struct Place {
   std::string_view meaning = {};  ///< Of a key that is added.
 };
 
+/// Where a result has the warnings on the whole case, to read and to add to.
+template <class R>
+struct OwnWarnings {
+  template <class Get>
+  constexpr OwnWarnings(Get get) : read(get), write(get) {}
+
+  const std::vector<Warning>& operator()(const R& result) const { return read(result); }
+  std::vector<Warning>& operator()(R& result) const { return write(result); }
+
+  const std::vector<Warning>& (*read)(const R&);
+  std::vector<Warning>& (*write)(R&);
+};
+
 /// An analysis of a case: all that the program knows of it. Commands, documents, schemas, files,
 /// pages, studies and Python read it.
 template <class R>
@@ -48,27 +61,20 @@ struct Analysis {
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
   std::vector<Headline> (*headlines)(const R&) = nullptr;
-  /// Those on the whole case.
-  std::vector<Warning>& (*warnings)(R&) = [](R& result) -> std::vector<Warning>& {
-    return result.warnings;
-  };
+  OwnWarnings<R> warnings = [](auto& result) -> decltype(auto) { return (result.warnings); };
   /// Those of load cases, too; without it as `warnings`.
   std::vector<Warning> (*all_warnings)(const R&) = nullptr;
   PagePlace place = {};  ///< On the page.
   PageSection (*section)(const R&) = nullptr;
   std::span<const std::string_view> responses = {};  ///< Of a study that lists none.
   bool takes_load_cases_apart = false;               ///< Each load case has an answer of its own.
-
-  const std::vector<Warning>& warnings_in(const R& result) const {
-    return warnings(const_cast<R&>(result));
-  }
 };
 
 /// The document of a result: the origin, then what the analysis puts into it.
 template <class R>
 nlohmann::ordered_json document_of(const Analysis<R>& analysis, const R& result,
                                    const DocumentInfo& info, bool is_whole = true) {
-  nlohmann::ordered_json document = document_head(info, analysis.warnings_in(result));
+  nlohmann::ordered_json document = document_head(info, analysis.warnings(result));
   analysis.put(document, result);
   if (analysis.load_case && is_whole)
     for (std::size_t k = 0; auto item = analysis.load_case(result, k); ++k)
@@ -90,12 +96,8 @@ struct AnyAnalysis {
   std::string_view result_class = {};  ///< In Python; without it that of the command's word.
 };
 
-/// Warnings on single values; what they bring about has no warning of its own.
-void put_first(const std::vector<Warning>& values, std::vector<Warning>& warnings);
-
-std::vector<std::string> as_notes(const std::vector<Warning>& warnings);
-
-/// All forms of a result. What `run` finds wrong with the case is reported where it stands.
+/// All forms of a result; the analysis must outlive them. What `run` finds wrong with the case is
+/// reported where it stands.
 template <class R, class Run>
 Delivery delivered(const input::Source& source, const input::CaseInput& in,
                    const Analysis<R>& analysis, const Run& run) {
@@ -106,26 +108,31 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in,
   const auto result = std::make_shared<const R>(std::move(computed));
   d.held = result;
   d.result_type = &typeid(R);
-  d.document = [=](const DocumentInfo& info) { return document_of(analysis, *result, info); };
-  d.table = [=] { return analysis.table(*result); };
-  d.warnings = [=] {
-    return analysis.all_warnings ? analysis.all_warnings(*result) : analysis.warnings_in(*result);
+  d.document = [&analysis, result](const DocumentInfo& info) {
+    return document_of(analysis, *result, info);
+  };
+  d.table = [&analysis, result] { return analysis.table(*result); };
+  d.warnings = [&analysis, result] {
+    return analysis.all_warnings ? analysis.all_warnings(*result) : analysis.warnings(*result);
   };
   d.notes = analysis.notes ? analysis.notes(*result) : as_notes(d.warnings());
-  if (analysis.full_table) d.full_table = [=] { return analysis.full_table(*result); };
+  if (analysis.full_table)
+    d.full_table = [&analysis, result] { return analysis.full_table(*result); };
   if (analysis.files)
-    d.files = [=](const CsvStyle& style) { return analysis.files(*result, style); };
+    d.files = [&analysis, result](const CsvStyle& style) { return analysis.files(*result, style); };
   if (analysis.pictures)
-    d.pictures = [=, c = std::make_shared<const Case>(in.values)] {
+    d.pictures = [&analysis, result, c = std::make_shared<const Case>(in.values)] {
       return analysis.pictures(*result, *c);
     };
   if (analysis.without_figure) d.without_figure = analysis.without_figure(*result);
   if (analysis.converged) d.converged = analysis.converged(*result);
-  if (analysis.section) d.section = [=] { return analysis.section(*result); };
-  if (analysis.headlines) d.headlines = [=] { return analysis.headlines(*result); };
+  if (analysis.section) d.section = [&analysis, result] { return analysis.section(*result); };
+  if (analysis.headlines) d.headlines = [&analysis, result] { return analysis.headlines(*result); };
   if (!analysis.load_case) return d;
-  d.outline = [=](const DocumentInfo& info) { return document_of(analysis, *result, info, false); };
-  d.write = [=](const Json& outline, const TextSink& sink) {
+  d.outline = [&analysis, result](const DocumentInfo& info) {
+    return document_of(analysis, *result, info, false);
+  };
+  d.write = [&analysis, result](const Json& outline, const TextSink& sink) {
     write_with_load_cases(
         outline, [&](std::size_t k) { return analysis.load_case(*result, k); }, sink);
   };

@@ -8,9 +8,22 @@
 #include <type_traits>
 
 #include "prs/model/load_case.h"
-#include "prs/record/csv_style.h"
 
 namespace prs {
+
+/// How CSV files are written; JSON and journals always have all digits.
+struct CsvStyle {
+  static constexpr int kAllDigits = 17;
+
+  /// Fields separated by `;`, numbers with a decimal comma, and the mark by which spreadsheets know
+  /// UTF-8: as spreadsheets of a European locale read it. Else `,` and a decimal point.
+  bool european = false;
+  /// Significant digits; kAllDigits: as many as it takes to read the same number back.
+  int digits = 10;
+
+  constexpr char separator() const { return european ? ';' : ','; }
+  constexpr char decimal_mark() const { return european ? ',' : '.'; }
+};
 
 /// Fields and rows of a CSV file, quoted as in RFC 4180. A text that a spreadsheet
 /// would take for a formula (it begins with = + - @, a tab or the end of a line, and is no

@@ -1,20 +1,83 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <typeinfo>
 #include <vector>
 
 #include "prs/model/warning.h"
-#include "prs/record/csv_style.h"
-#include "prs/record/document.h"
-#include "prs/record/output_file.h"
-#include "prs/record/page_section.h"
+#include "prs/record/csv_writer.h"
 #include "prs/record/pictures.h"
 
 namespace prs {
+
+/// What every document says of its origin.
+struct DocumentInfo {
+  std::string version;                      ///< Version of the program.
+  std::string schema_version;               ///< Version of the input's schema.
+  std::string input_sha256;                 ///< SHA-256 of the input file, hexadecimal.
+  std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
+  std::string command = {};                 ///< The command that was run.
+  std::string case_file = {};               ///< As it was given.
+  /// The case with overrides and defaults in place; asked for once per document.
+  std::function<nlohmann::ordered_json()> resolved_input = {};
+};
+
+/// How every document begins: its origin and the warnings on the whole input.
+nlohmann::ordered_json document_head(const DocumentInfo& info,
+                                     const std::vector<Warning>& warnings);
+
+/// Text of a document, two spaces deep, with a newline at the end. Malformed UTF-8 becomes U+FFFD.
+std::string json_text(const nlohmann::ordered_json& document);
+
+/// Takes the pieces of a text.
+using TextSink = std::function<void(std::string_view)>;
+
+/// What `json_text` gives of a document whose list of load cases is empty in `outline` and filled
+/// by `load_case`, one after the other: memory for one of them is enough.
+void write_with_load_cases(
+    const nlohmann::ordered_json& outline,
+    const std::function<std::optional<nlohmann::ordered_json>(std::size_t)>& load_case,
+    const TextSink& sink);
+
+struct OutputFile {
+  std::string name;  ///< Inside the output directory.
+  std::string content;
+};
+
+/// Rows of a record that stand open, under a heading where one is needed.
+struct OpenRows {
+  std::string record;  ///< Its place in the document or in a load case: `life.system`.
+  std::vector<std::string> rows;
+  std::string heading = {};
+};
+
+/// How the page shows a result: what a reader asks for first, and what folds. Without open rows all
+/// numbers stand open.
+struct PageSection {
+  std::vector<OpenRows> in_cases = {}, in_document = {};
+  std::vector<std::string> folded = {};  ///< Pictures.
+  std::vector<std::string> estimates =
+      {};                 ///< Keys that are left out: each quantity has one headline.
+  std::string note = {};  ///< Above all.
+};
+
+/// The title of an analysis on the page, and where it stands among the others; none where another
+/// section shows it.
+struct PagePlace {
+  std::string_view title = {};
+  int order = 100;
+};
+
+/// Warnings on single values; what they bring about has no warning of its own.
+void put_first(const std::vector<Warning>& values, std::vector<Warning>& warnings);
+
+std::vector<std::string> as_notes(const std::vector<Warning>& warnings);
 
 /// A number that the page shows beside the verdict, without a limit.
 struct Headline {

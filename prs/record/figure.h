@@ -229,4 +229,9 @@ Figure only_panel(Figure figure, std::size_t panel);
 /// legend. Panels with other axes than the first are left out; a map as the first stays alone.
 Figure folded(const Figure& figure);
 
+/// Puts the lines of a picture in grey behind those of the same panels of another, and widens its
+/// axes to show them. The style of the grey lines, to be named in a legend; absent, and nothing
+/// changed, where the two are drawn to scale or have other panels.
+std::optional<std::size_t> add_behind(Figure& figure, const Figure& before);
+
 }  // namespace prs

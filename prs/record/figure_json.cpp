@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
 
+#include "prs/record/pictures.h"
 #include "prs/record/schema_parts.h"
 
 namespace prs {
@@ -17,74 +19,162 @@ namespace {
 using schema_parts::Json, schema_parts::link, schema_parts::list, schema_parts::names,
     schema_parts::object, schema_parts::type;
 
-constexpr std::array<std::string_view, 11> kColours = {"blue",      "vermillion", "green", "purple",
-                                                       "orange",    "sky",        "ink",   "grey",
-                                                       "reference", "muted",      "bad"};
-constexpr std::array<std::string_view, 5> kDashes = {"none", "solid", "dashed", "dotted",
-                                                     "dash_dotted"};
-constexpr std::array<std::string_view, 9> kMarks = {
-    "none", "circle", "square", "triangle", "diamond", "down", "plus", "cross", "star"};
-constexpr std::array<std::string_view, 3> kWeights = {"thin", "normal", "strong"};
-constexpr std::array<std::string_view, 3> kShapes = {"line", "area", "arrows"};
-constexpr std::array<std::string_view, 3> kAnchors = {"left", "centre", "right"};
+// What a description holds, once for writing, reading and the schema.
 
-constexpr int kMostColumns = 100;  ///< Of panels side by side.
-
-template <class Names, class Value>
-std::string_view name_of(const Names& names, Value value) {
-  return names[static_cast<std::size_t>(value)];
+constexpr std::array<std::string_view, 11> names_of(Colour) {
+  return {"blue", "vermillion", "green",     "purple", "orange", "sky",
+          "ink",  "grey",       "reference", "muted",  "bad"};
+}
+constexpr std::array<std::string_view, 5> names_of(Dash) {
+  return {"none", "solid", "dashed", "dotted", "dash_dotted"};
+}
+constexpr std::array<std::string_view, 9> names_of(Mark) {
+  return {"none", "circle", "square", "triangle", "diamond", "down", "plus", "cross", "star"};
+}
+constexpr std::array<std::string_view, 3> names_of(Weight) { return {"thin", "normal", "strong"}; }
+constexpr std::array<std::string_view, 3> names_of(Shape) { return {"line", "area", "arrows"}; }
+constexpr std::array<std::string_view, 3> names_of(Label::Anchor) {
+  return {"left", "centre", "right"};
 }
 
-template <class Value>
-void put_unless(Json& json, const char* key, const Value& value, const Value& left_out) {
-  if (value != left_out) json[key] = value;
+/// A member and its key. It is absent where it has its default, unless it is required.
+template <class Owner, class Value>
+struct Field {
+  const char* key;
+  Value Owner::*value;
+  bool required = false;
+  const char* description = nullptr;
+  Json (*form)() = nullptr;  ///< In the schema, in place of that of its type.
+};
+template <class Owner, class Value>
+constexpr Field<Owner, Value> field(const char* key, Value Owner::*value,
+                                    const char* description = nullptr, Json (*form)() = nullptr) {
+  return {key, value, false, description, form};
+}
+template <class Owner, class Value>
+constexpr Field<Owner, Value> required(const char* key, Value Owner::*value,
+                                       const char* description = nullptr,
+                                       Json (*form)() = nullptr) {
+  return {key, value, true, description, form};
 }
 
-template <class Items>
-void put_all(Json& json, const char* key, const Items& items, auto to_json_of) {
-  if (items.empty()) return;
-  Json& list = json[key] = Json::array();
-  for (const auto& item : items) list.push_back(to_json_of(item));
+Json number_or_null() { return {{"type", {"number", "null"}}}; }
+
+constexpr auto fields_of(const Tick*) {
+  return std::tuple(required("at", &Tick::at), field("text", &Tick::text));
+}
+constexpr auto fields_of(const Axis*) {
+  return std::tuple(required("label", &Axis::label), field("unit", &Axis::unit),
+                    field("from", &Axis::from, "absent: fitted to what the panel shows"),
+                    field("to", &Axis::to), field("logarithmic", &Axis::logarithmic),
+                    field("whole", &Axis::whole, "ticks at whole numbers alone"),
+                    field("hidden", &Axis::hidden, "neither ticks nor label"),
+                    field("ticks", &Axis::ticks));
+}
+constexpr auto fields_of(const Style*) {
+  return std::tuple(required("shape", &Style::shape), required("colour", &Style::colour),
+                    field("dash", &Style::dash), field("mark", &Style::mark),
+                    field("weight", &Style::weight), field("open", &Style::open, "marks outlined"),
+                    field("pale", &Style::pale, "areas in a light shade"));
+}
+constexpr auto fields_of(const ColourScale*) {
+  return std::tuple(required("label", &ColourScale::label), field("unit", &ColourScale::unit),
+                    required("from", &ColourScale::from), required("to", &ColourScale::to),
+                    field("levels", &ColourScale::levels),
+                    field("logarithmic", &ColourScale::logarithmic),
+                    field("whole", &ColourScale::whole));
+}
+constexpr auto fields_of(const Series*) {
+  return std::tuple(required("style", &Series::style), required("parts", &Series::parts),
+                    field(
+                        "values", &Series::values, "one per part: its colour on the scale",
+                        +[] { return list(number_or_null()); }));
+}
+constexpr auto fields_of(const ReferenceLine*) {
+  return std::tuple(required("style", &ReferenceLine::style), required("at", &ReferenceLine::at),
+                    field("vertical", &ReferenceLine::vertical));
+}
+constexpr auto fields_of(const Label*) {
+  return std::tuple(required("text", &Label::text), required("x", &Label::x),
+                    required("y", &Label::y),
+                    field("in_panel", &Label::in_panel, "x, y are shares of the panel"),
+                    field("anchor", &Label::anchor));
+}
+constexpr auto fields_of(const Map*) {
+  return std::tuple(field("cells", &Map::cells,
+                          "a rectangle of one colour at each node, else filled contours with "
+                          "labelled lines at the levels of the colours"));
+}
+constexpr auto fields_of(const SurfacePoint*) {
+  return std::tuple(required("name", &SurfacePoint::name), required("x", &SurfacePoint::x),
+                    required("y", &SurfacePoint::y), required("z", &SurfacePoint::z));
+}
+constexpr auto fields_of(const Surface*) {
+  return std::tuple(required("z", &Surface::z), field("points", &Surface::points));
+}
+constexpr auto fields_of(const Panel*) {
+  return std::tuple(field("title", &Panel::title), field("x", &Panel::x), field("y", &Panel::y),
+                    field("series", &Panel::series), field("references", &Panel::references),
+                    field("labels", &Panel::labels), field("map", &Panel::map),
+                    field("surface", &Panel::surface));
+}
+constexpr auto fields_of(const LegendEntry*) {
+  return std::tuple(required("title", &LegendEntry::title), required("style", &LegendEntry::style));
+}
+constexpr auto fields_of(const Figure*) {
+  return std::tuple(required("name", &Figure::name), required("title", &Figure::title),
+                    required(
+                        "columns", &Figure::columns, "panels side by side, filled row by row",
+                        +[] { return type("integer"); }),
+                    field("aspect", &Figure::aspect, "height of a panel over its width"),
+                    field("overview", &Figure::overview,
+                          "the first panel fills the first column, so many times as wide as the "
+                          "others"),
+                    field("to_scale", &Figure::to_scale, "a unit is as long on both axes"),
+                    required("x", &Figure::x), required("y", &Figure::y),
+                    field("colours", &Figure::colours), field("styles", &Figure::styles),
+                    field("legend", &Figure::legend), required("panels", &Figure::panels));
 }
 
-Json tick_json(const Tick& tick) {
-  Json json{{"at", tick.at}};
-  put_unless(json, "text", tick.text, {});
-  return json;
+template <class T>
+concept Described = requires {
+  fields_of(static_cast<const T*>(nullptr));
+};
+template <class T>
+concept HasGrid = requires(const T& owner) {
+  owner.grid;
+};
+template <class T>
+concept Optional = requires(const T& value) {
+  value.has_value();
+};
+template <class T>
+concept Items = !std::is_same_v<T, std::string> && requires(T & items) {
+  items.emplace_back();
+};
+
+template <class T>
+void for_each_field(const auto& use) {
+  std::apply([&](const auto&... fields) { (use(fields), ...); },
+             fields_of(static_cast<const T*>(nullptr)));
 }
 
-Json axis_json(const Axis& axis) {
-  Json json{{"label", axis.label}};
-  put_unless(json, "unit", axis.unit, {});
-  if (std::isfinite(axis.from)) json["from"] = axis.from;
-  if (std::isfinite(axis.to)) json["to"] = axis.to;
-  put_unless(json, "logarithmic", axis.logarithmic, false);
-  put_unless(json, "whole", axis.whole, false);
-  put_unless(json, "hidden", axis.hidden, false);
-  put_all(json, "ticks", axis.ticks, tick_json);
-  return json;
-}
+// To JSON.
 
-Json style_json(const Style& style) {
-  const Style plain;
-  Json json{{"shape", name_of(kShapes, style.shape)}, {"colour", name_of(kColours, style.colour)}};
-  if (style.dash != plain.dash) json["dash"] = name_of(kDashes, style.dash);
-  if (style.mark != plain.mark) json["mark"] = name_of(kMarks, style.mark);
-  if (style.weight != plain.weight) json["weight"] = name_of(kWeights, style.weight);
-  put_unless(json, "open", style.open, false);
-  put_unless(json, "pale", style.pale, false);
-  return json;
-}
-
-Json scale_json(const ColourScale& colours) {
-  Json json{{"label", colours.label}};
-  put_unless(json, "unit", colours.unit, {});
-  json["from"] = colours.from;
-  json["to"] = colours.to;
-  put_unless(json, "levels", colours.levels, {});
-  put_unless(json, "logarithmic", colours.logarithmic, false);
-  put_unless(json, "whole", colours.whole, false);
-  return json;
+template <class T>
+bool is_left_out(const T& value, const T& otherwise) {
+  if constexpr (Optional<T>)
+    return !value;
+  else if constexpr (HasGrid<T>)
+    return value.grid.empty();
+  else if constexpr (Items<T>)
+    return value.empty();
+  else if constexpr (std::is_floating_point_v<T>)
+    return !std::isfinite(value) || value == otherwise;
+  else if constexpr (Described<T>)
+    return false;
+  else
+    return value == otherwise;
 }
 
 void put_grid(Json& json, const GridData& grid) {
@@ -97,46 +187,28 @@ void put_grid(Json& json, const GridData& grid) {
   }
 }
 
-Json series_json(const Series& series) {
-  Json json{{"style", series.style}, {"parts", series.parts}};
-  put_unless(json, "values", series.values, {});
-  return json;
-}
-
-Json reference_json(const ReferenceLine& reference) {
-  Json json{{"style", reference.style}, {"at", reference.at}};
-  put_unless(json, "vertical", reference.vertical, false);
-  return json;
-}
-
-Json label_json(const Label& label) {
-  Json json{{"text", label.text}, {"x", label.x}, {"y", label.y}};
-  put_unless(json, "in_panel", label.in_panel, false);
-  if (label.anchor != Label::Anchor::left) json["anchor"] = name_of(kAnchors, label.anchor);
-  return json;
-}
-
-Json panel_json(const Panel& panel) {
-  Json json = Json::object();
-  put_unless(json, "title", panel.title, {});
-  if (panel.x) json["x"] = axis_json(*panel.x);
-  if (panel.y) json["y"] = axis_json(*panel.y);
-  put_all(json, "series", panel.series, series_json);
-  put_all(json, "references", panel.references, reference_json);
-  put_all(json, "labels", panel.labels, label_json);
-  if (!panel.map.grid.empty()) {
-    put_grid(json["map"], panel.map.grid);
-    put_unless(json["map"], "cells", panel.map.cells, false);
-  }
-  if (panel.surface) {
-    Json& surface = json["surface"];
-    put_grid(surface, panel.surface->grid);
-    surface["z"] = axis_json(panel.surface->z);
-    put_all(surface, "points", panel.surface->points, [](const SurfacePoint& p) {
-      return Json{{"name", p.name}, {"x", p.x}, {"y", p.y}, {"z", p.z}};
+template <class T>
+Json json_of(const T& value) {
+  if constexpr (Described<T>) {
+    Json json = Json::object();
+    if constexpr (HasGrid<T>) put_grid(json, value.grid);
+    const T plain{};
+    for_each_field<T>([&](const auto& f) {
+      if (f.required || !is_left_out(value.*f.value, plain.*f.value))
+        json[f.key] = json_of(value.*f.value);
     });
+    return json;
+  } else if constexpr (Optional<T>) {
+    return json_of(*value);
+  } else if constexpr (std::is_enum_v<T>) {
+    return names_of(value)[static_cast<std::size_t>(value)];
+  } else if constexpr (Items<T>) {
+    Json json = Json::array();
+    for (const auto& item : value) json.push_back(json_of(item));
+    return json;
+  } else {
+    return value;
   }
-  return json;
 }
 
 /// Rounds every number, so that files of large maps stay short.
@@ -149,135 +221,44 @@ void shorten(Json& json) {
 
 // From JSON: what is absent keeps its default.
 
-double read_number(const Json& json) { return json.is_null() ? kFree : json.get<double>(); }
-
-template <class Value>
-void read_to(const Json& json, const char* key, Value& value) {
-  if (const auto found = json.find(key); found != json.end()) value = found->get<Value>();
-}
-void read_to(const Json& json, const char* key, double& value) {
-  if (const auto found = json.find(key); found != json.end()) value = read_number(*found);
-}
-template <class Names, class Value>
-void read_name(const Json& json, const char* key, const Names& names, Value& value) {
-  const auto found = json.find(key);
-  if (found == json.end()) return;
-  const auto name = std::ranges::find(names, found->get<std::string>());
-  if (name == names.end()) throw std::runtime_error(key);
-  value = static_cast<Value>(name - names.begin());
-}
-template <class Item>
-void read_all(const Json& json, const char* key, std::vector<Item>& items, auto item_of) {
-  if (const auto found = json.find(key); found != json.end())
-    for (const Json& entry : *found) items.push_back(item_of(entry));
-}
-
-Axis read_axis(const Json& json) {
-  Axis axis;
-  read_to(json, "label", axis.label);
-  read_to(json, "unit", axis.unit);
-  read_to(json, "from", axis.from);
-  read_to(json, "to", axis.to);
-  read_to(json, "logarithmic", axis.logarithmic);
-  read_to(json, "whole", axis.whole);
-  read_to(json, "hidden", axis.hidden);
-  read_all(json, "ticks", axis.ticks, [](const Json& entry) {
-    Tick tick{entry.at("at").get<double>()};
-    read_to(entry, "text", tick.text);
-    return tick;
-  });
-  return axis;
-}
-
-Style read_style(const Json& json) {
-  Style style;
-  read_name(json, "shape", kShapes, style.shape);
-  read_name(json, "colour", kColours, style.colour);
-  read_name(json, "dash", kDashes, style.dash);
-  read_name(json, "mark", kMarks, style.mark);
-  read_name(json, "weight", kWeights, style.weight);
-  read_to(json, "open", style.open);
-  read_to(json, "pale", style.pale);
-  return style;
-}
-
-ColourScale read_scale(const Json& json) {
-  ColourScale scale;
-  read_to(json, "label", scale.label);
-  read_to(json, "unit", scale.unit);
-  read_to(json, "from", scale.from);
-  read_to(json, "to", scale.to);
-  read_to(json, "levels", scale.levels);
-  read_to(json, "logarithmic", scale.logarithmic);
-  read_to(json, "whole", scale.whole);
-  return scale;
-}
-
-GridData read_grid(const Json& json) {
-  GridData grid{json.at("x"), json.at("y"), {}};
-  for (const Json& row : json.at("values"))
-    for (const Json& value : row) grid.values.push_back(read_number(value));
-  if (grid.values.size() != grid.x.size() * grid.y.size()) throw std::runtime_error("values");
-  return grid;
-}
-
-Series read_series(const Json& json) {
-  Series series{json.at("style")};
-  read_all(json, "parts", series.parts, [](const Json& part) {
-    Polyline points;
-    for (const Json& point : part)
-      points.push_back({read_number(point.at(0)), read_number(point.at(1))});
-    return points;
-  });
-  read_all(json, "values", series.values, read_number);
-  return series;
-}
-
-Label read_label(const Json& json) {
-  Label label{json.at("text"), json.at("x"), json.at("y")};
-  read_to(json, "in_panel", label.in_panel);
-  read_name(json, "anchor", kAnchors, label.anchor);
-  return label;
-}
-
-Panel read_panel(const Json& json) {
-  Panel panel;
-  read_to(json, "title", panel.title);
-  if (json.contains("x")) panel.x = read_axis(json["x"]);
-  if (json.contains("y")) panel.y = read_axis(json["y"]);
-  read_all(json, "series", panel.series, read_series);
-  read_all(json, "references", panel.references, [](const Json& entry) {
-    ReferenceLine line{entry.at("style"), entry.at("at")};
-    read_to(entry, "vertical", line.vertical);
-    return line;
-  });
-  read_all(json, "labels", panel.labels, read_label);
-  if (const auto map = json.find("map"); map != json.end()) {
-    panel.map.grid = read_grid(*map);
-    read_to(*map, "cells", panel.map.cells);
+template <class T>
+void read(const Json& json, T& value) {
+  if constexpr (HasGrid<T>) {
+    read(json.at("x"), value.grid.x);
+    read(json.at("y"), value.grid.y);
+    for (const Json& row : json.at("values")) read(row, value.grid.values);
+    if (value.grid.values.size() != value.grid.x.size() * value.grid.y.size())
+      throw std::runtime_error("values");
   }
-  if (const auto surface = json.find("surface"); surface != json.end()) {
-    panel.surface = {read_grid(*surface), read_axis(surface->at("z")), {}};
-    read_all(*surface, "points", panel.surface->points, [](const Json& p) {
-      return SurfacePoint{p.at("name"), read_number(p.at("x")), read_number(p.at("y")),
-                          read_number(p.at("z"))};
+  if constexpr (Described<T>) {
+    for_each_field<T>([&](const auto& f) {
+      if (const auto found = json.find(f.key); found != json.end())
+        read(*found, value.*f.value);
+      else if (f.required)
+        throw std::runtime_error(f.key);
     });
+  } else if constexpr (Optional<T>) {
+    read(json, value.emplace());
+  } else if constexpr (std::is_enum_v<T>) {
+    const auto all = names_of(value);
+    const auto name = std::ranges::find(all, json.get<std::string>());
+    if (name == all.end()) throw std::runtime_error("name");
+    value = static_cast<T>(name - all.begin());
+  } else if constexpr (Items<T>) {
+    for (const Json& entry : json) read(entry, value.emplace_back());
+  } else if constexpr (std::is_floating_point_v<T>) {
+    value = json.is_null() ? kFree : json.get<double>();
+  } else if constexpr (std::is_same_v<T, std::array<double, 2>>) {
+    for (const std::size_t k : {0U, 1U}) read(json.at(k), value[k]);
+  } else {
+    value = json.get<T>();
   }
-  return panel;
 }
 
 Figure read_figure(const Json& json) {
-  Figure figure{json.at("name"), json.at("title"), read_axis(json.at("x")), read_axis(json.at("y")),
-                json.at("columns")};
-  read_to(json, "aspect", figure.aspect);
-  read_to(json, "overview", figure.overview);
-  read_to(json, "to_scale", figure.to_scale);
-  if (json.contains("colours")) figure.colours = read_scale(json["colours"]);
-  read_all(json, "styles", figure.styles, read_style);
-  read_all(json, "legend", figure.legend, [](const Json& entry) {
-    return LegendEntry{entry.at("title"), entry.at("style")};
-  });
-  read_all(json, "panels", figure.panels, read_panel);
+  constexpr std::size_t kMostColumns = 100;  // Of panels side by side.
+  Figure figure;
+  read(json, figure);
   const auto is_style = [&](std::size_t k) { return k < figure.styles.size(); };
   for (const Panel& panel : figure.panels)
     if (!std::ranges::all_of(panel.series, is_style, &Series::style) ||
@@ -289,7 +270,69 @@ Figure read_figure(const Json& json) {
   return figure;
 }
 
+// The schema.
+
+template <class T>
+constexpr const char* kMeaning = "";
+template <>
+constexpr const char* kMeaning<Style> = "dash: solid, mark: none, weight: normal unless given";
+template <>
+constexpr const char* kMeaning<ReferenceLine> = "a line across the panel";
+template <>
+constexpr const char* kMeaning<Figure> = "A picture as data, of documents' figures";
+
+template <class T>
+Json schema_of();
+
+template <class T>
+Json object_schema() {
+  Json properties = Json::object();
+  std::vector<std::string> keys;
+  if constexpr (HasGrid<T>) {
+    properties = {{"x", list(type("number"))},
+                  {"y", list(type("number"))},
+                  {"values", list(list(number_or_null()))}};
+    keys = {"x", "y", "values"};
+  }
+  for_each_field<T>([&]<class Value>(const Field<T, Value>& f) {
+    Json& form = properties[f.key] = f.form ? f.form() : schema_of<Value>();
+    if (f.description) form["description"] = f.description;
+    if (f.required) keys.emplace_back(f.key);
+  });
+  return object(std::move(properties), std::move(keys), kMeaning<T>);
+}
+
+template <class T>
+Json schema_of() {
+  if constexpr (std::is_same_v<T, Axis>)
+    return link("axis");
+  else if constexpr (std::is_same_v<T, Style>)
+    return link("style");
+  else if constexpr (std::is_same_v<T, Panel>)
+    return link("panel");
+  else if constexpr (Described<T>)
+    return object_schema<T>();
+  else if constexpr (Optional<T>)
+    return schema_of<typename T::value_type>();
+  else if constexpr (std::is_enum_v<T>)
+    return names(names_of(T()));
+  else if constexpr (Items<T>)
+    return list(schema_of<typename T::value_type>());
+  else if constexpr (std::is_same_v<T, std::array<double, 2>>)
+    return {{"type", "array"}, {"items", number_or_null()}, {"minItems", 2}, {"maxItems", 2}};
+  else if constexpr (std::is_same_v<T, std::size_t>)
+    return {{"type", "integer"}, {"minimum", 0}};
+  else
+    return type(std::is_same_v<T, bool>       ? "boolean"
+                : std::is_floating_point_v<T> ? "number"
+                                              : "string");
+}
+
 }  // namespace
+
+Json to_json(const Figure& figure) { return json_of(figure); }
+
+Json to_json(const Figures& figures) { return json_of(figures); }
 
 std::string figures_text(const Figures& figures) {
   Json json = to_json(figures);
@@ -309,104 +352,52 @@ Figures figures_of(std::string_view text) {
   }
 }
 
-Json to_json(const Figure& figure) {
-  Json json{{"name", figure.name}, {"title", figure.title}, {"columns", figure.columns}};
-  put_unless(json, "aspect", figure.aspect, 0.0);
-  put_unless(json, "overview", figure.overview, 0.0);
-  put_unless(json, "to_scale", figure.to_scale, false);
-  json["x"] = axis_json(figure.x);
-  json["y"] = axis_json(figure.y);
-  if (figure.colours) json["colours"] = scale_json(*figure.colours);
-  put_all(json, "styles", figure.styles, style_json);
-  put_all(json, "legend", figure.legend, [](const LegendEntry& entry) {
-    return Json{{"title", entry.title}, {"style", entry.style}};
-  });
-  put_all(json, "panels", figure.panels, panel_json);
-  return json;
+Json figure_schema() {
+  Json schema = object_schema<Figure>();
+  schema["$schema"] = schema_parts::kDialect;
+  schema["$defs"] = {{"axis", object_schema<Axis>()},
+                     {"style", object_schema<Style>()},
+                     {"panel", object_schema<Panel>()}};
+  return schema;
 }
 
-Json figure_schema() {
-  const Json text = type("string"), number = type("number"), flag = type("boolean");
-  const Json index = {{"type", "integer"}, {"minimum", 0}};
-  const Json numbers = list(number);
-  const Json maybe = {{"type", {"number", "null"}}};
-  const Json point = {{"type", "array"}, {"items", maybe}, {"minItems", 2}, {"maxItems", 2}};
-  const Json axis = link("axis"), style = index;
-  Json grid{{"x", numbers}, {"y", numbers}, {"values", list(list(maybe))}};
-  Json map = grid, surface = grid;
-  map["cells"] = type("boolean",
-                      "a rectangle of one colour at each node, else filled contours with "
-                      "labelled lines at the levels of the colours");
-  surface["z"] = axis;
-  surface["points"] =
-      list(object({{"name", text}, {"x", number}, {"y", number}, {"z", number}}, {"name"}));
-  Json definitions;
-  definitions["axis"] = object({{"label", text},
-                                {"unit", text},
-                                {"from", type("number", "absent: fitted to what the panel shows")},
-                                {"to", number},
-                                {"logarithmic", flag},
-                                {"whole", type("boolean", "ticks at whole numbers alone")},
-                                {"hidden", type("boolean", "neither ticks nor label")},
-                                {"ticks", list(object({{"at", number}, {"text", text}}, {"at"}))}},
-                               {"label"});
-  definitions["style"] =
-      object({{"shape", names(kShapes)},
-              {"colour", names(kColours)},
-              {"dash", names(kDashes)},
-              {"mark", names(kMarks)},
-              {"weight", names(kWeights)},
-              {"open", type("boolean", "marks outlined")},
-              {"pale", type("boolean", "areas in a light shade")}},
-             {"shape", "colour"}, "dash: solid, mark: none, weight: normal unless given");
-  definitions["panel"] =
-      object({{"title", text},
-              {"x", axis},
-              {"y", axis},
-              {"series", list(object({{"style", style},
-                                      {"parts", list(list(point))},
-                                      {"values",
-                                       {{"type", "array"},
-                                        {"items", maybe},
-                                        {"description", "one per part: its colour on the scale"}}}},
-                                     {"style", "parts"}))},
-              {"references", list(object({{"style", style}, {"at", number}, {"vertical", flag}},
-                                         {"style", "at"}, "a line across the panel"))},
-              {"labels", list(object({{"text", text},
-                                      {"x", number},
-                                      {"y", number},
-                                      {"in_panel", type("boolean", "x, y are shares of the panel")},
-                                      {"anchor", names(kAnchors)}},
-                                     {"text", "x", "y"}))},
-              {"map", object(std::move(map), {"x", "y", "values"})},
-              {"surface", object(std::move(surface), {"x", "y", "values", "z"})}},
-             {});
-  Json schema = object(
-      {{"name", text},
-       {"title", text},
-       {"columns", type("integer", "panels side by side, filled row by row")},
-       {"aspect", type("number", "height of a panel over its width")},
-       {"overview", type("number",
-                         "the first panel fills the first column, so many times as wide "
-                         "as the others")},
-       {"to_scale", type("boolean", "a unit is as long on both axes")},
-       {"x", axis},
-       {"y", axis},
-       {"colours", object({{"label", text},
-                           {"unit", text},
-                           {"from", number},
-                           {"to", number},
-                           {"levels", numbers},
-                           {"logarithmic", flag},
-                           {"whole", flag}},
-                          {"label", "from", "to"})},
-       {"styles", list(link("style"))},
-       {"legend", list(object({{"title", text}, {"style", style}}, {"title", "style"}))},
-       {"panels", list(link("panel"))}},
-      {"name", "title", "columns", "x", "y", "panels"}, "A picture as data, of documents' figures");
-  schema["$schema"] = schema_parts::kDialect;
-  schema["$defs"] = std::move(definitions);
-  return schema;
+FigureOptions figure_options(const std::string& text) {
+  FigureOptions options;
+  const auto take = [](const Json& value, auto& option) {
+    using Option = std::remove_reference_t<decltype(option)>;
+    if constexpr (Optional<Option>)
+      option = value.get<typename Option::value_type>();
+    else
+      option = value.get<Option>();
+  };
+  try {
+    const Json given = Json::parse(text);
+    for (const auto& [key, value] : given.items()) {
+      if (key == "load_cases")
+        take(value, options.load_cases);
+      else if (key == "load_case")
+        take(value, options.load_case);
+      else if (key == "thread")
+        take(value, options.thread);
+      else if (key == "panel")
+        take(value, options.panel);
+      else if (key == "one_panel")
+        take(value, options.one_panel);
+      else if (key == "response")
+        take(value, options.response);
+      else if (key == "x")
+        take(value, options.x);
+      else if (key == "y")
+        take(value, options.y);
+      else if (key == "interface" && (value == "screw" || value == "nut"))
+        options.interface = value == "screw" ? Interface::screw : Interface::nut;
+      else
+        throw NoFigure("options of a picture: got " + key + ": " + value.dump());
+    }
+  } catch (const Json::exception& error) {
+    throw NoFigure(std::string("options of a picture: ") + error.what());
+  }
+  return options;
 }
 
 }  // namespace prs

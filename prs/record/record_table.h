@@ -11,6 +11,12 @@
 
 namespace prs {
 
+/// Sources that several tables of quantities cite.
+namespace source {
+inline constexpr std::string_view kHertz = "Hertz with exact ellipticity";
+inline constexpr std::string_view kLife = "Jung 2017, (8.25); ISO 281";
+}  // namespace source
+
 /// Adds quantities of an object to a document: what is absent or not finite is left out.
 template <class Owner>
 void put_quantities(nlohmann::ordered_json& document, std::span<const Quantity<Owner>> quantities,

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "prs/model/part.h"
+
 namespace prs {
 
 inline constexpr std::size_t kTableWidth = 100;
@@ -48,5 +50,15 @@ std::string hanging(const std::string& label, std::size_t columns, std::string_v
 
 /// The line without the blanks at its end.
 std::string ended(std::string line);
+
+/// A text of documents as tables show it: `flank's edge` of `flank_edge`, `iteration limit` of
+/// `iteration_limit`.
+std::string words_of_text(std::string_view text);
+
+/// Bars of both interfaces side by side, one line per thread, under the names of the
+/// interfaces. Each bar is followed by its value with `decimals` decimals and the unit; the largest
+/// value has the full length.
+std::string bar_chart(const PerInterface<std::vector<double>>& values, int decimals,
+                      std::string_view unit);
 
 }  // namespace prs

@@ -153,8 +153,8 @@ double rounded(double value) {
 
 double largest_force(const Findings& all) {
   double largest = 0.0;
-  for (const Json& load_case : under(all.most_complete()->document, "load_cases"))
-    largest = std::max(largest, std::abs(load_case.value("axial_force_N", 0.0)));
+  for (const LoadCaseResult& r : all.most_complete()->delivery.result<Result>()->load_cases)
+    largest = std::max(largest, std::abs(r.load_case.axial_force));
   return largest > 0.0 ? largest : 1e4;
 }
 

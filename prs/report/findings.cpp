@@ -10,7 +10,7 @@
 
 #include "prs/model/void_inputs.h"
 #include "prs/output/run_files.h"
-#include "prs/record/figure_behind.h"
+#include "prs/record/figure.h"
 #include "prs/record/pictures.h"
 #include "prs/record/table_units.h"
 #include "prs/report/svg.h"

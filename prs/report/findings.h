@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -114,5 +115,21 @@ nlohmann::ordered_json thread_choices(const Findings& all);
 /// The figure that the place of a picture shows, before it is written: with what stood there
 /// before behind it.
 std::string figure_html(Findings& all, Figure figure, bool narrow = false);
+
+/// A section of the page and how it is written.
+struct SectionRow {
+  std::string_view id, title;
+  std::function<std::string(Findings&)> make;
+  bool is_quick = false;  ///< Of `solve` or `contact` alone: follows while a value moves.
+};
+
+/// In the order in which a reviewer asks: the answer, the part, what is doubtful, what was put in,
+/// then what came out.
+std::span<const SectionRow> section_rows();
+
+ReportSection section_of(Findings& all, const SectionRow& row);
+
+/// Every document, by its command under `results`.
+nlohmann::ordered_json documents_of(const Findings& all);
 
 }  // namespace prs

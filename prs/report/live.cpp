@@ -1,4 +1,4 @@
-#include "prs/report/live.h"
+#include "prs/report/report.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include "prs/input/reader.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/report/findings.h"
-#include "prs/report/sections.h"
 
 namespace prs {
 namespace {

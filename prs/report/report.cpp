@@ -11,13 +11,14 @@
 #include <optional>
 #include <set>
 
+#include "prs/compare/compare_analysis.h"
 #include "prs/input/units.h"
 #include "prs/loads/case_groups.h"
+#include "prs/model/units.h"
 #include "prs/record/figure_json.h"
 #include "prs/record/pictures.h"
 #include "prs/record/table_units.h"
 #include "prs/report/findings.h"
-#include "prs/report/sections.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"
 #include "prs/run/commands.h"
@@ -26,6 +27,29 @@
 #include "prs/version.h"
 
 namespace prs {
+namespace {
+
+/// A text as a URL has it; the page escapes quotes and markup besides.
+std::string data_url(std::string_view type, std::string_view content) {
+  std::string url = fmt::format("data:{};charset=utf-8,", type);
+  for (const char c : content) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte <= 0x20 || byte >= 0x7f ||
+        std::string_view("%#\"'<>&\\^`{|}").find(c) != std::string_view::npos)
+      url += fmt::format("%{:02X}", byte);
+    else
+      url += c;
+  }
+  return url;
+}
+
+}  // namespace
+
+std::string download_link(std::string_view name, std::string_view type, std::string_view content) {
+  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", html(name),
+                     data_url(type, content));
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -192,8 +216,7 @@ std::string mechanism_html(Findings& all) {
 }
 
 /// Stiffness and pressure of each model, a row per load case.
-std::string comparison_html(const Json& document) {
-  const Json& comparison = document["comparison"];
+std::string comparison_html(const ModelComparison& comparison) {
   std::vector<std::string> head{"Load case",        "Model",
                                 "Stiffness, N/µm",  "Displacement, µm",
                                 "Largest share, %", "Peak pressure, "};
@@ -202,22 +225,26 @@ std::string comparison_html(const Json& document) {
   head.back() += pressure.text;
   std::vector<std::vector<std::string>> rows;
   constexpr std::size_t kMost = 12;
-  const std::size_t count = comparison["load_cases"].size();
+  const std::size_t count = comparison.load_cases();
   const std::size_t stride = count > kMost ? (count + kMost - 1) / kMost : 1;
   for (std::size_t k = 0; k < count; k += stride)
-    for (const Json& model : comparison["load_cases"][k]["models"]) {
-      const auto number = [&](const char* key, const char* unit) {
-        return model.contains(key) ? report_value(model[key], report_unit(key, unit)) : "–";
+    for (std::size_t model = 0; model < comparison.models.size(); ++model) {
+      const ComparedModel m{&comparison, k, model};
+      const LoadCaseResult& r = m.result();
+      const auto number = [&](std::string_view key) {
+        const Quantity<ComparedModel>& q = quantity<ComparedModel>(key);
+        const ReportUnit unit = report_unit(key, q.unit.text);
+        const std::optional<double> value = shown_number(q, m);
+        return value ? report_number(*value * unit.factor, unit.text) : "–";
       };
       double share = std::numeric_limits<double>::quiet_NaN();
-      for (const char* side : {"screw", "nut"})
-        if (model.contains(side))
-          share = std::fmax(share, model[side].value("largest_load_rate_percent", share));
-      rows.push_back({html(comparison["load_cases"][k].value("name", "")),
-                      html(model.value("bodies", "")), number("axial_stiffness_N_per_um", "N/µm"),
-                      number("axial_displacement_um", "µm"),
-                      std::isfinite(share) ? report_number(share, "%") : "–",
-                      number("largest_peak_pressure_MPa", "MPa")});
+      for (const Interface i : kInterfaces)
+        if (r.threads && !(*r.threads)[i].load_rate.empty())
+          share = std::fmax(share, std::ranges::max((*r.threads)[i].load_rate));
+      rows.push_back({html(r.load_case.name), html(m.model_name()),
+                      number("axial_stiffness_N_per_um"), number("axial_displacement_um"),
+                      std::isfinite(share) ? report_number(share * per_si::percent, "%") : "–",
+                      number("largest_peak_pressure_MPa")});
     }
   return plain_table(head, rows, true);
 }
@@ -260,7 +287,7 @@ std::string models_html(Findings& all) {
   const CommandAnswer* compare = all.answer(Command::compare);
   if (!compare) return {};
   return pictures_html(all, compare, [](std::string_view) { return true; }) +
-         comparison_html(compare->document);
+         comparison_html(*all.result<ModelComparison>(Command::compare));
 }
 
 std::string heading_html(std::string_view title) {

@@ -66,14 +66,15 @@ std::string thread_html(Findings& all, const ThreadChoice& choice) {
   const CommandAnswer* loads = all.most_complete();
   const CommandAnswer* numbers = slip ? slip : loads;
   if (!numbers) return {};
-  const Json& cases = under(numbers->document, "load_cases");
-  if (choice.load_case >= cases.size()) return "<p>There is no such load case.</p>\n";
-  const Json& load_case = cases[choice.load_case];
-  const std::vector<Json> known = flat(under(under(load_case, "screw"), "normal_load_N"));
-  if (known.empty()) return "<p>The loads of this case are not known.</p>\n";
-  if (choice.thread >= known.size()) return "<p>There is no such thread.</p>\n";
+  const Result& result = *numbers->delivery.result<Result>();
+  if (choice.load_case >= result.load_cases.size()) return "<p>There is no such load case.</p>\n";
+  const auto& known = result.load_cases[choice.load_case].threads;
+  const std::size_t threads = known ? known->screw.normal_load.size() : 0;
+  if (threads == 0) return "<p>The loads of this case are not known.</p>\n";
+  if (choice.thread >= threads) return "<p>There is no such thread.</p>\n";
   ThreadRows rows;
-  add_thread_rows(*record_at("load_cases[]"), load_case, choice.thread, known.size(), rows);
+  add_thread_rows(*record_at("load_cases[]"), numbers->document["load_cases"][choice.load_case],
+                  choice.thread, threads, rows);
   std::string text;
   const FigureOptions options{.load_case = choice.load_case, .thread = choice.thread};
   const auto add = [&](const CommandAnswer* answer, const char* name) {
@@ -93,22 +94,21 @@ Json thread_choices(const Findings& all) {
   if (!loads) return nullptr;
   Json choices{{"cases", Json::array()}};
   double most = -1.0;
-  for (const Json& load_case : under(loads->document, "load_cases")) {
+  for (const LoadCaseResult& load_case : loads->delivery.result<Result>()->load_cases) {
     const std::size_t place = choices["cases"].size();
-    choices["cases"].push_back(printable(load_case.value("name", "")));
-    const Json& known = under(under(load_case, "screw"), "normal_load_N");
-    if (!known.is_array() || known.empty()) continue;
-    std::vector<double> loaded;
-    for (const Json& load : flat(known))
-      loaded.push_back(load.is_number() ? load.get<double>() : 0.0);
-    const std::size_t rollers = known.front().is_array() ? known.size() : 1;
-    const auto largest = std::ranges::max_element(loaded);
+    choices["cases"].push_back(printable(load_case.load_case.name));
+    if (!load_case.threads || load_case.threads->screw.normal_load.empty()) continue;
+    const InterfaceLoads& screw = load_case.threads->screw;
+    const std::size_t count = screw.normal_load.size();
+    const auto row =
+        screw.threads_per_roller > 0 ? static_cast<std::size_t>(screw.threads_per_roller) : count;
+    const auto largest = std::ranges::max_element(screw.normal_load);
     if (*largest <= most) continue;
     most = *largest;
-    choices["rollers"] = rollers;
-    choices["threads"] = loaded.size() / rollers;
+    choices["rollers"] = count / row;
+    choices["threads"] = row;
     choices["load_case"] = place;
-    choices["thread"] = largest - loaded.begin();
+    choices["thread"] = largest - screw.normal_load.begin();
   }
   return choices.contains("threads") ? choices : Json();
 }

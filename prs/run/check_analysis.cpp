@@ -178,7 +178,7 @@ const Analysis<CheckResult>& check_analysis() {
             for (Picture& picture : pictures) picture.drawn = Picture::Drawn::by_name;
             return pictures;
           },
-      .warnings = [](CheckResult& r) -> std::vector<Warning>& { return r.geometry.warnings; }};
+      .warnings = [](auto& r) -> decltype(auto) { return (r.geometry.warnings); }};
   return analysis;
 }
 

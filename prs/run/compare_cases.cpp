@@ -18,7 +18,7 @@
 #include "prs/loads/case_table.h"
 #include "prs/printable.h"
 #include "prs/record/csv_writer.h"
-#include "prs/record/figure_behind.h"
+#include "prs/record/figure.h"
 #include "prs/record/record_table.h"
 #include "prs/record/table_units.h"
 #include "prs/run/commands.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "prs/configurations/configurations_json.h"
+#include "prs/configurations/configurations_files.h"
 #include "prs/input/schema.h"
 #include "prs/model/command.h"
 #include "prs/optimize/optimize_json.h"

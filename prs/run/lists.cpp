@@ -11,7 +11,7 @@
 #include "prs/input/units.h"
 #include "prs/loads/case_table.h"
 #include "prs/model/named_lubricants.h"
-#include "prs/record/response_title.h"
+#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "prs/input/fail_at.h"
+#include "prs/optimize/optimization_result.h"
 #include "prs/optimize/optimize_case.h"
-#include "prs/optimize/optimize_designs.h"
-#include "prs/optimize/parallel_evaluation.h"
+#include "prs/optimize/optimizer.h"
 #include "prs/run/study.h"
 #include "prs/study/design_engine.h"
 

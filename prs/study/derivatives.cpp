@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <utility>
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/units.h"
@@ -18,7 +17,7 @@
 #include "prs/sector/load_distribution.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_engine.h"
-#include "prs/study/result_number.h"
+#include "prs/study/response.h"
 #include "prs/threads/contact_laws.h"
 
 namespace prs {

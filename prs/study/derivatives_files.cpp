@@ -4,16 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/warnings.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/record_table.h"
-#include "prs/record/response_title.h"
 #include "prs/record/table_units.h"
-#include "prs/study/study_text.h"
+#include "prs/study/study_parts.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -21,7 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostBars = 16;
 constexpr std::size_t kFactorWidth = 40;
 
 /// Factors that have an elasticity of a response, the strongest first, then those that are 0.
@@ -104,6 +100,30 @@ std::string without_derivative(const CaseDerivatives& result, std::size_t factor
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// What 1 % of each factor does to the responses, the factors that matter most.
+Figures elasticities(const CaseDerivatives& result, const FigureOptions& options) {
+  constexpr std::size_t kMostBars = 14;
+  return figures_of(
+      result.study.responses, options, [&](std::size_t response) -> std::optional<Figure> {
+        std::vector<std::pair<double, std::string>> bars;
+        for (std::size_t f = 0; f < result.factors.size(); ++f)
+          if (const auto& d = result.factors[f].responses[response]; d && d->elasticity)
+            bars.emplace_back(*d->elasticity, factor_name(result.study.factors[f]));
+        if (bars.empty()) return std::nullopt;
+        std::ranges::stable_sort(bars, std::greater{},
+                                 [](const auto& b) { return std::abs(b.first); });
+        bars.resize(std::min(bars.size(), kMostBars));
+        Figure figure = response_figure(result.study.responses, response);
+        figure.name = "derivatives_" + figure.name;
+        figure.title += ": change by 1 % of each factor";
+        figure.x = {"Change of the response", "%"};
+        std::vector<std::string> names;
+        std::vector<double> values;
+        for (const auto& [value, name] : bars) values.push_back(value), names.push_back(name);
+        return ranked_bars(std::move(figure), names, values);
+      });
+}
+
 }  // namespace
 
 template <>
@@ -163,6 +183,11 @@ std::string derivatives_table(const CaseDerivatives& result) {
                                          printable(result.factors[f].reason)),
                              "  ", kTableWidth);
   return text + warning_section(result.warnings);
+}
+
+Pictures derivatives_pictures(const CaseDerivatives& r) {
+  return {{"elasticities", "factors and responses other than 0 in the file",
+           of_result(r, elasticities)}};
 }
 
 }  // namespace prs

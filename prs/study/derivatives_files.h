@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "prs/loads/load_json.h"
-#include "prs/record/csv_style.h"
+#include "prs/record/csv_writer.h"
 #include "prs/record/record.h"
 #include "prs/study/derivatives.h"
 
@@ -23,5 +23,8 @@ std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style
 
 /// One table per response: what 1 % of each factor does to it, the strongest first.
 std::string derivatives_table(const CaseDerivatives& result);
+
+/// What the derivatives of a case can show. The result must outlive the list.
+Pictures derivatives_pictures(const CaseDerivatives& result);
 
 }  // namespace prs

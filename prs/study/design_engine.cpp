@@ -4,13 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <optional>
-#include <utility>
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"
@@ -19,7 +16,6 @@
 #include "prs/life/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/loads/load_case_result.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/slip_record.h"
 #include "prs/losses/solve_analysis.h"
@@ -27,18 +23,10 @@
 #include "prs/measures/measures_analysis.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/model/case_error.h"
-#include "prs/sector/chain/bar_designs.h"
-#include "prs/sector/chain/fallback_solver.h"
-#include "prs/sector/chain/refined_designs.h"
 #include "prs/slip/running.h"
-#include "prs/study/bar_batch.h"
+#include "prs/study/design_batches.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
-#include "prs/study/result_number.h"
-#include "prs/study/slip_batch.h"
-#include "prs/threads/contact_batch.h"
-#include "prs/threads/contact_laws.h"
-#include "prs/threads/threads.h"
 
 namespace prs {
 namespace {
@@ -187,86 +175,6 @@ class OnlyLoadCases {
   decltype(Heat::duty) duty_;
 };
 
-/// Contacts of designs, found together: entry k of `rows` is where the contacts of row k of a batch
-/// stand, none where they are not among them.
-struct BatchContacts {
-  struct Entry {
-    Mechanism mechanism;
-    contact::MechanismGeometry threads;
-  };
-  ContactBatch found;
-  std::vector<Entry> entries = {};
-  std::vector<std::optional<std::size_t>> rows = {};
-
-  void start(std::size_t row_count) {
-    found.clear();
-    rows.assign(row_count, std::nullopt);
-  }
-  /// Mechanisms that have yet to be designed are left out.
-  void add(std::size_t row, const Mechanism& mechanism, const std::optional<Materials>& materials) {
-    if (mechanism.geometry != Mechanism::Geometry::simulation) return;
-    const std::size_t k = found.size();
-    if (entries.size() <= k) entries.resize(k + 1);
-    entries[k].mechanism = mechanism;
-    entries[k].threads = threads_of(mechanism);
-    found.add(entries[k].threads, materials);
-    rows[row] = k;
-  }
-  /// False where `checked_contacts` finds them or says why there are none.
-  bool get(std::size_t row, ContactDetail detail, Contacts& contacts) const {
-    const std::optional<std::size_t> k = rows[row];
-    return k && found.get(*k, entries[*k].mechanism, entries[*k].threads, detail, contacts);
-  }
-};
-
-/// What is known of one design while its sectors wait to be solved together.
-struct Pending {
-  std::size_t row = 0;
-  Conditions conditions;  ///< What a sector is made of, or measures are taken of.
-  Contacts contacts;
-  bool has_contacts = false;
-  PerInterface<ContactLaw> laws;
-  std::vector<LoadCaseResult> load_cases;  ///< Those that the responses need.
-  bool complete = true;                    ///< Needs no other solver.
-
-  void set(std::size_t of_row, const Case& c, const std::vector<std::size_t>& indices,
-           bool is_measured) {
-    row = of_row;
-    complete = true;
-    if (is_measured) {
-      conditions = c;
-    } else {
-      conditions.structure = c.structure;
-      conditions.materials = c.materials;
-      conditions.deviations = c.deviations;
-      conditions.contact = c.contact;
-      conditions.model = c.model;
-    }
-    const auto missing = [&](std::size_t k) { return k >= c.load_cases.size(); };
-    const auto known = std::ranges::find_if(indices, missing) - indices.begin();
-    load_cases.resize(static_cast<std::size_t>(known));
-    for (std::size_t i = 0; i < load_cases.size(); ++i)
-      load_cases[i].load_case = c.load_cases[indices[i]];
-  }
-};
-
-/// Designs of a batch and their sectors; memory is kept from batch to batch.
-struct Batch {
-  /// A sector that waits, and where its answer goes.
-  struct Sector {
-    std::size_t design = 0;     ///< Index of the pending design.
-    std::size_t load_case = 0;  ///< Index among the design's load cases.
-  };
-
-  BatchContacts contacts;
-  std::vector<Pending> designs = {};
-  std::vector<Sector> sectors = {};
-  std::vector<SectorModel> models = {};
-  std::vector<double> forces = {};
-  std::vector<LoadDistribution> loads = {};
-  std::vector<LoadCase> load_cases = {};  ///< Memory of `OnlyLoadCases`.
-};
-
 /// None where the scalar chain says why.
 std::optional<Mechanism> sound_mechanism(Case& c) {
   try {
@@ -274,13 +182,6 @@ std::optional<Mechanism> sound_mechanism(Case& c) {
   } catch (const CaseError&) {
     return std::nullopt;
   }
-}
-
-/// Element k of memory that grows.
-template <class T>
-T& at(std::vector<T>& values, std::size_t k) {
-  if (values.size() <= k) values.resize(k + 1);
-  return values[k];
 }
 
 }  // namespace
@@ -306,49 +207,41 @@ struct DesignEngine::Parts {
 
   /// What a thread needs for itself.
   struct Worker {
+    Worker(const input::StudyInput& input, simd::InstructionSet set)
+        : reader(input), columns(set), slips(set), sectors(set), contacts(set) {}
+
     DesignReader reader;
-    BarDesignSolver bars;
-    RefinedDesignSolver refined;
-    FullSolver full = FullSolver();
-    Batch batch;
+    FullSolver full;
     BarBatch columns;
     SlipBatch slips;
-    std::vector<bool> in_columns = {};  ///< Rows that `slips` answers.
+    SectorBatch sectors;
+    SharedContacts contacts;
+    /// Rows that no batch answers, and their contacts, where these are found together.
+    struct Alone {
+      std::size_t row = 0;
+      std::optional<std::size_t> contacts = {};
+    };
+    std::vector<Alone> alone;
+    std::vector<LoadCase> load_cases;  ///< Memory of `OnlyLoadCases`.
   };
 
-  /// A worker that no other thread has.
-  class Borrowed {
-   public:
-    explicit Borrowed(Parts& parts) : parts_(parts), worker_(parts.take()) {}
-    ~Borrowed() { parts_.give_back(std::move(worker_)); }
-    Borrowed(const Borrowed&) = delete;
-    Borrowed& operator=(const Borrowed&) = delete;
-    Worker* get() { return &worker_; }
-    Worker* operator->() { return &worker_; }
-
-   private:
-    Parts& parts_;
-    Worker worker_;
-  };
-
-  Worker take() {
-    {
-      const std::lock_guard lock(mutex);
-      if (!idle.empty()) {
-        Worker worker = std::move(idle.back());
-        idle.pop_back();
-        return worker;
-      }
+  /// A worker that no other thread has, as long as the pointer lives.
+  auto borrowed() {
+    std::unique_ptr<Worker> worker;
+    if (const std::lock_guard lock(mutex); !idle.empty()) {
+      worker = std::move(idle.back());
+      idle.pop_back();
     }
-    return Worker{DesignReader(input), BarDesignSolver(set),       RefinedDesignSolver(set),
-                  FullSolver(),        Batch{{ContactBatch(set)}}, BarBatch(set),
-                  SlipBatch(set)};
-  }
-  /// A destructor calls it: a worker that there is no place for is made anew.
-  void give_back(Worker worker) noexcept try {
-    const std::lock_guard lock(mutex);
-    idle.push_back(std::move(worker));
-  } catch (const std::bad_alloc&) {
+    if (!worker) worker = std::make_unique<Worker>(input, set);
+    const auto give_back = [this](Worker* used) noexcept {
+      std::unique_ptr<Worker> owned(used);
+      try {
+        const std::lock_guard lock(mutex);
+        idle.push_back(std::move(owned));
+      } catch (const std::bad_alloc&) {  // One that there is no place for is made anew.
+      }
+    };
+    return std::unique_ptr<Worker, decltype(give_back)>(worker.release(), give_back);
   }
 
   bool measures() const { return study.command == Command::measures; }
@@ -395,7 +288,7 @@ struct DesignEngine::Parts {
   void read_base() {
     Json document;
     std::size_t all_load_cases = 0;
-    Borrowed worker(*this);
+    const auto worker = borrowed();
     const DesignStatus status = status_after([&] {
       const Case& c = worker->reader.read(0);
       all_load_cases = c.load_cases.size();
@@ -463,7 +356,7 @@ struct DesignEngine::Parts {
       return with_lives(c, [&](const LifeResult& lives) {
         set_numbers(row, {.contacts = lives.contacts, .life = &lives});
       });
-    const OnlyLoadCases needed(c, load_cases, study.command, needs_duty, worker.batch.load_cases);
+    const OnlyLoadCases needed(c, load_cases, study.command, needs_duty, worker.load_cases);
     AnalysisOptions options = kManyDesigns;
     options.detail = detail;
     options.full = &worker.full;
@@ -482,116 +375,110 @@ struct DesignEngine::Parts {
     return status;
   }
 
-  /// Adds the sectors of design k of a batch, whose contacts are found. False where one of them has
-  /// no place among the columns.
-  bool prepare(Batch& batch, std::size_t k) const {
-    Pending& design = batch.designs[k];
-    const Conditions& c = design.conditions;
-    design.laws = contact_laws(c, design.contacts);
-    const auto on_sector_of = [&](const LoadCase& load) {
-      return [&design, &load](const Batch::Sector& sector) {
-        const LoadCase& other = design.load_cases[sector.load_case].load_case;
-        return other.direction == load.direction && other.position == load.position;
-      };
-    };
-    const auto first = static_cast<std::ptrdiff_t>(batch.sectors.size());
-    for (std::size_t i = 0; i < design.load_cases.size(); ++i) {
-      LoadCaseResult& result = design.load_cases[i];
-      const LoadCase& load = result.load_case;
-      if (load.share == LoadCase::Share::equal) {
-        result = equal_share_result(load, design.contacts, design.laws);
-        continue;
-      }
-      SectorModel& model = at(batch.models, batch.sectors.size());
-      const auto known =
-          std::find_if(batch.sectors.begin() + first, batch.sectors.end(), on_sector_of(load));
-      if (known != batch.sectors.end())
-        model = batch.models[static_cast<std::size_t>(known - batch.sectors.begin())];
-      else
-        set_sector_model(model, design.contacts.mechanism, *c.structure, *c.materials, c.model,
-                         design.laws, *load.direction, *load.position, c.deviations);
-      if (model.is_refined && !RefinedDesignSolver::takes(model)) return false;
-      batch.forces.push_back(load.axial_force);
-      batch.sectors.push_back({k, i});
-    }
-    return true;
-  }
-
   RowBlock evaluate(std::size_t first, std::size_t rows, const ReadRow& read, const Stop& stop) {
     RowBlock block{first, rows, {}, {}};
     block.responses.assign(rows * study.responses.size(), kNoResponse);
-    Borrowed worker(*this);
+    const auto worker = borrowed();
     for (std::size_t row = 0; row < block.rows;) {
-      const std::size_t to = std::min(row + kBatch, block.rows);
-      row = in_batches() ? evaluate_batch(read, row, to, *worker.get(), block, stop)
-                         : evaluate_one_by_one(read, row, to, *worker.get(), block, stop);
+      row = evaluate_batch(read, row, std::min(row + kBatch, block.rows), *worker, block, stop);
       if (row < block.rows && stop && stop()) block.rows = row;
     }
     block.responses.resize(block.rows * study.responses.size());
+    std::erase_if(block.failures, [&](const auto& failure) { return failure.row >= block.rows; });
     std::ranges::sort(block.failures, {}, &RowBlock::Failure::row);
     return block;
   }
 
-  /// Rows [from, to) of a block, or those before the row that is returned.
+  /// Rows [from, to) of a block, or those before the row that is returned: side by side what a
+  /// batch takes, then one by one what is left, whose contacts are found together.
   std::size_t evaluate_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
-                             RowBlock& block, const Stop& stop) {
-    Batch& batch = worker.batch;
-    const std::size_t designs = read_batch(read, from, to, worker, block, stop);
-    worker.columns.solve(
-        worker.bars, number_detail.loads,
-        [&](std::size_t row, const std::vector<LoadCaseResult>& results, const Contacts& contacts) {
-          set_numbers(row_of(block, row), {.contacts = contacts}, results);
+                             RowBlock& block, const Stop& stop) const {
+    const auto keep_failure = [&](std::size_t row, const auto& compute) {
+      DesignStatus status = status_after(compute);
+      if (!status.converged()) block.failures.push_back({row, std::move(status)});
+    };
+    read_batch(read, from, to, worker, keep_failure);
+    const auto take = [&](std::size_t row, const std::vector<LoadCaseResult>& results,
+                          const Contacts& contacts) {
+      set_numbers(row_of(block, row), {.contacts = contacts}, results);
+    };
+    const auto leave = [&](std::size_t row) { worker.alone.push_back({row}); };
+    worker.columns.solve(number_detail.loads, take, leave);
+    worker.slips.solve(number_detail.loads, number_detail.slip, take, leave);
+    worker.sectors.solve(
+        contact_detail, measures() || number_detail.loads.tangent_stiffness,
+        [&](SectorBatch::Design& design) {
+          if (measures())
+            measure(design, row_of(block, design.row));
+          else
+            take(design.row, design.load_cases, design.contacts);
         },
-        [&](std::size_t row) { answer_alone(read, row, worker, block); });
-    if (designs == 0) return to;
-    batch.contacts.found.find();
-    batch.sectors.clear();
-    batch.forces.clear();
-    for (std::size_t k = 0; k < designs; ++k) {
-      Pending& design = batch.designs[k];
-      design.complete = design.has_contacts ||
-                        batch.contacts.get(design.row - from, contact_detail, design.contacts);
-      if (!design.complete) continue;
-      const std::size_t waiting = batch.sectors.size();
-      design.complete = false;  // Also where it is refused: alone it says why.
-      status_after([&] {
-        design.complete = prepare(batch, k);
-        return DesignStatus{};
+        leave);
+    worker.contacts.find();
+    std::ranges::sort(worker.alone, {}, &Worker::Alone::row);
+    Contacts found;
+    for (const auto& [row, contacts] : worker.alone) {
+      const bool known = worker.contacts.get(contacts, contact_detail, found);
+      keep_failure(row, [&, row = row] {
+        return answer(read(worker.reader, row), worker, row_of(block, row),
+                      known ? &found : nullptr);
       });
-      if (design.complete) continue;
-      batch.sectors.resize(waiting);
-      batch.forces.resize(waiting);
-    }
-    const std::size_t sectors = batch.sectors.size();
-    if (batch.loads.size() < sectors) batch.loads.resize(sectors);
-    const std::span<const SectorModel> models(batch.models.data(), sectors);
-    const std::span<LoadDistribution> loads(batch.loads.data(), sectors);
-    const bool tangent_stiffness = measures() || number_detail.loads.tangent_stiffness;
-    worker.bars.tangent_stiffness = worker.refined.tangent_stiffness = tangent_stiffness;
-    worker.bars.solve(models, batch.forces, loads);
-    worker.refined.solve(models, batch.forces, loads);
-    for (std::size_t k = 0; k < sectors; ++k) {
-      Pending& design = batch.designs[batch.sectors[k].design];
-      design.complete =
-          design.complete && FallbackSolver::complete(batch.loads[k], tangent_stiffness);
-      set_solved_result(design.load_cases[batch.sectors[k].load_case], design.contacts,
-                        {numbers_of(design.laws.screw), numbers_of(design.laws.nut)},
-                        batch.loads[k], set);
-    }
-    for (std::size_t k = 0; k < designs; ++k) {
-      Pending& design = batch.designs[k];
-      if (!design.complete)
-        answer_alone(read, design.row, worker, block);
-      else if (measures())
-        measure(design, row_of(block, design.row));
-      else
-        set_numbers(row_of(block, design.row), {.contacts = design.contacts}, design.load_cases);
+      if (stop && stop()) return row + 1;
     }
     return to;
   }
 
+  /// Gives each row to a batch, or to those that are answered alone.
+  void read_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
+                  const auto& keep_failure) const {
+    worker.columns.clear(contact_detail);
+    worker.slips.clear(contact_detail);
+    worker.sectors.clear();
+    worker.contacts.clear();
+    worker.alone.clear();
+    for (std::size_t row = from; row < to; ++row) {
+      if (!in_batches() && !shares_contacts()) {
+        worker.alone.push_back({row});
+        continue;
+      }
+      keep_failure(row, [&]() -> DesignStatus {
+        Case& c = read(worker.reader, row);
+        if (add_to_batch(row, c, worker)) return {};
+        worker.alone.push_back({row});
+        if (!in_batches())
+          status_after([&]() -> DesignStatus {
+            worker.alone.back().contacts = worker.contacts.add(c.mechanism, c.materials);
+            return {};
+          });
+        return {};
+      });
+    }
+  }
+
+  /// False where no batch takes the design.
+  bool add_to_batch(std::size_t row, Case& c, Worker& worker) const {
+    if (study.command == Command::solve && c.model.loads == ModelOptions::Loads::running)
+      return false;
+    const bool slips = study.command == Command::slip;
+    if (in_columns &&
+        (slips ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases))) {
+      const std::optional<Mechanism> mechanism = sound_mechanism(c);
+      if (!mechanism) return false;
+      if (slips)
+        worker.slips.add(row, c, *mechanism, load_cases);
+      else
+        worker.columns.add(row, c, *mechanism, load_cases);
+      return true;
+    }
+    if (!in_batches() || c.model.bodies == Bodies::influence ||
+        c.model.mechanism == ModelOptions::Mechanism::full)
+      return false;
+    worker.sectors.add(row, c, load_cases, measures(), detail);
+    return true;
+  }
+
   /// Of a design whose load cases are solved.
-  void measure(Pending& design, double* row) const {
+  void measure(SectorBatch::Design& design, double* row) const {
     Result solved;
     std::swap(solved.contacts, design.contacts);
     std::swap(solved.load_cases, design.load_cases);
@@ -601,100 +488,12 @@ struct DesignEngine::Parts {
     std::swap(result.analysis.load_cases, design.load_cases);
   }
 
-  /// What has no place in a batch, or no answer: by the scalar chain, which says why.
-  void answer_alone(const ReadRow& read, std::size_t row, Worker& worker, RowBlock& block) {
-    DesignStatus status =
-        status_after([&] { return answer(read(worker.reader, row), worker, row_of(block, row)); });
-    if (!status.converged()) block.failures.push_back({row, std::move(status)});
-  }
-
-  /// Designs that wait for contacts and loads; the others are answered. `to` is where it stopped.
-  std::size_t read_batch(const ReadRow& read, std::size_t from, std::size_t& to, Worker& worker,
-                         RowBlock& block, const Stop& stop) {
-    Batch& batch = worker.batch;
-    batch.contacts.start(to - from);
-    worker.columns.clear(contact_detail);
-    std::size_t designs = 0;
-    for (std::size_t row = from; row < to; ++row) {
-      DesignStatus status = status_after([&]() -> DesignStatus {
-        Case& c = read(worker.reader, row);
-        if (c.model.bodies == Bodies::influence ||
-            c.model.mechanism == ModelOptions::Mechanism::full ||
-            (!measures() && c.model.loads == ModelOptions::Loads::running)) {
-          DesignStatus answered = answer(c, worker, row_of(block, row));
-          if (stop && stop()) to = row + 1;
-          return answered;
-        }
-        if (in_columns && BarBatch::takes(c, load_cases)) {
-          const std::optional<Mechanism> mechanism = sound_mechanism(c);
-          if (!mechanism) return answer(c, worker, row_of(block, row));
-          worker.columns.add(row, c, *mechanism, load_cases);
-          return {};
-        }
-        Pending& design = at(batch.designs, designs);
-        design.set(row, c, load_cases, measures());
-        design.has_contacts =
-            !shares_contacts() || c.mechanism.geometry == Mechanism::Geometry::design;
-        if (design.has_contacts)
-          design.contacts = checked_contacts(c, detail);
-        else
-          batch.contacts.add(row - from, c.mechanism, c.materials);
-        ++designs;
-        return {};
-      });
-      if (!status.converged()) block.failures.push_back({row, std::move(status)});
-    }
-    return designs;
-  }
-
-  /// Rows [from, to) of a block, or those before the row that is returned, whose contacts are found
-  /// together; slip with equal shares in columns.
-  std::size_t evaluate_one_by_one(const ReadRow& read, std::size_t from, std::size_t to,
-                                  Worker& worker, RowBlock& block, const Stop& stop) {
-    BatchContacts& contacts = worker.batch.contacts;
-    contacts.start(to - from);
-    worker.slips.clear(contact_detail);
-    worker.in_columns.assign(to - from, false);
-    if (shares_contacts()) {
-      for (std::size_t row = from; row < to; ++row)
-        status_after([&]() -> DesignStatus {
-          Case& c = read(worker.reader, row);
-          if (in_columns && worker.slips.takes(c, load_cases)) {
-            worker.slips.add(row, c, checked_mechanism(c), load_cases);
-            worker.in_columns[row - from] = true;
-          } else {
-            contacts.add(row - from, c.mechanism, c.materials);
-          }
-          return {};
-        });
-      contacts.found.find();
-    }
-    worker.slips.solve(
-        number_detail.loads, number_detail.slip,
-        [&](std::size_t row, const std::vector<LoadCaseResult>& results, const Contacts& found) {
-          set_numbers(row_of(block, row), {.contacts = found}, results);
-        },
-        [&](std::size_t row) { worker.in_columns[row - from] = false; });
-    Contacts found;
-    for (std::size_t row = from; row < to; ++row) {
-      if (worker.in_columns[row - from]) continue;
-      const bool known = contacts.get(row - from, contact_detail, found);
-      DesignStatus status = status_after([&] {
-        return answer(read(worker.reader, row), worker, row_of(block, row),
-                      known ? &found : nullptr);
-      });
-      if (!status.converged()) block.failures.push_back({row, std::move(status)});
-      if (stop && stop()) return row + 1;
-    }
-    return to;
-  }
-
   double* row_of(RowBlock& block, std::size_t row) const {
     return block.responses.data() + row * study.responses.size();
   }
 
   std::mutex mutex;
-  std::vector<Worker> idle;
+  std::vector<std::unique_ptr<Worker>> idle;
 };
 
 DesignEngine::DesignEngine(const input::StudyInput& input, simd::InstructionSet set)

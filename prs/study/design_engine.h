@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -9,7 +8,7 @@
 
 #include "prs/input/study_reader.h"
 #include "prs/model/study.h"
-#include "prs/study/row_block.h"
+#include "prs/study/designs.h"
 #include "simd/instruction_set.h"
 
 namespace prs {

@@ -1,24 +1,17 @@
 #include "prs/study/design_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <unordered_set>
-#include <utility>
-#include <vector>
 
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
 #include "prs/input/units.h"
+#include "prs/record/record.h"
 
 namespace prs {
-
 namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
@@ -108,12 +101,10 @@ std::optional<Frame::Checked> checked_cases(const std::vector<LoadCase>& all,
 
 /// 2 of `load_cases[2].axial_force`.
 std::optional<std::size_t> load_case_item(std::string_view path) {
-  constexpr std::string_view kBlock = "load_cases[";
-  std::size_t item = 0;
-  if (!path.starts_with(kBlock)) return std::nullopt;
-  const auto [stop, error] =
-      std::from_chars(path.data() + kBlock.size(), path.data() + path.size(), item);
-  return error == std::errc{} ? std::optional(item) : std::nullopt;
+  constexpr std::string_view kList = "load_cases";
+  if (!path.starts_with(kList)) return std::nullopt;
+  path.remove_prefix(kList.size());
+  return take_index(path);
 }
 
 }  // namespace
@@ -129,106 +120,99 @@ struct DesignReader::Parts {
   Case read_in_full = {};
 
   /// The shape of a design; false where a number must be read.
-  bool find_shape(const std::vector<Draw>& draws, FrameShape& found) const;
-  Frame* frame_of(const std::vector<Draw>& draws);
-  std::unique_ptr<Frame> make_frame(const FrameShape& of, const std::vector<Draw>& draws) const;
-  bool set_numbers(const std::vector<Draw>& draws);
-  std::vector<Problem> problems();
-};
-
-bool DesignReader::Parts::find_shape(const std::vector<Draw>& draws, FrameShape& found) const {
-  found.resize(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const Draw& draw = draws[values[i].factor];
-    if (draw.kind == Draw::Kind::as_in_file) {
-      found[i] = kAsInFile;
-    } else if (draw.kind == Draw::Kind::number) {
-      if (!values[i].number) return false;
-      found[i] = kNumber;
-    } else {
-      const bool number = !std::isnan(values[i].levels[draw.level]);
-      found[i] = number ? kNumber : kFirstLevel + static_cast<std::uint32_t>(draw.level);
+  bool find_shape(const std::vector<Draw>& draws, FrameShape& found) const {
+    found.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Draw& draw = draws[values[i].factor];
+      if (draw.kind == Draw::Kind::as_in_file) {
+        found[i] = kAsInFile;
+      } else if (draw.kind == Draw::Kind::number) {
+        if (!values[i].number) return false;
+        found[i] = kNumber;
+      } else {
+        const bool number = !std::isnan(values[i].levels[draw.level]);
+        found[i] = number ? kNumber : kFirstLevel + static_cast<std::uint32_t>(draw.level);
+      }
     }
+    return true;
   }
-  return true;
-}
 
-/// Null where the design's document cannot be read, or has no number in an input's place.
-std::unique_ptr<Frame> DesignReader::Parts::make_frame(const FrameShape& of,
-                                                       const std::vector<Draw>& draws) const {
-  auto made = std::make_unique<Frame>();
-  try {
-    made->file = input::read_design_file(input, overrides(input.study, draws)).file;
-  } catch (const input::InputError&) {
-    return nullptr;
-  }
-  const std::vector<input::LoadCaseItem>& items = made->file.load_cases;
-  std::vector<LoadCase>& load_cases = made->file.values.load_cases;
-  load_cases = input::expand(items);
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    if (of[i] != kNumber) continue;
-    const std::string& path = values[i].path;
-    if (made->file.speeds_follow_lead && path == "mechanism.lead") return nullptr;
-    input::Slot slot = input::find_slot(made->file, path);
-    if (slot.kind != input::Slot::Kind::number && slot.kind != input::Slot::Kind::whole)
+  /// Null where the design's document cannot be read, or has no number in an input's place.
+  std::unique_ptr<Frame> make_frame(const FrameShape& of, const std::vector<Draw>& draws) const {
+    auto made = std::make_unique<Frame>();
+    try {
+      made->file = input::read_design_file(input, overrides(input.study, draws)).file;
+    } catch (const input::InputError&) {
       return nullptr;
-    made->bound.push_back({i, std::move(slot)});
-    if (const std::optional<std::size_t> item = load_case_item(path))
-      made->varied_items.push_back(*item);
+    }
+    const std::vector<input::LoadCaseItem>& items = made->file.load_cases;
+    std::vector<LoadCase>& load_cases = made->file.values.load_cases;
+    load_cases = input::expand(items);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if (of[i] != kNumber) continue;
+      const std::string& path = values[i].path;
+      if (made->file.speeds_follow_lead && path == "mechanism.lead") return nullptr;
+      input::Slot slot = input::find_slot(made->file, path);
+      if (slot.kind != input::Slot::Kind::number && slot.kind != input::Slot::Kind::whole)
+        return nullptr;
+      made->bound.push_back({i, std::move(slot)});
+      if (const std::optional<std::size_t> item = load_case_item(path))
+        made->varied_items.push_back(*item);
+    }
+    std::vector<bool> varies(load_cases.size());
+    for (const std::size_t item : made->varied_items)
+      std::fill(varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item)),
+                varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item + 1)),
+                true);
+    made->checked = checked_cases(load_cases, varies);
+    return made;
   }
-  std::vector<bool> varies(load_cases.size());
-  for (const std::size_t item : made->varied_items)
-    std::fill(varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item)),
-              varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item + 1)),
-              true);
-  made->checked = checked_cases(load_cases, varies);
-  return made;
-}
 
-Frame* DesignReader::Parts::frame_of(const std::vector<Draw>& draws) {
-  FrameShape& of = wanted;
-  if (!find_shape(draws, of)) return nullptr;
-  if (frame && of == shape) return frame;
-  auto known = frames.find(of);
-  if (known == frames.end()) {
-    std::unique_ptr<Frame> made = make_frame(of, draws);
-    if (!made) return nullptr;
-    if (frames.size() >= kMostFrames) frames.clear();
-    known = frames.emplace(of, std::move(made)).first;
+  Frame* frame_of(const std::vector<Draw>& draws) {
+    FrameShape& of = wanted;
+    if (!find_shape(draws, of)) return nullptr;
+    if (frame && of == shape) return frame;
+    auto known = frames.find(of);
+    if (known == frames.end()) {
+      std::unique_ptr<Frame> made = make_frame(of, draws);
+      if (!made) return nullptr;
+      if (frames.size() >= kMostFrames) frames.clear();
+      known = frames.emplace(of, std::move(made)).first;
+    }
+    shape = of;
+    frame = known->second.get();
+    return frame;
   }
-  shape = of;
-  frame = known->second.get();
-  return frame;
-}
 
-/// Sets the numbers of the last shape's frame; false where one is out of its bounds.
-bool DesignReader::Parts::set_numbers(const std::vector<Draw>& draws) {
-  for (const auto& [input_index, slot] : frame->bound) {
-    const Values& known = values[input_index];
-    const Draw& draw = draws[known.factor];
-    const std::optional<double> value = draw.kind == Draw::Kind::level
-                                            ? known.levels[draw.level]
-                                            : input::slot_value(slot, draw.number, known.unit);
-    if (!value) return false;
-    set(slot, *value);
+  /// Sets the numbers of the last shape's frame; false where one is out of its bounds.
+  bool set_numbers(const std::vector<Draw>& draws) {
+    for (const auto& [input_index, slot] : frame->bound) {
+      const Values& known = values[input_index];
+      const Draw& draw = draws[known.factor];
+      const std::optional<double> value = draw.kind == Draw::Kind::level
+                                              ? known.levels[draw.level]
+                                              : input::slot_value(slot, draw.number, known.unit);
+      if (!value) return false;
+      set(slot, *value);
+    }
+    for (const std::size_t item : frame->varied_items)
+      input::update_numbers(frame->file.values.load_cases, frame->file.load_cases, item);
+    return true;
   }
-  for (const std::size_t item : frame->varied_items)
-    input::update_numbers(frame->file.values.load_cases, frame->file.load_cases, item);
-  return true;
-}
 
-/// Of the last shape's frame.
-std::vector<Problem> DesignReader::Parts::problems() {
-  Case& c = frame->file.values;
-  const auto of_case = [&] { return input::problems_of(c, input.study.command); };
-  if (!frame->checked) return of_case();
-  auto& [load_cases, varied] = *frame->checked;
-  for (const auto& [place, index] : varied) load_cases[place] = c.load_cases[index];
-  std::swap(c.load_cases, load_cases);
-  const bool sound = of_case().empty();
-  std::swap(c.load_cases, load_cases);
-  return sound ? std::vector<Problem>() : of_case();
-}
+  /// Of the last shape's frame.
+  std::vector<Problem> problems() {
+    Case& c = frame->file.values;
+    const auto of_case = [&] { return input::problems_of(c, input.study.command); };
+    if (!frame->checked) return of_case();
+    auto& [load_cases, varied] = *frame->checked;
+    for (const auto& [place, index] : varied) load_cases[place] = c.load_cases[index];
+    std::swap(c.load_cases, load_cases);
+    const bool sound = of_case().empty();
+    std::swap(c.load_cases, load_cases);
+    return sound ? std::vector<Problem>() : of_case();
+  }
+};
 
 DesignReader::DesignReader(const input::StudyInput& input) : parts_(new Parts{.input = input}) {
   input::CaseFile base = input::read_design_file(input, {}).file;

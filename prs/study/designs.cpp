@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
-#include <utility>
+#include <map>
 
 #include "prs/study/sampling.h"
 
@@ -89,14 +90,6 @@ void draw_combination(const Study& study, std::size_t k, std::vector<Draw>& draw
   }
 }
 
-Level level_of(const Factor& factor, const Draw& draw) {
-  if (draw.kind == Draw::Kind::level) return factor.levels[draw.level];
-  assert(factor.companions.empty());  // They have no value between two levels.
-  return {
-      fmt::format(FMT_COMPILE("{}{}{}"), draw.number, factor.unit.empty() ? "" : " ", factor.unit),
-      draw.number};
-}
-
 bool is_same(const Level& level, const std::optional<Level>& base) {
   if (!base) return false;
   return level.text == base->text || (level.number && level.number == base->number);
@@ -104,6 +97,50 @@ bool is_same(const Level& level, const std::optional<Level>& base) {
 
 std::string override_text(const Factor& factor, const Level& level) {
   return fmt::format("{}={}", factor.path, level.text);
+}
+
+/// Takes a whole number from the head of a text.
+std::optional<std::size_t> take_number(std::string_view& text) {
+  std::size_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{}) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return number;
+}
+
+/// The words that a factor can have, that of the file among them.
+std::vector<std::string> words_of(const Factor& factor) {
+  std::vector<std::string> words;
+  if (factor.is_numeric()) return words;
+  for (const Level& level : factor.levels) words.push_back(level.text);
+  if (factor.base && std::ranges::find(words, factor.base->text) == words.end())
+    words.push_back(factor.base->text);
+  return words;
+}
+
+FactorColumn column_of(const Factor& factor) {
+  FactorColumn column{factor.path, words_of(factor), kNoResponse};
+  if (column.is_numeric() && !factor.unit.empty()) column.name += "_" + unit_key(factor.unit);
+  if (!factor.base) return column;
+  if (column.is_numeric())
+    column.base = factor.base->number.value_or(kNoResponse);
+  else
+    column.base = static_cast<double>(std::ranges::find(column.words, factor.base->text) -
+                                      column.words.begin());
+  return column;
+}
+
+double value_of(const Factor& factor, const FactorColumn& column, const Draw& draw) {
+  switch (draw.kind) {
+    case Draw::Kind::number:
+      return draw.number;
+    case Draw::Kind::level:
+      return column.is_numeric() ? *factor.levels[draw.level].number
+                                 : static_cast<double>(draw.level);
+    case Draw::Kind::as_in_file:
+      break;
+  }
+  return column.base;
 }
 
 }  // namespace
@@ -139,6 +176,20 @@ void set_draws(const Study& study, std::size_t k, std::vector<Draw>& draws) {
   }
 }
 
+std::optional<Level> value_in(const Factor& input, const Draw& draw) {
+  switch (draw.kind) {
+    case Draw::Kind::number:
+      return Level{fmt::format(FMT_COMPILE("{}{}{}"), draw.number, input.unit.empty() ? "" : " ",
+                               input.unit),
+                   draw.number};
+    case Draw::Kind::level:
+      return input.levels[draw.level];
+    case Draw::Kind::as_in_file:
+      break;
+  }
+  return input.base;
+}
+
 Design design(const Study& study, std::size_t k) { return design(study, draws(study, k)); }
 
 Design design(const Study& study, const std::vector<Draw>& draws) {
@@ -148,9 +199,9 @@ Design design(const Study& study, const std::vector<Draw>& draws) {
   for (std::size_t i = 0; i < draws.size(); ++i) {
     if (draws[i].kind == Draw::Kind::as_in_file) continue;
     const Factor& factor = study.factors[i];
-    Setting setting{i, level_of(factor, draws[i]), {}};
+    Setting setting{i, *value_in(factor, draws[i]), {}};
     for (const Factor& companion : factor.companions)
-      setting.companions.push_back(level_of(companion, draws[i]));
+      setting.companions.push_back(*value_in(companion, draws[i]));
     design.settings.push_back(std::move(setting));
   }
   return design;
@@ -179,6 +230,88 @@ std::vector<std::string> overrides(const Study& study, const Design& design) {
 
 std::vector<std::string> overrides(const Study& study, const std::vector<Draw>& draws) {
   return overrides(study, design(study, draws));
+}
+
+std::optional<Shard> parse_shard(std::string_view text) {
+  const std::optional<std::size_t> index = take_number(text);
+  if (!index || !text.starts_with('/')) return std::nullopt;
+  text.remove_prefix(1);
+  const std::optional<std::size_t> count = take_number(text);
+  if (!count || !text.empty()) return std::nullopt;
+  if (*index < 1 || *index > *count || *count > kMostShards) return std::nullopt;
+  return Shard{*index - 1, *count};
+}
+
+std::string name(Shard shard) { return fmt::format("{}/{}", shard.index + 1, shard.count); }
+
+DesignRange part(std::size_t designs, Shard shard) {
+  const std::size_t share = designs / shard.count;
+  const std::size_t longer = designs % shard.count;  // The first of the shards have one more.
+  const std::size_t first = shard.index * share + std::min(shard.index, longer);
+  return {first, share + (shard.index < longer ? 1 : 0)};
+}
+
+std::vector<DesignRange> missing(DesignRange all, std::vector<DesignRange> ranges) {
+  std::ranges::sort(ranges, {}, &DesignRange::first);
+  std::vector<DesignRange> gaps;
+  std::size_t next = all.first;
+  for (const DesignRange& range : ranges) {
+    const std::size_t stop = std::min(range.first, all.end());
+    if (stop > next) gaps.push_back({next, stop - next});
+    next = std::max(next, range.end());
+  }
+  if (next < all.end()) gaps.push_back({next, all.end() - next});
+  return gaps;
+}
+
+std::size_t count(const std::vector<DesignRange>& ranges) {
+  std::size_t sum = 0;
+  for (const DesignRange& range : ranges) sum += range.count;
+  return sum;
+}
+
+std::string unit_key(const std::string& unit) {
+  if (unit == "%") return "percent";
+  std::string key;
+  for (const char c : unit.starts_with("1/") ? unit.substr(1) : unit) {
+    if (c == '/')
+      key += key.empty() ? "per_" : "_per_";
+    else if (c == '.')
+      key += '_';
+    else if (c != ' ' && c != '^')
+      key += c;
+  }
+  return key;
+}
+
+std::vector<FactorColumn> factor_columns(const Study& study) {
+  std::vector<FactorColumn> columns;
+  std::map<std::string, int> uses;
+  for (const std::string& response : study.responses) ++uses[response];
+  for (const DrawnInput& drawn : drawn_inputs(study)) {
+    FactorColumn& column = columns.emplace_back(column_of(*drawn.input));
+    if (const int use = ++uses[column.name]; use > 1) column.name += fmt::format("_{}", use);
+  }
+  return columns;
+}
+
+std::vector<double> factor_values(const Study& study, const std::vector<FactorColumn>& columns,
+                                  std::size_t first, std::size_t count) {
+  const std::vector<DrawnInput> inputs = drawn_inputs(study);
+  std::vector<double> values;
+  values.reserve(count * columns.size());
+  std::vector<Draw> drawn;
+  for (std::size_t k = first; k < first + count; ++k) {
+    set_draws(study, k, drawn);
+    for (std::size_t f = 0; f < columns.size(); ++f)
+      values.push_back(value_of(*inputs[f].input, columns[f], drawn[inputs[f].factor]));
+  }
+  return values;
+}
+
+DesignStatus RowBlock::status(std::size_t row) const {
+  const auto failure = std::ranges::lower_bound(failures, row, {}, &Failure::row);
+  return failure != failures.end() && failure->row == row ? failure->status : DesignStatus{};
 }
 
 }  // namespace prs

@@ -1,12 +1,16 @@
 #pragma once
 
-#include <cstddef>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "prs/model/study.h"
 
 namespace prs {
+
+/// Stands for a number that a design does not have.
+inline constexpr double kNoResponse = std::numeric_limits<double>::quiet_NaN();
 
 /// Number of designs, the base case included.
 std::size_t design_count(const Study& study);
@@ -16,6 +20,10 @@ std::size_t design_count(const Study& study);
 std::vector<Draw> draws(const Study& study, std::size_t k);
 /// The same into memory that is kept.
 void set_draws(const Study& study, std::size_t k, std::vector<Draw>& draws);
+
+/// The value of an input that a draw sets, as it could stand in the file; the file's own where the
+/// draw leaves it, absent where the file says nothing either.
+std::optional<Level> value_in(const Factor& input, const Draw& draw);
 
 /// The settings of design k, with the values as texts.
 Design design(const Study& study, std::size_t k);
@@ -27,5 +35,86 @@ bool is_base(const Study& study, const Design& design);
 /// The settings as `--set` takes them: `mechanism.rollers=9`.
 std::vector<std::string> overrides(const Study& study, const Design& design);
 std::vector<std::string> overrides(const Study& study, const std::vector<Draw>& draws);
+
+/// A factor or companion as a column of a file: numbers in its unit or, where its values are words,
+/// their indices.
+struct FactorColumn {
+  std::string name;                ///< Path with the unit: `mechanism.lead_mm`
+  std::vector<std::string> words;  ///< Empty where the values are numbers.
+  double base = 0.0;               ///< What the file says; NaN where it says nothing.
+
+  bool is_numeric() const { return words.empty(); }
+};
+
+/// A column for each of `drawn_inputs`; a number tells it apart from a response or another one of
+/// the same name.
+std::vector<FactorColumn> factor_columns(const Study& study);
+
+/// What designs [first, first + count) set: count x columns.
+std::vector<double> factor_values(const Study& study, const std::vector<FactorColumn>& columns,
+                                  std::size_t first, std::size_t count);
+
+/// A unit as it stands in keys: `N/mm^1.5` is `N_per_mm1_5`.
+std::string unit_key(const std::string& unit);
+
+/// Designs [first, first + count) of a study.
+struct DesignRange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+
+  std::size_t end() const { return first + count; }
+  bool operator==(const DesignRange&) const = default;
+};
+
+/// One of `count` equal parts of a study, which run independently.
+struct Shard {
+  std::size_t index = 0;  ///< From 0; people and files count from 1.
+  std::size_t count = 1;
+
+  bool operator==(const Shard&) const = default;
+};
+
+inline constexpr std::size_t kMostShards = 1'000'000;
+
+/// `3/8`, the third of eight, from 1/8 to 8/8. Absent where the text is not of this form.
+std::optional<Shard> parse_shard(std::string_view text);
+
+/// `3/8`
+std::string name(Shard shard);
+
+/// The designs of a shard: consecutive ones, as many as those of any other shard or one more.
+DesignRange part(std::size_t designs, Shard shard);
+
+/// The designs of `all` that are in none of the ranges. These may overlap and come in any order.
+std::vector<DesignRange> missing(DesignRange all, std::vector<DesignRange> ranges);
+
+/// Number of designs in disjoint ranges.
+std::size_t count(const std::vector<DesignRange>& ranges);
+
+/// How a design ended.
+struct DesignStatus {
+  /// `refused` (the case describes no mechanism), `failed` (the program does not know why), or how
+  /// the solve of the first load case that did not converge ended.
+  std::string name = "converged";
+  std::string reason = {};  ///< Empty where converged.
+
+  bool converged() const { return name == "converged"; }
+};
+
+/// Answers of consecutive designs of a study.
+struct RowBlock {
+  /// A design without an answer.
+  struct Failure {
+    std::size_t row = 0;  ///< Row in the block.
+    DesignStatus status;
+  };
+
+  std::size_t first = 0;          ///< Index of the first design.
+  std::size_t rows = 0;           ///< Number of designs.
+  std::vector<double> responses;  ///< rows x responses; NaN where a design has none.
+  std::vector<Failure> failures;  ///< Ascending; all other designs converged.
+
+  DesignStatus status(std::size_t row) const;
+};
 
 }  // namespace prs

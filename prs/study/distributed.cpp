@@ -1,19 +1,18 @@
 #include "prs/study/distributed.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <deque>
 #include <exception>
 #include <mutex>
 #include <set>
 #include <thread>
 
+#include "prs/bytes.h"
 #include "prs/sha256.h"
 
 namespace prs {
@@ -47,16 +46,10 @@ bool is_launched() {
   return false;
 }
 
-template <std::size_t n>
-std::array<std::uint64_t, n> numbers_of(const std::string& content) {
-  std::array<std::uint64_t, n> numbers{};
-  std::memcpy(numbers.data(), content.data(), std::min(content.size(), sizeof numbers));
-  return numbers;
-}
-
-template <std::size_t n>
-std::string_view content_of(const std::array<std::uint64_t, n>& numbers) {
-  return {reinterpret_cast<const char*>(numbers.data()), sizeof numbers};
+std::string content_of(std::initializer_list<std::uint64_t> numbers) {
+  std::string content;
+  for (const std::uint64_t number : numbers) put(content, number);
+  return content;
 }
 
 /// Values from one thread for another.
@@ -126,7 +119,7 @@ Ranks::~Ranks() {
   if (rank_ == 0)
     serve([](std::size_t) { return std::nullopt; }, [](const std::string&) {}, 1);
   else
-    communicator_->send(0, kHello, content_of<1>({0}));
+    communicator_->send(0, kHello, content_of({0}));
 }
 
 std::size_t Ranks::threads() const {
@@ -197,7 +190,7 @@ void Ranks::serve(const NextRange& next, const TakeRecord& take, std::size_t chu
   int heard_of = 1;
   const auto answer = [&](int rank) {
     const DesignRange range = next(grant.of(places)).value_or(DesignRange{});
-    communicator_->send(rank, kRange, content_of<2>({range.first, range.count}));
+    communicator_->send(rank, kRange, content_of({range.first, range.count}));
     if (range.count == 0) ++idle;
   };
   while (heard_of < size_ || idle < places) {
@@ -205,7 +198,7 @@ void Ranks::serve(const NextRange& next, const TakeRecord& take, std::size_t chu
     if (!message) {
       std::this_thread::sleep_for(kPause);
     } else if (message->tag == kHello) {
-      const std::size_t wanted = numbers_of<1>(message->content)[0];
+      const std::size_t wanted = Cursor(message->content).number();
       ++heard_of;
       places += wanted;
       for (std::size_t k = 0; k < wanted; ++k) answer(message->rank);
@@ -223,7 +216,7 @@ void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
   std::set<std::size_t> ends;  ///< Of the ranges that were given and are not done.
   Mailbox<std::string> records;
   std::size_t places = kBlocksPerThread * threads;
-  communicator_->send(0, kHello, content_of<1>({places}));
+  communicator_->send(0, kHello, content_of({places}));
   std::thread work([&] {
     const auto next = [&](std::size_t) {
       const DesignRange range = ranges.wait();
@@ -239,11 +232,14 @@ void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
     if (const std::optional<std::string> record = records.take()) {
       communicator_->send(0, ends.erase(designs_of(*record).end()) > 0 ? kRecord : kPart, *record);
     } else if (const auto message = communicator_->receive()) {
-      const auto [first, count] = numbers_of<2>(message->content);
-      if (count == 0) --places;
-      if (count == 0) continue;
-      ends.insert(first + count);
-      ranges.put({first, count});
+      Cursor numbers(message->content);
+      const DesignRange range{numbers.number(), numbers.number()};
+      if (range.count > 0) {
+        ends.insert(range.end());
+        ranges.put(range);
+      } else {
+        --places;
+      }
     } else {
       std::this_thread::sleep_for(kPause);
     }

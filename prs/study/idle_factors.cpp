@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <optional>
 #include <tuple>
-#include <utility>
 
-#include "prs/study/mixed_bits.h"
+#include "prs/study/sampling.h"
 
 namespace prs {
 namespace {

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
 #include "prs/model/study.h"
-#include "prs/study/response_surface.h"
-#include "prs/study/row_block.h"
+#include "prs/study/designs.h"
+#include "prs/study/sensitivity.h"
 
 namespace prs {
 

@@ -5,17 +5,14 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 
-#include <array>
-#include <bit>
+#include <boost/crc.hpp>
 #include <cstring>
-#include <optional>
 #include <system_error>
 
 #include "prs/bytes.h"
-#include "prs/output/file_lock.h"
+#include "prs/output/files.h"
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
-#include "prs/study/temporary_folder.h"
 
 namespace prs {
 namespace {
@@ -30,55 +27,28 @@ constexpr std::size_t kWord = sizeof(std::uint64_t);
 /// Length, first design, rows, responses; checksum.
 constexpr std::uint64_t kShortestRecord = 5 * kWord;
 
-/// Entry b of table t: what byte b does to the checksum t bytes further on. Eight bytes at a time
-/// are eight entries (Kounavis and Berry 2005, "slicing").
-constexpr auto kSlices = [] {
-  constexpr std::uint32_t kReflected = 0x82F6'3B78;
-  std::array<std::array<std::uint32_t, 256>, kWord> slices{};
-  for (std::uint32_t b = 0; b < 256; ++b) {
-    std::uint32_t crc = b;
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? kReflected : 0);
-    slices[0][b] = crc;
-  }
-  for (std::size_t t = 1; t < kWord; ++t)
-    for (std::size_t b = 0; b < 256; ++b) {
-      const std::uint32_t before = slices[t - 1][b];
-      slices[t][b] = (before >> 8) ^ slices[0][before & 0xFF];
-    }
-  return slices;
-}();
-
 #if defined(__x86_64__)
-/// The processor's own instruction, as long as there are eight bytes.
-__attribute__((target("sse4.2"))) std::uint32_t take_words(std::uint32_t crc,
-                                                           std::string_view& bytes) {
-  std::uint64_t wide = crc;
+/// CRC-32C by the processor's own instruction, eight bytes at a time, then one.
+__attribute__((target("sse4.2"))) std::uint32_t crc32c_of_processor(std::string_view bytes) {
+  std::uint64_t crc = 0xFFFF'FFFF;
   for (; bytes.size() >= kWord; bytes.remove_prefix(kWord)) {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes.data(), kWord);
-    wide = __builtin_ia32_crc32di(wide, word);
+    crc = __builtin_ia32_crc32di(crc, word);
   }
-  return static_cast<std::uint32_t>(wide);
+  auto rest = static_cast<std::uint32_t>(crc);
+  for (const char c : bytes) rest = __builtin_ia32_crc32qi(rest, static_cast<unsigned char>(c));
+  return ~rest;
 }
 #endif
 
 std::uint64_t crc32c(std::string_view bytes) {
-  std::uint32_t crc = 0xFFFF'FFFF;
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("sse4.2")) crc = take_words(crc, bytes);
+  if (__builtin_cpu_supports("sse4.2")) return crc32c_of_processor(bytes);
 #endif
-  const auto byte = [](std::uint64_t word, std::size_t k) { return (word >> (8 * k)) & 0xFF; };
-  if constexpr (std::endian::native == std::endian::little)
-    for (; bytes.size() >= kWord; bytes.remove_prefix(kWord)) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, bytes.data(), kWord);
-      word ^= crc;
-      crc = 0;
-      for (std::size_t k = 0; k < kWord; ++k) crc ^= kSlices[kWord - 1 - k][byte(word, k)];
-    }
-  for (const char c : bytes)
-    crc = (crc >> 8) ^ kSlices[0][(crc ^ static_cast<unsigned char>(c)) & 0xFF];
-  return ~crc;
+  boost::crc_optimal<32, 0x1EDC'6F41, 0xFFFF'FFFF, 0xFFFF'FFFF, true, true> crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
 }
 
 std::uint64_t number_at(std::string_view bytes, std::size_t offset) {

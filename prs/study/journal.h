@@ -1,19 +1,15 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "prs/file_descriptor.h"
 #include "prs/input/source.h"
 #include "prs/output/file_lock.h"
-#include "prs/study/design_range.h"
-#include "prs/study/row_block.h"
+#include "prs/study/designs.h"
 
 namespace prs {
 

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "prs/life/analyze_life.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/loads/result.h"
+#include "prs/measures/measures.h"
 #include "prs/model/command.h"
+#include "prs/slip/slip.h"
 
 namespace prs {
 
@@ -20,5 +26,48 @@ std::vector<std::string> response_paths(const nlohmann::ordered_json& document);
 
 /// Responses recorded for a command where the study lists none.
 std::vector<std::string> default_responses(Command command);
+
+/// What a response is read from.
+struct Answer {
+  const Contacts& contacts;
+  const LoadCaseResult* load_case = nullptr;  ///< The response's load case.
+  const Measures* measures = nullptr;         ///< If asked for.
+  const LoadMeasures* load_measures = nullptr;
+  const LifeResult* life = nullptr;  ///< Command `life` only.
+  const HeatCycle* cycle = nullptr;  ///< Cases with a duty only.
+};
+
+/// Numbers that results of many designs have only where they are asked for.
+enum class OnDemand {
+  nothing,
+  axial_load,
+  load_rate,
+  ellipses,
+  tangent_stiffness,
+  slip_of_threads,
+  films
+};
+
+/// A response in the tables of quantities, read from the results without a document. Its value is
+/// the one that the document would have.
+struct ResultNumber {
+  /// Index of the load case that it belongs to; none: it is the mechanism's.
+  std::optional<std::size_t> load_case;
+  bool needs_complete = false;  ///< Detail::numbers does not have it.
+  bool needs_duty = false;      ///< It is read from the state that a duty comes to.
+  OnDemand on_demand = OnDemand::nothing;
+  std::function<std::optional<double>(const Answer&)> value;
+};
+
+/// What the numbers need of the loads of load cases, and of their slip.
+struct NumberDetail {
+  LoadDetail loads;
+  SlipDetail slip;
+};
+NumberDetail number_detail(std::span<const ResultNumber> numbers);
+
+/// The response at a path, see `response`; none where only the document has it: numbers about the
+/// solution, as the iterations that it took.
+std::optional<ResultNumber> result_number(std::string_view path);
 
 }  // namespace prs

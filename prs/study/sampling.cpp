@@ -5,9 +5,6 @@
 #include <boost/random/sobol.hpp>
 #include <cassert>
 #include <numbers>
-#include <vector>
-
-#include "prs/study/mixed_bits.h"
 
 namespace prs {
 namespace {

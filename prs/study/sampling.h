@@ -1,14 +1,25 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "prs/model/study.h"
 
+namespace prs {
+
+/// Step of a counter whose values are mixed: 2^64 over the golden ratio.
+inline constexpr std::uint64_t kGoldenStep = 0x9E3779B97F4A7C15U;
+
+/// SplitMix64's finaliser (Steele et al. 2014): a permutation of the 64-bit numbers whose output
+/// looks random.
+constexpr std::uint64_t mixed_bits(std::uint64_t x) {
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
+  return x ^ (x >> 31U);
+}
+
 /// Numbers of the open unit interval for sampled plans. Each is a pure function of the seed, the
 /// dimension (one per factor) and the sample's index, without a stream of states, so that samples
 /// can be drawn in any order, in parts and again.
-namespace prs {
 
 /// Independent numbers: the counter k of each dimension's own stream through the finaliser of
 /// SplitMix64 (Steele, Lea & Flood 2014, OOPSLA, fig. 16).

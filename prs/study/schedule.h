@@ -1,13 +1,11 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "prs/study/design_range.h"
-#include "prs/study/row_block.h"
+#include "prs/study/designs.h"
 
 namespace prs {
 

@@ -1,10 +1,6 @@
 #include "prs/study/study_csv.h"
 
-#include <vector>
-
 #include "prs/record/csv_writer.h"
-#include "prs/study/designs.h"
-#include "prs/study/study_columns.h"
 
 namespace prs {
 namespace {
@@ -30,6 +26,15 @@ void factor_field(CsvWriter& csv, const FactorColumn& column, double value) {
     csv.text(value >= 0.0 ? column.words[static_cast<std::size_t>(value)] : "");
 }
 
+void input_fields(CsvWriter& csv, const std::vector<FactorColumn>& columns,
+                  const std::vector<Level>& inputs) {
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (columns[k].is_numeric())
+      csv.number(inputs[k].number);
+    else
+      csv.text(inputs[k].text);
+}
+
 }  // namespace
 
 std::string StudyCsv::header() const {
@@ -47,7 +52,6 @@ std::string StudyCsv::rows(const RowBlock& block, const std::vector<double>& fac
   CsvWriter csv(style_, CsvWriter::Part::rows);
   const std::size_t width = study_.responses.size();
   csv.reserve(block.rows * (kUsualField * (columns_.size() + width) + kUsualField));
-  auto failure = block.failures.begin();
   for (std::size_t row = 0; row < block.rows; ++row) {
     csv.integer(block.first + row);
     if (study_.plan == Plan::one_at_a_time)
@@ -55,32 +59,13 @@ std::string StudyCsv::rows(const RowBlock& block, const std::vector<double>& fac
     else
       for (std::size_t f = 0; f < columns_.size(); ++f)
         factor_field(csv, columns_[f], factors[row * columns_.size() + f]);
-    const bool failed = failure != block.failures.end() && failure->row == row;
-    if (failed) {
-      csv.fields(failure->status.name, failure->status.reason);
-      ++failure;
-    } else {
-      csv.word("converged");
-      csv.word("");
-    }
+    const DesignStatus status = block.status(row);
+    csv.fields(status.name, status.reason);
     for (std::size_t k = 0; k < width; ++k) csv.number(block.responses[row * width + k]);
     csv.end_row();
   }
   return csv.take();
 }
-
-namespace {
-
-void input_fields(CsvWriter& csv, const std::vector<FactorColumn>& columns,
-                  const std::vector<Level>& inputs) {
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    if (columns[k].is_numeric())
-      csv.number(inputs[k].number);
-    else
-      csv.text(inputs[k].text);
-}
-
-}  // namespace
 
 std::string envelope_csv(const Study& study, const GridMaps& maps, const EnvelopeResult& envelope,
                          const CsvStyle& style) {

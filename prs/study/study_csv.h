@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "prs/model/study.h"
-#include "prs/record/csv_style.h"
+#include "prs/record/csv_writer.h"
+#include "prs/study/designs.h"
 #include "prs/study/envelope_result.h"
-#include "prs/study/grid_maps.h"
-#include "prs/study/row_block.h"
-#include "prs/study/study_columns.h"
 
 namespace prs {
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 
 #include "prs/loads/load_json.h"
 #include "prs/record/record.h"

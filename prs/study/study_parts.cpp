@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "prs/record/response_title.h"
-#include "prs/study/study_text.h"
-#include "prs/text.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 namespace {
+
+constexpr std::size_t kLongNumber = 14;
+constexpr std::size_t kMaxTitle = 36;
 
 constexpr std::size_t kMostOfName = 36;
 constexpr std::size_t kMostWholeTicks = 13;
@@ -25,6 +25,17 @@ std::string shown_unit(const std::string& unit) {
 }
 
 }  // namespace
+
+std::string level_text(const Level& level, const std::string& unit) {
+  const std::string text = printable(level.text);
+  if (!level.number || width(text) <= kLongNumber || text.starts_with('{')) return text;
+  return fmt::format("{:.6g}{}{}", *level.number, unit.empty() ? "" : " ", printable(unit));
+}
+
+std::string factor_title(const Factor& factor) {
+  const std::string text = shortened(printable(factor.label), kMaxTitle);
+  return factor.label == factor.path ? text : capitalised(text);
+}
 
 std::string study_figure_name(std::size_t index, const std::string& label) {
   std::string name = fmt::format("{:02}_", index + 1);
@@ -45,9 +56,8 @@ std::vector<std::size_t> chosen_responses(const std::vector<std::string>& respon
                                  fmt::join(responses, ", ")));
     return {static_cast<std::size_t>(found - responses.begin())};
   }
-  std::vector<std::size_t> all(std::min(responses.size(), kMostStudyFigures));
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
+  const std::size_t first = std::min(responses.size(), kMostStudyFigures);
+  return spread(first, first);
 }
 
 Figure response_figure(const std::vector<std::string>& responses, std::size_t response) {

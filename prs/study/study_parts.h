@@ -1,14 +1,21 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "prs/model/study.h"
 #include "prs/record/figure_parts.h"
 #include "prs/study/study_result.h"
+#include "prs/text.h"
 
 namespace prs {
+
+/// A level as it is written, long numbers with six digits.
+std::string level_text(const Level& level, const std::string& unit);
+
+/// A factor as a heading: its label, or its path as it stands.
+std::string factor_title(const Factor& factor);
 
 inline constexpr std::size_t kMostStudyFigures = 24;
 inline constexpr std::size_t kMostStudyPanels = 12;
@@ -17,12 +24,29 @@ constexpr Style kDesignStyle = {Colour::blue, Dash::solid, Mark::circle};
 constexpr Style kBaseStyle = points_of(Colour::vermillion, Mark::diamond, Weight::strong);
 constexpr const char* kBaseTitle = "as in the file";
 
+/// Whether each design differs from the file in one factor.
+inline bool varies_one_at_a_time(const Study& study) {
+  return study.plan == Plan::one_at_a_time ||
+         (study.plan == Plan::grid && study.factors.size() == 1);
+}
+
 /// `03_flank_angle`
 std::string study_figure_name(std::size_t index, const std::string& label);
 
 /// Indices of those that the options choose, else of the first. Throws NoFigure.
 std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses,
                                           const FigureOptions& options);
+
+/// A figure of each of these responses that `make` gives one of, as far as it has data.
+template <class Make>
+Figures figures_of(const std::vector<std::string>& responses, const FigureOptions& options,
+                   Make make) {
+  Figures figures;
+  for (const std::size_t k : chosen_responses(responses, options))
+    if (std::optional<Figure> figure = make(k); figure && has_data(*figure))
+      figures.push_back(std::move(*figure));
+  return figures;
+}
 
 /// Name and title of a figure of a response.
 Figure response_figure(const std::vector<std::string>& responses, std::size_t response);

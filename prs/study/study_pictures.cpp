@@ -1,14 +1,320 @@
 #include "prs/study/study_pictures.h"
 
-namespace prs {
+#include <fmt/format.h>
 
-// Each stands in a file `*_figures.cpp`; none where the result holds no data.
-Figures study_power(const StudyResult& result, const FigureOptions& options);
-Figures study_envelope(const StudyResult& result, const FigureOptions& options);
-Figures study_maps(const StudyResult& result, const FigureOptions& options);
-Figures contributions(const StudyResult& result, const FigureOptions& options);
-Figures histograms(const StudyResult& result, const FigureOptions& options);
-Figures elasticities(const CaseDerivatives& result, const FigureOptions& options);
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "prs/losses/slip_pictures.h"
+#include "prs/losses/slip_record.h"
+#include "prs/record/table_units.h"
+#include "prs/text.h"
+
+namespace prs {
+namespace {
+
+constexpr double kLeastEfficiencySpan = 5.0;  // [%], so that what hardly matters looks so.
+
+/// A design of one factor on the factor's axis.
+struct Point {
+  double x = 0.0;
+  const StudyRow* row = nullptr;
+};
+
+/// The designs of a factor, ascending, the base case among them where its place is known.
+struct Sweep {
+  const Factor* factor = nullptr;
+  std::vector<Point> points;
+  std::optional<double> base;  ///< Where the base case stands.
+};
+
+Sweep sweep_of(const StudyResult& result, std::size_t index) {
+  const Factor& factor = result.study.factors[index];
+  Sweep sweep{&factor, {}, std::nullopt};
+  double position = 0.0;
+  for (const StudyRow& row : result.rows) {
+    if (row.design.settings.empty() || row.design.settings[0].factor != index) continue;
+    position += 1.0;
+    const double x = factor.is_numeric() ? *row.design.settings[0].level.number : position;
+    sweep.points.push_back({x, &row});
+    if (is_base(result.study, row.design)) sweep.base = x;
+  }
+  const bool on_axis = factor.is_numeric() && factor.base && factor.base->number &&
+                       !(factor.logarithmic && *factor.base->number <= 0.0);
+  if (!sweep.base && on_axis) {
+    sweep.base = factor.base->number;
+    sweep.points.push_back({*sweep.base, &result.base()});
+  }
+  std::ranges::stable_sort(sweep.points, {}, &Point::x);
+  return sweep;
+}
+
+/// Over the designs with an answer.
+Axis axis_of(const Sweep& sweep) {
+  std::vector<double> answered;
+  for (const Point& point : sweep.points)
+    if (point.row->status.converged()) answered.push_back(point.x);
+  return factor_axis(*sweep.factor, answered);
+}
+
+void widen(Axis& axis, double least) {
+  const double margin = std::max(0.0, 0.5 * (least - (axis.to - axis.from)));
+  axis.from -= margin;
+  axis.to += margin;
+}
+
+std::optional<double> recorded(const StudyResult& result, const StudyRow& row,
+                               const std::string& path) {
+  const auto found = std::ranges::find(result.study.responses, path);
+  if (found == result.study.responses.end() || !row.status.converged()) return std::nullopt;
+  return row.responses[static_cast<std::size_t>(found - result.study.responses.begin())];
+}
+
+std::string share_path(const PowerSource& source) {
+  return fmt::format("slip.share_percent.{}", source.key);
+}
+
+/// Power by source and efficiency of a row; not converged where it has none.
+SlipResult slip_of(const StudyResult& result, const StudyRow& row) {
+  SlipResult slip;
+  const std::optional<double> loss = recorded(result, row, "slip.power_loss_W");
+  if (!loss) return slip;
+  slip.status = SlipStatus::converged;
+  slip.efficiency = recorded(result, row, "slip.efficiency");
+  slip.efficiency_fit = recorded(result, row, "slip.efficiency_fit");
+  for (const PowerSource& source : kPowerSources)
+    slip.power.*source.value =
+        *loss * recorded(result, row, share_path(source)).value_or(0.0) / per_si::percent;
+  return slip;
+}
+
+std::optional<Figure> power_figure(const StudyResult& result, std::size_t index) {
+  const Sweep sweep = sweep_of(result, index);
+  std::vector<double> x;
+  std::vector<SlipResult> slips;
+  PowerFigureOptions options;
+  for (const Point& point : sweep.points) {
+    x.push_back(point.x);
+    slips.push_back(slip_of(result, *point.row));
+    if (slips.back().efficiency_fit)
+      options.comparison.push_back({point.x, *slips.back().efficiency_fit});
+  }
+  if (std::ranges::none_of(slips, &SlipResult::converged)) return std::nullopt;
+  options.name = study_figure_name(index, sweep.factor->label);
+  options.title = fmt::format("{}: power lost by source, efficiency", factor_name(*sweep.factor));
+  options.comparison_title = "efficiency by the fit (3.55)";
+  const SlipResult base = slip_of(result, result.base());
+  if (base.converged() && base.power.total() > 0.0) {
+    options.relative_to = base.power.total();
+    if (sweep.base)
+      options.references = {{kBaseTitle, *sweep.base, base.power.total(), base.efficiency}};
+  }
+  const Axis axis = axis_of(sweep);
+  Figure figure = power_by_source_figure(x, axis, slips, options);
+  figure.x = axis;
+  if (std::optional<Axis>& efficiency = figure.panels[1].y)
+    widen(*efficiency, kLeastEfficiencySpan);
+  return figure;
+}
+
+/// The line of a response over a factor, interrupted where a design has none, and the base case.
+Panel factor_panel(const StudyResult& result, std::size_t factor, std::size_t response) {
+  const Sweep sweep = sweep_of(result, factor);
+  Panel panel;
+  panel.x = axis_of(sweep);
+  Series line{sweep.factor->is_numeric() ? 0u : 1u};
+  for (const Point& point : sweep.points) line.add(point.x, point.row->responses[response]);
+  panel.series.push_back(std::move(line));
+  const std::optional<double>& base = result.base().responses[response];
+  if (sweep.base && base) panel.series.push_back({2, {{{*sweep.base, *base}}}});
+  return panel;
+}
+
+Figure panels_of_factors(const StudyResult& result, std::size_t response) {
+  Figure figure = response_figure(result.study.responses, response);
+  figure.add(kDesignStyle);
+  figure.add(points_of(Colour::blue, Mark::circle));
+  figure.add(kBaseTitle, kBaseStyle);
+  const std::size_t factors = result.study.factors.size();
+  const std::size_t panels = std::min(factors, kMostStudyPanels);
+  if (panels < factors) figure.title += fmt::format(", first {} of {} factors", panels, factors);
+  figure.columns = columns_for(panels);
+  for (std::size_t k = 0; k < panels; ++k)
+    figure.panels.push_back(factor_panel(result, k, response));
+  fit_y_range(figure);
+  return figure;
+}
+
+/// Change of the response over the change of each numeric factor, both in percent of the file's.
+std::optional<Figure> changes_of_factors(const StudyResult& result, std::size_t response) {
+  const std::optional<double>& base = result.base().responses[response];
+  if (!base || *base == 0.0) return std::nullopt;
+  const std::string& path = result.study.responses[response];
+  Figure figure = response_figure(result.study.responses, response);
+  figure.x = {"Change of the factor", "%"};
+  figure.y = {fmt::format("Change of {}", response_title(path).name), "%"};
+  Panel panel;
+  panel.references = {{0, 0.0}, {0, 0.0, true}};
+  figure.add(kZeroStyle);
+  for (std::size_t k = 0; k < result.study.factors.size(); ++k) {
+    const Sweep sweep = sweep_of(result, k);
+    const auto& own = sweep.factor->base ? sweep.factor->base->number : std::nullopt;
+    if (!own || *own == 0.0 || !sweep.factor->is_numeric() || figure.legend.size() == 12) continue;
+    Polyline line;
+    for (const Point& point : sweep.points)
+      if (const std::optional<double>& value = point.row->responses[response])
+        line.push_back({100.0 * (point.x / *own - 1.0), 100.0 * (*value / *base - 1.0)});
+    if (line.size() > 1)
+      panel.series.push_back(
+          {figure.add(factor_name(*sweep.factor), marked_line(figure.legend.size())), {line}});
+  }
+  if (panel.series.empty()) return std::nullopt;
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+constexpr std::size_t kMaxPanelTitle = 60;
+
+/// Level of each factor.
+using Combination = std::vector<std::size_t>;
+
+/// Which factors the axes, lines and panels stand for.
+struct Layout {
+  std::size_t x = 0;
+  std::size_t line = 0;
+  std::vector<std::size_t> panels;
+};
+
+std::size_t levels(const Study& study, std::size_t factor) {
+  return study.factors[factor].levels.size();
+}
+
+/// Of these factors the one with most levels, the first of several.
+std::size_t longest(const Study& study, const std::vector<std::size_t>& factors) {
+  return *std::ranges::max_element(factors, {}, [&](std::size_t k) { return levels(study, k); });
+}
+
+Layout layout_of(const Study& study) {
+  std::vector<std::size_t> all = spread(study.factors.size(), study.factors.size()), numeric;
+  std::ranges::copy_if(all, std::back_inserter(numeric),
+                       [&](std::size_t k) { return study.factors[k].is_numeric(); });
+  Layout layout;
+  layout.x = longest(study, numeric.empty() ? all : numeric);
+  std::erase(all, layout.x);
+  layout.line = longest(study, all);
+  std::erase(all, layout.line);
+  layout.panels = all;
+  return layout;
+}
+
+/// The response of a combination: the last factor changes fastest.
+std::optional<double> value_at(const StudyResult& result, const Combination& combination,
+                               std::size_t response) {
+  std::size_t index = 0;
+  for (std::size_t k = 0; k < combination.size(); ++k)
+    index = index * levels(result.study, k) + combination[k];
+  return index + 1 < result.rows.size() ? result.rows[index + 1].responses[response] : std::nullopt;
+}
+
+/// Along an ascending axis, interrupted where a design has no answer.
+Series series_over(const StudyResult& result, std::size_t response, std::size_t x,
+                   Combination combination, std::size_t style) {
+  const std::vector<double> at = positions(result.study.factors[x]);
+  std::vector<std::size_t> order = spread(at.size(), at.size());
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return at[k]; });
+  Series line{style};
+  for (const std::size_t k : order) {
+    combination[x] = k;
+    line.add(at[k], value_at(result, combination, response));
+  }
+  return line;
+}
+
+std::string setting_text(const Study& study, std::size_t factor, std::size_t level) {
+  const Factor& f = study.factors[factor];
+  return fmt::format("{} {}", factor_name(f), level_text(f.levels[level], f.unit));
+}
+
+Figure line_figure(const StudyResult& result, std::size_t response) {
+  const Study& study = result.study;
+  const Layout layout = layout_of(study);
+  Figure figure = response_figure(study.responses, response);
+  figure.x = factor_axis(study.factors[layout.x], positions(study.factors[layout.x]));
+  const std::vector<std::size_t> lines = spread(levels(study, layout.line), kMostLines);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    Style style = marked_line(k);
+    if (!study.factors[layout.x].is_numeric()) style.dash = Dash::none;
+    figure.add(setting_text(study, layout.line, lines[k]), style);
+  }
+  std::size_t panels = 1;
+  for (const std::size_t factor : layout.panels) panels *= levels(study, factor);
+  const std::size_t shown = std::min(panels, kMostStudyPanels);
+  if (shown < panels) figure.title += fmt::format(", {} of {} combinations", shown, panels);
+  figure.columns = columns_for(shown);
+  for (std::size_t index : spread(panels, kMostStudyPanels)) {
+    Combination combination(study.factors.size());
+    Panel panel;
+    for (std::size_t k = layout.panels.size(); k-- > 0;) {
+      const std::size_t factor = layout.panels[k];
+      combination[factor] = index % levels(study, factor);
+      index /= levels(study, factor);
+    }
+    for (const std::size_t factor : layout.panels)
+      panel.title += fmt::format("{}{}", panel.title.empty() ? "" : ", ",
+                                 setting_text(study, factor, combination[factor]));
+    panel.title = shortened(panel.title, kMaxPanelTitle);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      combination[layout.line] = lines[k];
+      panel.series.push_back(series_over(result, response, layout.x, combination, k));
+    }
+    figure.panels.push_back(std::move(panel));
+  }
+  fit_y_range(figure);
+  return figure;
+}
+
+/// Whether the study records what a figure of power by source shows.
+bool has_power(const StudyResult& result) {
+  const auto is_recorded = [&](const std::string& path) {
+    return std::ranges::find(result.study.responses, path) != result.study.responses.end();
+  };
+  return is_recorded("slip.power_loss_W") && is_recorded("slip.efficiency") &&
+         std::ranges::all_of(kPowerSources, [&](const PowerSource& source) {
+           return is_recorded(share_path(source));
+         });
+}
+
+/// A response over each factor, a panel each; in one panel its changes over those of the factors.
+Figures one_at_a_time_lines(const StudyResult& result, const FigureOptions& options) {
+  return figures_of(result.study.responses, options, [&](std::size_t k) {
+    std::optional<Figure> figure;
+    if (options.one_panel && result.study.factors.size() > 1)
+      figure = changes_of_factors(result, k);
+    if (!figure) figure = panels_of_factors(result, k);
+    return figure;
+  });
+}
+
+/// With slip, for each factor: power by source, stacked, and efficiency with its fit (Sandu 2018,
+/// fig. 3.9 and appendix C).
+Figures study_power(const StudyResult& result, const FigureOptions&) {
+  Figures figures;
+  if (!varies_one_at_a_time(result.study) || !has_power(result)) return figures;
+  for (std::size_t k = 0; k < std::min(result.study.factors.size(), kMostStudyFigures); ++k)
+    if (std::optional<Figure> figure = power_figure(result, k))
+      figures.push_back(std::move(*figure));
+  return figures;
+}
+
+/// A response over the numeric factor with most values, a line for each value of a second factor
+/// and a panel for each combination of the others.
+Figures grid_lines(const StudyResult& result, const FigureOptions& options) {
+  return figures_of(result.study.responses, options,
+                    [&](std::size_t k) { return line_figure(result, k); });
+}
+
+}  // namespace
 
 Pictures study_pictures(const StudyResult& r) {
   const Study& study = r.study;
@@ -29,11 +335,6 @@ Pictures study_pictures(const StudyResult& r) {
       {"histogram", "several designs whose responses differ", of_result(r, histograms),
        drawn_if(sampled)},
   };
-}
-
-Pictures derivatives_pictures(const CaseDerivatives& r) {
-  return {{"elasticities", "factors and responses other than 0 in the file",
-           of_result(r, elasticities)}};
 }
 
 }  // namespace prs

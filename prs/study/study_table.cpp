@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <tuple>
-#include <vector>
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/warnings.h"
 #include "prs/record/table_units.h"
 #include "prs/study/designs.h"
 #include "prs/study/study_json.h"
-#include "prs/study/study_text.h"
+#include "prs/study/study_parts.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -415,8 +413,7 @@ std::string study_table(const StudyResult& result) {
   std::string end = study_failures(result);
   if (!end.empty()) end.insert(0, "\n");
   end += warning_section(result.warnings);
-  if (study.plan == Plan::one_at_a_time || (study.plan == Plan::grid && study.factors.size() == 1))
-    return factor_tables(result) + end;
+  if (varies_one_at_a_time(study)) return factor_tables(result) + end;
   return head(result) + rankings(result) + statistics(result) +
          (study.plan == Plan::grid ? extremes(result) : "") + envelope_text(result) + end;
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/svg/frame.h"
-#include "prs/svg/text_width.h"
+#include "prs/svg/elements.h"
+#include "prs/svg/layout.h"
 
 namespace prs {
 

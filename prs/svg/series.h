@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "prs/svg/frame.h"
+#include "prs/svg/layout.h"
 
 namespace prs {
 

@@ -11,7 +11,7 @@
 
 #include "prs/loads/load_json.h"
 #include "prs/record/figure_json.h"
-#include "prs/study/row_block.h"
+#include "prs/study/designs.h"
 #include "python/engine/interpreter_guard.h"
 
 namespace nb = nanobind;

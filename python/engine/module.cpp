@@ -11,7 +11,7 @@
 #include "prs/input/source.h"
 #include "prs/input/units.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/record/response_title.h"
+#include "prs/record/table_units.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/version.h"
 #include "python/engine/case.h"

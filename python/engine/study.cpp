@@ -17,15 +17,15 @@
 #include <utility>
 
 #include "prs/input/study_reader.h"
-#include "prs/optimize/parallel_evaluation.h"
+#include "prs/optimize/optimizer.h"
 #include "prs/run/commands.h"
 #include "prs/run/study.h"
-#include "prs/study/analysis.h"
 #include "prs/study/derivatives_files.h"
 #include "prs/study/designs.h"
-#include "prs/study/study_columns.h"
+#include "prs/study/study_csv.h"
 #include "prs/study/study_json.h"
 #include "prs/study/study_pictures.h"
+#include "prs/study/study_result.h"
 #include "prs/study/study_run.h"
 #include "python/engine/document.h"
 #include "python/engine/interpreter_guard.h"

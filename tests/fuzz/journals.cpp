@@ -7,10 +7,10 @@
 #include <system_error>
 
 #include "prs/input/study_reader.h"
-#include "prs/study/analysis.h"
 #include "prs/study/designs.h"
 #include "prs/study/response.h"
 #include "prs/study/study_files.h"
+#include "prs/study/study_result.h"
 #include "prs/study/study_run.h"
 #include "tests/fuzz/documents.h"
 #include "tests/fuzz/files.h"

@@ -7,8 +7,8 @@
 #include <regex>
 #include <sstream>
 
+#include "prs/svg/elements.h"
 #include "prs/svg/file.h"
-#include "prs/svg/text_width.h"
 
 namespace test {
 namespace {

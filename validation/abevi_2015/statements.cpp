@@ -1,4 +1,4 @@
-#include "validation/abevi_2015/statements.h"
+#include "validation/extensions.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "prs/loads/analyze.h"
-#include "validation/extensions.h"
 
 namespace prs::abevi_2015 {
 namespace {

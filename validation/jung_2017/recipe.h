@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "prs/loads/load_json.h"
-#include "prs/record/csv_style.h"
+#include "prs/record/csv_writer.h"
 #include "validation/jung_2017/measures.h"
 
 namespace prs::jung_2017 {

@@ -1,4 +1,4 @@
-#include "validation/sandu_2018/statements.h"
+#include "validation/sandu_2018/reference_example.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,6 @@
 #include "prs/model/units.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_model.h"
-#include "validation/sandu_2018/sweep.h"
 
 namespace prs::sandu_2018 {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/study/study_folder.h"
+#include "prs/study/study_run.h"
 #include "tests/prs/study/study_file.h"
 #include "tests/support/count.h"
 #include "tests/support/processes.h"

@@ -1,13 +1,10 @@
-#include "prs/compare/compare_models.h"
-#include "prs/compare/compare_analysis.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "prs/compare/comparison_record.h"
-#include "prs/compare/comparison_table.h"
+#include "prs/compare/compare_analysis.h"
+#include "prs/compare/compare_models.h"
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/sector/influence/matrix_cache.h"

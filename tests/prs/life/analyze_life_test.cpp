@@ -13,7 +13,6 @@
 
 #include "prs/input/reader.h"
 #include "prs/life/life_analysis.h"
-#include "prs/life/life_table.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/case_error.h"

@@ -11,9 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "prs/study/analysis.h"
 #include "prs/study/designs.h"
-#include "prs/study/grid_maps.h"
+#include "prs/study/study_result.h"
 
 namespace prs {
 namespace {

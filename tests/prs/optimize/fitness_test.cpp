@@ -1,4 +1,4 @@
-#include "prs/optimize/fitness.h"
+#include "prs/optimize/front.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,6 @@
 
 #include "known_problems.h"
 #include "prs/components/search.h"
-#include "prs/optimize/front.h"
 
 namespace prs {
 namespace {

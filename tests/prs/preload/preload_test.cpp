@@ -11,7 +11,6 @@
 #include "prs/preload/analyze_preload.h"
 #include "prs/preload/preload_analysis.h"
 #include "prs/preload/preload_solver.h"
-#include "prs/preload/preload_table.h"
 #include "prs/sector/load_distribution.h"
 #include "support/count.h"
 #include "support/sanitized.h"

@@ -1,4 +1,4 @@
-#include "prs/report/live.h"
+#include "prs/report/report.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "prs/study/analysis.h"
+#include "prs/study/study_result.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "prs/study/designs.h"
-#include "prs/study/study_result.h"
 #include "support/sanitized.h"
 
 namespace prs {

@@ -14,7 +14,7 @@
 #include "prs/model/case_error.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/design_reader.h"
-#include "prs/study/result_number.h"
+#include "prs/study/response.h"
 #include "support/count.h"
 #include "support/sanitized.h"
 #include "tests/contact/mechanisms.h"

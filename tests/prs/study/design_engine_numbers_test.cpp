@@ -20,7 +20,6 @@
 #include "prs/study/design_reader.h"
 #include "prs/study/designs.h"
 #include "prs/study/response.h"
-#include "prs/study/result_number.h"
 #include "support/count.h"
 #include "support/program.h"
 #include "support/random_screws.h"

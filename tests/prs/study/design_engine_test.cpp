@@ -28,7 +28,6 @@
 #include "prs/slip/slip.h"
 #include "prs/study/designs.h"
 #include "prs/study/response.h"
-#include "prs/study/result_number.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"

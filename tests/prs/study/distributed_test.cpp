@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "prs/study/study_folder.h"
+#include "prs/study/study_run.h"
 #include "study_file.h"
 #include "support/count.h"
 #include "support/folder_watch.h"

@@ -1,4 +1,4 @@
-#include "prs/study/response_surface.h"
+#include "prs/study/sensitivity.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "prs/study/slip_batch.h"
+#include "prs/study/design_batches.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "prs/study/study_folder.h"
+#include "prs/study/study_run.h"
 #include "study_file.h"
 #include "support/count.h"
 #include "support/folder_watch.h"

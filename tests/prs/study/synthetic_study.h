@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "prs/model/study.h"
+#include "prs/study/designs.h"
 #include "prs/study/journal.h"
-#include "prs/study/row_block.h"
 #include "prs/study/schedule.h"
 
 namespace test {

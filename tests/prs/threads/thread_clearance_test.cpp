@@ -14,7 +14,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_json.h"
 #include "prs/model/case_error.h"
-#include "prs/study/result_number.h"
+#include "prs/study/response.h"
 #include "prs/threads/contacts.h"
 #include "tests/contact/units.h"
 

@@ -20,11 +20,9 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/extensions.h"
-#include "validation/jung_2017/contact_parameters.h"
 #include "validation/jung_2017/measures.h"
 #include "validation/jung_2017/recipe.h"
-#include "validation/jung_2017/scale_chart.h"
-#include "validation/jung_2017/volume_fits.h"
+#include "validation/jung_2017/tables.h"
 
 namespace prs::jung_2017 {
 namespace {

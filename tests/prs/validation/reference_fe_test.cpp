@@ -14,10 +14,7 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/reference_fe/comparison.h"
-#include "validation/reference_fe/curves.h"
-#include "validation/reference_fe/figures.h"
-#include "validation/reference_fe/statements.h"
-#include "validation/reference_fe/tables.h"
+#include "validation/reference_fe/extension.h"
 
 namespace prs::reference_fe {
 namespace {

@@ -1,4 +1,4 @@
-#include "validation/abevi_2015/statements.h"
+#include "validation/extensions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "prs/configurations/configurations.h"
+#include "prs/record/csv_writer.h"
+#include "prs/record/delivery.h"
+#include "prs/record/record.h"
+
+namespace prs {
+
+/// The document of `prs configurations --json`; `number` is what `--write` takes.
+nlohmann::ordered_json configurations_json(const Configurations& all, const DocumentInfo& info);
+
+template <>
+Record<Configurations> record_of();
+
+/// `standard` or `inverted`.
+std::string_view type_name(Mechanism::Type type);
+
+/// The configurations, a numbered line each, and below why the others are left out, within 110
+/// columns.
+std::string configurations_table(const ConfigurationQuery& query, const Configurations& all);
+
+/// Why starts are left out, those with the same reason together; of a few with the details.
+std::string left_out_text(const Configurations& all);
+
+/// `configurations.csv`: one row per configuration.
+std::string configurations_csv(const Configurations& all, const CsvStyle& style = {});
+
+/// `gear_pairs.csv`: one row per pair of gears, with the number of its configuration.
+std::string gear_pairs_csv(const Configurations& all, const CsvStyle& style = {});
+
+}  // namespace prs

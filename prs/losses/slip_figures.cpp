@@ -1,0 +1,428 @@
+#include "prs/losses/slip_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "prs/loads/load_pictures.h"
+#include "prs/losses/slip_record.h"
+#include "prs/model/case.h"
+#include "prs/model/units.h"
+#include "prs/record/figure_parts.h"
+
+namespace prs {
+namespace {
+
+template <std::vector<double> InterfaceSlip::*values>
+const std::vector<double>& slip_of(const LoadCaseResult& result, Interface i) {
+  return result.slip->threads[i].*values;
+}
+
+bool has_thread_slip(const LoadCaseResult& result) {
+  return has_slip(result) && has_shares(result);
+}
+
+std::optional<double> with_equal_shares(const LoadCaseResult& result, Interface i) {
+  const std::optional<EqualShareSlip>& equal = result.slip->equal_shares;
+  return equal ? std::optional(equal->thread_power[i]) : std::nullopt;
+}
+
+bool has_power_of_rollers(const LoadCaseResult& result) {
+  return has_rollers(result) && has_slip(result);
+}
+
+bool has_slip_of_threads(const LoadCaseResult& result) {
+  return result.threads && has_slip(result);
+}
+
+Figures thread_power(const Result& result, const FigureOptions& options) {
+  FigureOptions one = options;
+  if (options.load_case) one.load_cases = {*options.load_case};
+  return from_zero(
+      thread_figure({"thread_power", "Power lost at each thread of a roller", "Power", "W",
+                     slip_of<&InterfaceSlip::power>, 1.0, has_thread_slip, with_equal_shares},
+                    result, one));
+}
+
+/// Friction coefficient and sliding speed of each thread, a panel each.
+Figures friction(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_thread_slip);
+  if (!shown) return {};
+  Figure figure{"friction",
+                "Friction and sliding of each thread, " + shown_name(shown->load_case.name)};
+  figure.columns = 2;
+  struct Shown {
+    const char* title;
+    const char* unit;
+    std::vector<double> InterfaceSlip::*values;
+    double factor;
+  };
+  constexpr Shown kShown[] = {
+      {"Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0},
+      {"Sliding speed", "mm/s", &InterfaceSlip::sliding_speed, per_si::millimetre}};
+  for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
+    figure.add(interface_title(kInterfaces[k]), marked_line(k));
+  for (const Shown& s : kShown) {
+    Panel& panel = figure.panels.emplace_back();
+    panel.title = s.title;
+    for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
+      panel.series.push_back(
+          {k, {over_threads(shown->slip->threads[kInterfaces[k]].*s.values, s.factor)}});
+    panel.y = fitted({s.title, s.unit}, range_of_y(panel.series), true);
+  }
+  figure.x = thread_axis(shown->threads->screw.axial_load.size());
+  return {std::move(figure)};
+}
+
+/// Power lost at every thread of every roller, at both interfaces.
+Figures roller_power(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_power_of_rollers);
+  if (!shown) return {};
+  constexpr OfThreads kPowers{
+      has_power_of_rollers, [](const LoadCaseResult& r, Interface i) -> const std::vector<double>& {
+        return r.slip->threads[i].power;
+      }};
+  return {map_of_rollers({"roller_power", fmt::format("Power lost at all rollers, {}",
+                                                      shown_name(shown->load_case.name))},
+                         result, *shown, {"Power lost", "W"}, kPowers)};
+}
+
+/// Friction coefficient at every thread of every roller, at both interfaces.
+Figures roller_friction(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_power_of_rollers);
+  if (!shown) return {};
+  constexpr OfThreads kCoefficients{
+      has_power_of_rollers, [](const LoadCaseResult& r, Interface i) -> const std::vector<double>& {
+        return r.slip->threads[i].friction_coefficient;
+      }};
+  return {map_of_rollers({"roller_friction", fmt::format("Friction at all rollers, {}",
+                                                         shown_name(shown->load_case.name))},
+                         result, *shown, {"Friction coefficient"}, kCoefficients)};
+}
+
+/// Friction coefficient and sliding velocity at both contacts of a thread.
+Figures thread_friction(const Case& c, const Result& result, const FigureOptions& options) {
+  const auto chosen = chosen_thread(result, options, has_slip_of_threads);
+  if (!chosen) return {};
+  const auto place = static_cast<std::size_t>(chosen->load_case - result.load_cases.data());
+  const auto patches = thread_patches(c, result, place, chosen->thread);
+  if (!patches) return {};
+  return {thread_friction_figure(*chosen->load_case, *patches, chosen->thread)};
+}
+
+constexpr int kMostArrows = 11;  // Along each axis.
+
+/// Styles of the figure in the order of their legend.
+enum PatchStyle : std::size_t { kSliding, kOutline };
+
+/// Cells of the ellipse, those outside without a value.
+Map friction_map(const PatchField& field) {
+  Map map;
+  map.cells = true;
+  const auto count = static_cast<std::size_t>(field.points);
+  const auto middles = [&](double semi_axis) {
+    std::vector<double> at;
+    for (std::size_t k = 0; k < count; ++k)
+      at.push_back(semi_axis * (2.0 * static_cast<double>(k) + 1.0 - field.points) / field.points *
+                   per_si::millimetre);
+    return at;
+  };
+  map.grid = {middles(field.semi_major), middles(field.semi_minor),
+              std::vector<double>(count * count, kFree)};
+  const auto place = [&](double position, double semi_axis) {
+    return static_cast<std::size_t>(
+        std::lround((position / semi_axis * field.points + field.points - 1.0) / 2.0));
+  };
+  for (std::size_t k = 0; k < field.friction_coefficient.size(); ++k)
+    map.grid.values[place(field.along_major[k], field.semi_major) * count +
+                    place(field.along_minor[k], field.semi_minor)] = field.friction_coefficient[k];
+  return map;
+}
+
+double largest_speed(const PatchField& field) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < field.sliding_major.size(); ++k)
+    largest = std::max(largest, std::hypot(field.sliding_major[k], field.sliding_minor[k]));
+  return largest;
+}
+
+/// Points from one arrow to the next, so that there are not too many.
+int arrow_step(const PatchField& field) { return (field.points + kMostArrows - 1) / kMostArrows; }
+
+/// Whether the point in a column or row of the grid is one that has an arrow; the middle one has.
+bool has_arrow(double position, double semi_axis, const PatchField& field) {
+  const double cell = 2.0 * semi_axis / field.points;
+  return std::lround((position + semi_axis) / cell - 0.5) % arrow_step(field) ==
+         (field.points / 2) % arrow_step(field);
+}
+
+/// Sliding velocities, the middle of each arrow at its point.
+Series arrows(const PatchField& field) {
+  Series line{kSliding};
+  const double largest = largest_speed(field);
+  if (!(largest > 0.0)) return line;
+  const double spacing = 2.0 * field.semi_minor / field.points * arrow_step(field);
+  const double scale = 0.5 * spacing / largest * per_si::millimetre;
+  for (std::size_t k = 0; k < field.sliding_major.size(); ++k) {
+    if (!has_arrow(field.along_major[k], field.semi_major, field) ||
+        !has_arrow(field.along_minor[k], field.semi_minor, field))
+      continue;
+    const double x = field.along_major[k] * per_si::millimetre;
+    const double y = field.along_minor[k] * per_si::millimetre;
+    const double dx = scale * field.sliding_major[k], dy = scale * field.sliding_minor[k];
+    line.parts.push_back({{x - dx, y - dy}, {x + dx, y + dy}});
+  }
+  return line;
+}
+
+/// Thread and normal load, where the case has loads: of the most loaded thread unless another is
+/// meant.
+std::string thread_title(const LoadCaseResult& result, Interface i,
+                         std::optional<std::size_t> thread) {
+  if (!result.threads) return interface_title(i);
+  const std::vector<double>& loads = (*result.threads)[i].normal_load;
+  if (!thread) thread = index_of_largest(loads);
+  if (!thread) return interface_title(i);
+  return fmt::format("{}, thread {}: {:.4g} N", interface_title(i), *thread + 1, loads[*thread]);
+}
+
+Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interface i,
+                  std::optional<std::size_t> thread) {
+  Panel panel;
+  panel.title = thread_title(result, i, thread);
+  panel.map = friction_map(field);
+  panel.series = {{kOutline,
+                   {ellipse(0.0, 0.0, field.semi_major * per_si::millimetre,
+                            field.semi_minor * per_si::millimetre, 0.0)}},
+                  arrows(field)};
+  panel.labels.push_back(
+      {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * per_si::millimetre), 0.03,
+       0.05, true});
+  return panel;
+}
+
+/// From zero, unless friction is so even that its differences would not show.
+ColourScale friction_scale(const PerInterface<PatchField>& fields) {
+  double least = HUGE_VAL, largest = 0.0;
+  for (const Interface i : kInterfaces)
+    for (const double value : fields[i].friction_coefficient) {
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
+  const bool is_even = least > 0.5 * largest && largest - least > 1e-3 * largest;
+  return {"Friction coefficient", "", is_even ? least : 0.0, largest > 0.0 ? largest : 1.0};
+}
+
+Figure patch_figure(std::string name, const LoadCaseResult& result,
+                    const PerInterface<PatchField>& fields, std::optional<std::size_t> thread) {
+  Figure figure{std::move(name), "Friction and sliding at the contacts, load case " +
+                                     shown_name(result.load_case.name)};
+  figure.columns = std::size(kInterfaces);
+  figure.aspect = 0.9;
+  figure.to_scale = true;
+  figure.colours = friction_scale(fields);
+  figure.add("sliding velocity", arrows_of(Colour::ink));
+  figure.add("contact ellipse", line_of(Colour::reference));
+  double half = 0.0;
+  for (const Interface i : kInterfaces) {
+    figure.panels.push_back(patch_panel(result, fields[i], i, thread));
+    half = std::max(half, 1.2 * fields[i].semi_major * per_si::millimetre);
+  }
+  figure.x = {"along the major axis", "mm", -half, half};
+  figure.y = {"along the minor axis", "mm", -half, half};
+  return figure;
+}
+
+}  // namespace
+
+/// Friction coefficient and sliding velocity over the patch of the most loaded thread at both
+/// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
+/// of each patch is as long as two of them lie apart.
+Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
+  return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
+}
+
+/// The same of one thread of one load case.
+Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
+                              std::size_t thread) {
+  return patch_figure("thread_friction", result, fields, thread);
+}
+
+namespace {
+
+/// A curve of the figure, in the order of drawing: the sum lies on top.
+struct MomentCurve {
+  std::string_view title;
+  Style style;
+  double (*value)(const RollerMoments&);
+};
+
+constexpr MomentCurve kCurves[] = {
+    {"carrier", line_of(Colour::orange), [](const RollerMoments& m) { return m.carrier; }},
+    {"gears", line_of(Colour::green, Dash::dotted), [](const RollerMoments& m) { return m.gears; }},
+    {"spin", line_of(Colour::vermillion, Dash::dashed),
+     [](const RollerMoments& m) { return m.spin; }},
+    {"contacts", line_of(Colour::blue, Dash::dash_dotted),
+     [](const RollerMoments& m) { return m.contacts; }},
+    {"sum", line_of(Colour::ink, Dash::solid, Weight::strong),
+     [](const RollerMoments& m) { return m.residue(); }},
+};
+/// Of the styles after those of the curves.
+constexpr std::size_t kIdeal = std::size(kCurves), kRoot = kIdeal + 1, kZero = kIdeal + 2;
+
+/// How a panel shows slip ratios: (slip ratio - from) * factor.
+struct SlipAxis {
+  std::string label = "Slip ratio";
+  std::string unit = {};
+  double from = 0.0;
+  double factor = 1.0;
+
+  double operator()(double slip_ratio) const { return (slip_ratio - from) * factor; }
+};
+
+/// The distance from the ideal slip ratio, in the power of a thousand that needs few digits.
+SlipAxis around_ideal(const ResidueCurve& residue, double ideal) {
+  double largest = 0.0;
+  for (const double slip_ratio : residue.slip_ratio)
+    largest = std::max(largest, std::abs(slip_ratio - ideal));
+  constexpr std::string_view kPowers[] = {"", "10⁻³", "10⁻⁶", "10⁻⁹", "10⁻¹²"};
+  const double thousands = largest > 0.0 ? std::ceil(-std::log10(largest) / 3.0) : 0.0;
+  const auto power = static_cast<std::size_t>(std::clamp(thousands, 0.0, 4.0));
+  return {"Slip ratio less the ideal one", std::string(kPowers[power]), ideal,
+          std::pow(1e3, static_cast<double>(power))};
+}
+
+Polyline curve(const ResidueCurve& residue, const MomentCurve& of, const SlipAxis& axis) {
+  Polyline points;
+  for (std::size_t k = 0; k < residue.slip_ratio.size(); ++k)
+    points.push_back(
+        {axis(residue.slip_ratio[k]), of.value(residue.moments[k]) * per_si::newton_millimetre});
+  return points;
+}
+
+/// Range of the values of all curves and zero, with a margin.
+Axis moment_axis(const std::vector<Series>& curves) {
+  Range range = range_of_y(curves);
+  range.include(0.0);
+  return fitted({"Moment on a roller", "N mm"}, range);
+}
+
+/// The shown slip ratios from one end to the other, with a share of their range on both sides.
+Axis slip_ratio_axis(const ResidueCurve& residue, const SlipAxis& shown, double margin) {
+  Axis axis{shown.label, shown.unit};
+  if (residue.slip_ratio.empty()) return axis;
+  const auto [least, largest] =
+      std::minmax({shown(residue.slip_ratio.front()), shown(residue.slip_ratio.back())});
+  axis.from = least;
+  axis.to = largest;
+  const double widened = axis.to > axis.from ? margin * (axis.to - axis.from) : 1e-3 * shown.factor;
+  axis.from -= widened;
+  axis.to += widened;
+  return axis;
+}
+
+Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipResult& slip,
+                    const SlipAxis& shown, double margin) {
+  Panel panel;
+  panel.title = std::move(title);
+  for (std::size_t k = 0; k < std::size(kCurves); ++k)
+    panel.series.push_back({k, {curve(residue, kCurves[k], shown)}});
+  panel.references = {{kZero, 0.0},
+                      {kIdeal, shown(slip.ideal_slip_ratio), true},
+                      {kRoot, shown(slip.slip_ratio), true}};
+  panel.x = slip_ratio_axis(residue, shown, margin);
+  panel.y = moment_axis(panel.series);
+  return panel;
+}
+
+}  // namespace
+
+/// Moment on a roller about its axis against the slip ratio: its contributions and their sum over
+/// the whole range and, against the distance from the ideal slip ratio, around the root (Sandu
+/// 2018, fig. 3.6).
+Figure slip_residue_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
+  const SlipResult& slip = *result.slip;
+  Figure figure{"slip_residue", "Moment on a roller about its axis, load case " +
+                                    shown_name(result.load_case.name)};
+  figure.columns = 2;
+  for (const MomentCurve& c : kCurves) figure.add(std::string(c.title), c.style);
+  std::ranges::reverse(figure.legend);
+  figure.add(fmt::format("ideal slip ratio {:.6f}", slip.ideal_slip_ratio), line_of(Colour::sky));
+  figure.add(fmt::format("{} {:.6f}",
+                         slip.status == SlipStatus::imposed ? "imposed slip ratio" : "slip ratio",
+                         slip.slip_ratio),
+             line_of(Colour::muted));
+  figure.add(kZeroStyle);
+  const ResidueCurve& near_root = pictures.residue_near_root;
+  figure.panels = {residue_panel("Whole range", pictures.residue, slip, SlipAxis{}, 0.04),
+                   residue_panel("Around the slip ratio", near_root, slip,
+                                 around_ideal(near_root, slip.ideal_slip_ratio), 0.08)};
+  return figure;
+}
+
+namespace {
+
+using enum Picture::Drawn;
+
+constexpr const char* kConvergedSlip = "a load case whose slip converged";
+constexpr const char* kSlipOfRollers =
+    "a load case of `model: {mechanism: full}` whose slip converged";
+
+/// Fields of the load cases, by their index: integrated once for all pictures of them.
+using SlipFields = std::map<std::size_t, SlipPictures>;
+
+/// For the load cases whose slip converged, at most four; of several, names end in `_1`, `_2`, ..
+auto of_slip(const Result& result, std::function<Figure(std::size_t)> make) {
+  return [&result, make = std::move(make)](const FigureOptions& options) {
+    constexpr std::size_t kMost = 4;
+    std::vector<std::size_t> cases;
+    for (std::size_t k = 0; k < result.load_cases.size() && cases.size() < kMost; ++k)
+      if (has_slip(result.load_cases[k]) && (!options.load_case || k == *options.load_case))
+        cases.push_back(k);
+    Figures figures;
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      figures.push_back(make(cases[k]));
+      if (cases.size() > 1) figures.back().name += fmt::format("_{}", k + 1);
+    }
+    return figures;
+  };
+}
+
+}  // namespace
+
+Pictures slip_pictures(const Case& c, const Result& r) {
+  const auto fields = std::make_shared<SlipFields>();
+  using OfFields = Figure (*)(const LoadCaseResult&, const SlipPictures&);
+  const auto of_fields = [&](OfFields make) {
+    return of_slip(r, [&c, &r, fields, make](std::size_t k) {
+      if (!fields->contains(k)) fields->emplace(k, slip_pictures(c, r, k));
+      return make(r.load_cases[k], fields->at(k));
+    });
+  };
+  const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
+  return with(
+      {{"power_by_source", kConvergedSlip, of_result(r, power_by_source)},
+       {"thread_power", kConvergedSlip, of_result(r, thread_power)},
+       {"friction", kConvergedSlip, of_result(r, friction)},
+       {"roller_power", kSlipOfRollers, of_result(r, roller_power)},
+       {"roller_friction", kSlipOfRollers, of_result(r, roller_friction)},
+       {"stribeck", kConvergedSlip,
+        of_slip(r,
+                [&c, &r](std::size_t k) {
+                  return stribeck_figure(r.load_cases[k], stribeck_curve(c, r, k));
+                }),
+        drawn_if(mixed)},
+       {"slip_patches", kConvergedSlip, of_fields(slip_patch_figure)},
+       {"slip_residue", kConvergedSlip, of_fields(slip_residue_figure)},
+       {"thread_friction", kConvergedSlip,
+        [&c, &r](const FigureOptions& options) { return thread_friction(c, r, options); }, by_name},
+       {"heat_cycle", "a `duty` in `heat` that comes to repeat itself", of_result(r, heat_cycle)}},
+      solve_pictures(r));
+}
+
+}  // namespace prs

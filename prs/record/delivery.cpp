@@ -1,0 +1,68 @@
+#include "prs/record/delivery.h"
+
+#include "prs/printable.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Malformed UTF-8 is replaced.
+std::string dumped(const Json& document) {
+  return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace
+
+Json document_head(const DocumentInfo& info, const std::vector<Warning>& warnings) {
+  Json document;
+  document["prs_version"] = info.version;
+  document["schema_version"] = info.schema_version;
+  if (!info.command.empty()) document["command"] = info.command;
+  if (!info.case_file.empty()) document["case_file"] = info.case_file;
+  if (!info.input_sha256.empty()) document["input_sha256"] = info.input_sha256;
+  if (!info.overrides.empty()) document["overrides"] = info.overrides;
+  document["warnings"] = sentences(warnings);
+  if (info.resolved_input) document["resolved_input"] = info.resolved_input();
+  return document;
+}
+
+std::string json_text(const Json& document) { return dumped(document) + '\n'; }
+
+void write_with_load_cases(const Json& outline,
+                           const std::function<std::optional<Json>(std::size_t)>& load_case,
+                           const TextSink& sink) {
+  const std::string text = json_text(outline);
+  // JSON escapes line ends in texts, so this line can only be the key of the document.
+  constexpr std::string_view kEmpty = "\n  \"load_cases\": []";
+  const std::size_t list = text.find(kEmpty);
+  std::optional<Json> next = list == text.npos ? std::nullopt : load_case(0);
+  if (!next) return sink(text);
+  const std::size_t first = list + kEmpty.size() - 1;
+  std::string piece = text.substr(0, first) + '\n';
+  for (std::size_t k = 1; next; ++k) {
+    std::string lines = "    ";
+    for (const char c : dumped(*next)) {
+      lines += c;
+      if (c == '\n') lines += "    ";
+    }
+    next = load_case(k);
+    sink(piece.append(lines).append(next ? ",\n" : "\n"));
+    piece.clear();
+  }
+  sink("  " + text.substr(first));
+}
+
+void put_first(const std::vector<Warning>& values, std::vector<Warning>& warnings) {
+  for (const Warning& value : values)
+    std::erase_if(warnings, [&](const Warning& w) { return w.path == value.path; });
+  warnings.insert(warnings.begin(), values.begin(), values.end());
+}
+
+std::vector<std::string> as_notes(const std::vector<Warning>& warnings) {
+  std::vector<std::string> notes = sentences(warnings);
+  for (std::string& note : notes) note.insert(0, "warning: ");
+  return notes;
+}
+
+}  // namespace prs

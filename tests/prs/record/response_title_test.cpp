@@ -1,0 +1,36 @@
+#include "prs/record/table_units.h"
+
+#include <gtest/gtest.h>
+
+#include "prs/record/record.h"
+
+namespace prs {
+namespace {
+
+TEST(ShownUnit, IsTheLongestThatAKeyEndsIn) {
+  EXPECT_EQ(unit_of("tangent_stiffness_N_per_um").text, "N/µm");
+  EXPECT_EQ(unit_of("spin_torque_Nmm").text, "N mm");
+  EXPECT_EQ(unit_of("hertz_constant_N_per_mm1_5").text, "N/mm^1.5");
+  EXPECT_DOUBLE_EQ(unit_of("speed_rpm").factor * 2.0 * std::numbers::pi, 60.0);
+  EXPECT_EQ(unit_of("friction_coefficient").text, "");
+  EXPECT_EQ(unit_of("share_of_revolutions").text, "");
+}
+
+TEST(ResponseTitle, StartsWithThePartAndEndsInTheUnit) {
+  EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").name, "max screw peak pressure");
+  EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").unit, "MPa");
+  EXPECT_EQ(response_title("slip.nut.power_W[2]").name, "nut power, thread 3");
+  EXPECT_EQ(response_title("screw.normal_load_N[3][0]").name,
+            "screw normal load, roller 4, thread 1");
+  EXPECT_EQ(response_title("nut.roller_share_percent[3]").name, "nut roller share, roller 4");
+  EXPECT_EQ(response_title("slip.viscosity_mPas").unit, "mPa s");
+}
+
+TEST(AxisTitle, HasTheUnitInBrackets) {
+  EXPECT_EQ(axis_title("peak_pressure_GPa"), "Peak pressure (GPa)");
+  EXPECT_EQ(axis_title("axial_displacement_um"), "Axial displacement (µm)");
+  EXPECT_EQ(axis_title("slip.efficiency"), "Efficiency");
+}
+
+}  // namespace
+}  // namespace prs
