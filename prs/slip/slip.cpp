@@ -365,6 +365,30 @@ Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions
   return result;
 }
 
+struct SlipOfSpeed {
+  SlipModel model;
+  SlipEquilibrium slip;
+};
+
+/// Slip of a load case at another speed: loads of a running screw are found anew, those at rest
+/// stay. None where there is no equilibrium.
+std::optional<SlipOfSpeed> slip_at_speed(const Conditions& c, const Contacts& contacts,
+                                         const SlipModels& models, const LoadCaseResult& loaded,
+                                         const LoadCase& at) {
+  std::optional<SlipEquilibrium> slip;
+  if (runs(c, loaded.load_case)) {
+    const LoadCaseResult found =
+        RunningSolver(c, contacts, models).solve(at, Detail::numbers, slip);
+    if (!found.threads) return std::nullopt;
+    return SlipOfSpeed{models.of(found), std::move(*slip)};
+  }
+  SlipModel model = models.of(loaded);
+  model.speed = *at.speed;
+  slip = find_slip_equilibrium(model);
+  if (!slip->ok()) return std::nullopt;
+  return SlipOfSpeed{std::move(model), std::move(*slip)};
+}
+
 ResidueCurve residue_curve(const SlipModel& model, double from, double to) {
   constexpr int kPoints = 121;
   ResidueCurve curve;
@@ -536,28 +560,35 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   Oils oils = oils_in_operation(c);
   const bool oiled = c.friction->of_film() || c.carrier.is_oiled();
   if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
-  const SlipModels models(c, contacts, std::move(oils));
-  SlipModel model = models.of(loaded);
-  model.imposed_slip_ratio.reset();
-  if (driven_by(model) == DrivenBy::screw) model.speed = -model.speed;
-  const SlipEquilibrium found = find_slip_equilibrium(model);
-  if (!found.ok()) return std::nullopt;
-  return power_flow(model, drive_torques(model, found.balance)).efficiency();
+  Conditions free = c;
+  if (free.operation) free.operation->slip_ratio.reset();
+  const SlipModels models(free, contacts, std::move(oils));
+  LoadCase driving = loaded.load_case;
+  const SlipModel as_stated = models.unloaded(driving);
+  driving.speed =
+      driven_by(as_stated) == DrivenBy::screw ? -as_stated.speed : as_stated.speed;
+  const std::optional<SlipOfSpeed> found = slip_at_speed(free, contacts, models, loaded, driving);
+  if (!found) return std::nullopt;
+  return power_flow(found->model, drive_torques(found->model, found->slip.balance)).efficiency();
 }
 
 StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case) {
   constexpr int kDecades = 4, kPerDecade = 10;
   const LoadCaseResult& loaded = result.load_cases[load_case];
-  const SlipModels models(c, result.contacts, oils_of(c, loaded));
-  SlipModel model = models.of(loaded);
-  const double speed = model.speed;
+  Conditions warm = c;
+  if (loaded.heat) warm.deviations.temperature = loaded.heat->temperature;
+  const SlipModels models(warm, result.contacts, oils_of(c, loaded));
+  LoadCase at = loaded.load_case;
+  const double speed = models.unloaded(at).speed;
   StribeckCurve curve;
   for (int k = 0; k <= kDecades * kPerDecade; ++k) {
     // From a thousandth to ten times the speed.
-    model.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
-    const SlipResult slip = slip_result(model);
-    if (!slip.converged()) continue;
-    curve.speed.push_back(std::abs(model.speed));
+    at.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
+    const auto found = slip_at_speed(warm, result.contacts, models, loaded, at);
+    if (!found) continue;
+    SlipResult slip;
+    set_slip_result(slip, found->model, found->slip, {});
+    curve.speed.push_back(std::abs(*at.speed));
     curve.power.push_back(slip.power.total());
     curve.efficiency.push_back(slip.efficiency);
     for (const Interface i : kInterfaces) {

@@ -5,7 +5,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
-#include "prs/life/contact_loads.h"
+#include "prs/life/load_history.h"
 
 namespace prs {
 namespace {
@@ -28,32 +28,64 @@ Case base() {
   return c;
 }
 
-double life_over_static(Direction d) {
+/// Life on running loads over that on static ones.
+double life_over_static(Direction d, DrivenBy by) {
   Case c = base();
   c.life->spectrum[0].direction = d;
-  const double at_rest = analyze_life(c).system_life;
-  c.model.loads = ModelOptions::Loads::running;
-  return analyze_life(c).system_life / at_rest;
+  c.life->spectrum[0].driven_by = by;
+  const LifeResult running = analyze_life(c);
+  EXPECT_EQ(running.loads, ModelOptions::Loads::running);
+  c.model.loads = ModelOptions::Loads::at_rest;
+  const LifeResult at_rest = analyze_life(c);
+  EXPECT_FALSE(at_rest.life_at_rest);
+  EXPECT_EQ(running.life_at_rest, at_rest.system_life);
+  EXPECT_EQ(running.static_safety(), at_rest.static_safety());
+  return running.system_life / at_rest.system_life;
 }
 
-TEST(RunningLife, FallsWhereTheScrewDrives) {
-  EXPECT_NEAR(life_over_static(Direction::tension), 1.0 - 0.346, 5e-4);
-  EXPECT_NEAR(life_over_static(Direction::compression), 1.0 - 0.262, 5e-4);
+TEST(RunningLife, FollowsWhoDrives) {
+  EXPECT_NEAR(life_over_static(Direction::tension, DrivenBy::screw), 1.0 - 0.346, 5e-4);
+  EXPECT_NEAR(life_over_static(Direction::compression, DrivenBy::screw), 1.0 - 0.262, 5e-4);
+  EXPECT_NEAR(life_over_static(Direction::tension, DrivenBy::load), 1.0 + 0.358, 5e-4);
+  EXPECT_NEAR(life_over_static(Direction::compression, DrivenBy::load), 1.0 + 0.256, 5e-4);
 }
 
-TEST(RunningLife, LargestLoadsStayThoseAtRest) {
+/// Damage of both senses adds up: 2/L = 1/L_screw + 1/L_load, thread by thread before all of them.
+TEST(RunningLife, OfBothSensesLiesBetweenThem) {
   Case c = base();
-  c.model.loads = ModelOptions::Loads::running;
-  const Contacts contacts = checked_contacts(c, Detail::numbers);
-  const LifeModel model{c, contacts, contact_laws(c, contacts), DrivenBy::load};
-  Case rest = c;
-  rest.model.loads = ModelOptions::Loads::at_rest;
-  const LifeModel still{rest, contacts, model.laws};
-  const auto loads = contact_solvers(model, {true, false}).tension(20e3);
-  const auto at_rest = contact_solvers(still, {true, false}).tension(20e3);
-  ASSERT_TRUE(loads && at_rest);
-  EXPECT_EQ(loads->largest.tension.screw, at_rest->largest.tension.screw);
-  EXPECT_LT(loads->rated.front(), at_rest->rated.front());
+  c.life->spectrum.push_back(c.life->spectrum[0]);
+  for (SpectrumLoad& load : c.life->spectrum) load.share = 0.5;
+  const auto life_of = [&](DrivenBy first, DrivenBy second) {
+    c.life->spectrum[0].driven_by = first;
+    c.life->spectrum[1].driven_by = second;
+    return analyze_life(c).flanks.tension->threads.screw.life.front();
+  };
+  const double screw = life_of(DrivenBy::screw, DrivenBy::screw);
+  const double load = life_of(DrivenBy::load, DrivenBy::load);
+  EXPECT_NEAR(life_of(DrivenBy::screw, DrivenBy::load), 2.0 / (1.0 / screw + 1.0 / load),
+              1e-9 * screw);
+}
+
+/// Position grows as the screw moves out at its loaded end, along tension.
+TEST(RunningLife, TravelTellsWhoDrives) {
+  LoadHistory h;
+  h.force = {10e3, 10e3, -10e3};
+  h.position = {0.0, 5e-3, 10e-3};
+  using By = HistorySource::DrivenBy;
+  const auto driven = [&](By by) {
+    std::vector<double> share;
+    for (const LoadStep& step : load_steps(h, 5e-3, {}, by))
+      share.push_back(step.driven_by_load / step.revolutions);
+    return share;
+  };
+  EXPECT_EQ(driven(By::travel), (std::vector<double>{1.0, 1.0, 0.0}));
+  EXPECT_EQ(driven(By::screw), (std::vector<double>{0.0, 0.0, 0.0}));
+  EXPECT_EQ(driven(By::load), (std::vector<double>{1.0, 1.0, 1.0}));
+  // F omega l < 0 is driven by the load; omega l > 0 pulls the screw in.
+  h.position.clear();
+  h.interval = 1.0;
+  h.speed = {-10.0, -10.0, -10.0};
+  EXPECT_EQ(driven(By::travel), (std::vector<double>{1.0, 1.0, 0.0}));
 }
 
 }  // namespace
