@@ -135,9 +135,9 @@ bool NewtonSolver::follow(const std::function<void(const State&, Eigen::VectorXd
     equations_->energy_and_residual(q, f, residual);
     double largest = 0.0;
     for (int i = 0; i < equations_->size(); ++i)
-      largest = std::max(largest, std::abs(residual[i]) / (equations_->kind(i) == Dof::theta
-                                                               ? options.length_scale
-                                                               : 1.0));
+      largest =
+          std::max(largest, std::abs(residual[i]) /
+                                (equations_->kind(i) == Dof::theta ? options.length_scale : 1.0));
     largest /= options.force_scale;
     if (!(largest < 0.5 * before) && !(largest <= options.rounding_tolerance)) break;
     numbers.solve(residual, doubles_->correction);

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "prs/heat/analyze_heat.h"
-#include "prs/slip/running.h"
 #include "prs/heat/case_losses.h"
 #include "prs/input/units.h"
 #include "prs/loads/analyze.h"
@@ -20,6 +19,7 @@
 #include "prs/model/case_error.h"
 #include "prs/model/requirements.h"
 #include "prs/preload/preloaded_mechanism.h"
+#include "prs/slip/running.h"
 #include "prs/slip/slip.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"

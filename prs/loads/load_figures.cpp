@@ -488,7 +488,7 @@ Pictures load_pictures(const Result& r) {
 
 Pictures contact_pictures(const Result& r) { return with(contact_drawings(r), load_pictures(r)); }
 
-Pictures solve_pictures(const Result& r) { 
+Pictures solve_pictures(const Result& r) {
   return with(with_loads_in_titles(load_pictures(r), r), contact_drawings(r));
 }
 

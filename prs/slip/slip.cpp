@@ -565,8 +565,7 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   const SlipModels models(free, contacts, std::move(oils));
   LoadCase driving = loaded.load_case;
   const SlipModel as_stated = models.unloaded(driving);
-  driving.speed =
-      driven_by(as_stated) == DrivenBy::screw ? -as_stated.speed : as_stated.speed;
+  driving.speed = driven_by(as_stated) == DrivenBy::screw ? -as_stated.speed : as_stated.speed;
   const std::optional<SlipOfSpeed> found = slip_at_speed(free, contacts, models, loaded, driving);
   if (!found) return std::nullopt;
   return power_flow(found->model, drive_torques(found->model, found->slip.balance)).efficiency();

@@ -242,7 +242,8 @@ TEST(RunningLoads, GrowWhereTheScrewDrivesAndShrinkWhereTheLoadDoes) {
   EXPECT_NEAR(guide(driven, 1), 500.0, 0.5);
 }
 
-/// A slip that stands on the loads at rest, and heads under guides that hold a couple without friction.
+/// A slip that stands on the loads at rest, and heads under guides that hold a couple without
+/// friction.
 TEST(RunningLoads, StaticOnesStayOnRequest) {
   Case c = running(base());
   c.model.loads = ModelOptions::Loads::at_rest;
@@ -255,7 +256,8 @@ TEST(RunningLoads, StaticOnesStayOnRequest) {
   double outwards = 0.0;
   for (const Interface i : kInterfaces)
     for (const double load : (*r.threads)[i].normal_load)
-      outwards += (i == Interface::screw ? 1.0 : -1.0) * load * std::sin((*r.threads)[i].normal_angle);
+      outwards +=
+          (i == Interface::screw ? 1.0 : -1.0) * load * std::sin((*r.threads)[i].normal_angle);
   EXPECT_NEAR(r.slip->heads[0][0].guide_force + r.slip->heads[0][1].guide_force, -outwards, 1e-9);
   EXPECT_LT(r.slip->heads[0][0].guide_force, -300.0);
   EXPECT_GT(r.slip->heads[0][1].guide_force, 300.0);
