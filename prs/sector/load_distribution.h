@@ -36,7 +36,9 @@ class SectorSolver {
   LoadDistribution solve(double axial_force);
 
   /// Equilibrium under further loads [N, N m] besides the axial force, from the last state on.
-  fe::NewtonSummary go_on(double axial_force, const std::vector<fe::NodalLoad>& further);
+  /// `is_trial`: of loads that may have none, given up early.
+  fe::NewtonSummary go_on(double axial_force, const std::vector<fe::NodalLoad>& further,
+                          bool is_trial);
 
   /// The same under a load that follows the state, see `fe::NewtonSolver::follow`.
   bool follow(double axial_force,

@@ -412,14 +412,14 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
   };
 
   const auto threads = static_cast<std::size_t>(sector.contacts());
-  const auto under = [&](const RollerPush& push) {
-    return solver.go_on(force, push_loads(sector, push));
+  const auto under = [&](const RollerPush& push, bool is_trial) {
+    return solver.go_on(force, push_loads(sector, push), is_trial);
   };
   FixedPoint point(conditions_, contacts_, models_, {{0}, threads}, rest);
   slip = point.solve(
       answer_to(no_push(threads), fe::NewtonStatus::converged),
       [&](const std::vector<RollerPush>& push) {
-        return answer_to(push.front(), under(push.front()).status);
+        return answer_to(push.front(), under(push.front(), true).status);
       },
       [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
         RollerPush push = per_normal_load.front();
@@ -435,7 +435,7 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
       last_slip_ratio_);
   if (!rest.running->converged()) return not_running(std::move(rest));
   last_slip_ratio_ = slip->balance.motion.slip_ratio;
-  fe::NewtonSummary last = under(point.push().front());
+  fe::NewtonSummary last = under(point.push().front(), false);
   LoadDistribution d = solver.at(solver.state(), force);
   d.solve = std::move(last);
   return with_friction(solved_result(load_case, contacts_, laws_, std::move(d)), std::move(rest));
