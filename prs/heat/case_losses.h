@@ -51,7 +51,8 @@ class CaseLosses {
 
  private:
   std::optional<Losses> of(const SlipModel& model);
-  std::optional<Losses> of(const SlipModel& model, const SlipEquilibrium& found);
+  /// Heat and power of the rollers of a nut; false where they have no slip.
+  bool add(const SlipModel& model, const SlipEquilibrium& found, OfParts& heat, PowerFlow& flow);
   std::optional<OfParts> estimate(const SlipModels& models, const PerInterface<double>& oil) const;
 
   const Conditions& conditions_;

@@ -132,9 +132,10 @@ struct Warming {
 };
 
 /// The duty as lumped parts see it.
-class Cycle {
+class RepeatedCycle {
  public:
-  Cycle(const ThermalNetwork& network, const OfParts& capacity, std::vector<Segment> segments)
+  RepeatedCycle(const ThermalNetwork& network, const OfParts& capacity,
+                std::vector<Segment> segments)
       : network_(network), capacity_(capacity), segments_(std::move(segments)) {
     for (const Segment& s : segments_) period_ += s.duration;
   }
@@ -327,7 +328,7 @@ std::optional<LossTable> table_over(const TemperatureBox& box, Duty& duty, std::
 }
 
 /// What each load case sees in a cycle from `start`.
-Visited visited_from(const OfParts& start, const Cycle& cycle,
+Visited visited_from(const OfParts& start, const RepeatedCycle& cycle,
                      const std::vector<LossTable>& tables) {
   Visited visited(tables.size());
   State state = starting_at(start);
@@ -352,7 +353,7 @@ struct Periodic {
 
 /// Each round takes tables over what the last one has visited: rough ones, and good ones once the
 /// range is known.
-Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
+Periodic find_periodic(const RepeatedCycle& cycle, Duty& duty, const OfParts& guess) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
   Periodic found{HeatStatus::converged, {}, std::vector<LossTable>(cases + 1), guess};
@@ -366,7 +367,7 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
       found.tables[k + 1] = LossTable(*losses);
 
   bool good = false;
-  Cycle::Factors factors;
+  RepeatedCycle::Factors factors;
   std::vector<TemperatureBox> covered(cases);
   for (int round = 0; round < kMostRounds; ++round) {
     const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
@@ -404,7 +405,8 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
 }
 
 /// Temperatures and energies of one period.
-void keep_course(const Periodic& found, const Cycle& cycle, double ambient, HeatCycle& result) {
+void keep_course(const Periodic& found, const RepeatedCycle& cycle, double ambient,
+                 HeatCycle& result) {
   const auto keep = [&](double time, const OfParts& t) {
     result.time.push_back(time);
     const PerPart<double> parts = per_part(t);
@@ -445,7 +447,7 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   Duty duty = duty_of(c, contacts);
-  const Cycle cycle(network, capacity, duty.segments);
+  const RepeatedCycle cycle(network, capacity, duty.segments);
   HeatCycle result;
   result.period = cycle.period();
   const auto end_as = [&](HeatStatus status, const std::string& reason) {

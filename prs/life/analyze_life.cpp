@@ -63,15 +63,10 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
   const std::optional<double> speed =
       c.operation ? std::optional(std::abs(c.operation->speed)) : std::nullopt;
   const double lead = r.contacts.mechanism.lead;
+  r.steps = load_steps(*c.life, r.history, lead, speed);
   if (r.history) {
-    using enum HistorySource::DrivenBy;
-    const HistorySource& source = *c.life->history;
-    r.steps =
-        load_steps(*r.history, lead, speed,
-                   source.driven_by.value_or(source.position || source.speed ? travel : screw));
     r.duration = duration(*r.history);
   } else {
-    r.steps = load_steps(c.life->spectrum, lead, speed);
     r.revolutions_known = !c.life->spectrum.front().share;
     double seconds = 0.0;
     for (const SpectrumLoad& l : c.life->spectrum)
@@ -635,8 +630,8 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
   return flank.static_rating;
 }
 
-LifeResult analyze_life(const Conditions& c, Contacts contacts,
-                        std::optional<LoadHistory> history) {
+LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history,
+                        const std::optional<Oils>& oils) {
   LifeResult r;
   r.life = *c.life;
   r.model = c.model;
@@ -644,7 +639,7 @@ LifeResult analyze_life(const Conditions& c, Contacts contacts,
   r.contacts = std::move(contacts);
   r.warnings = geometry_warnings(c, r.contacts, {});
   r.history = std::move(history);
-  const LifeModel p{c, r.contacts, contact_laws(c, r.contacts)};
+  const LifeModel p{c, r.contacts, contact_laws(c, r.contacts), oils};
 
   find_capacity(p, r);
   find_spectrum(c, r);

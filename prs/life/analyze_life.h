@@ -12,6 +12,7 @@
 #include "prs/life/static_limits.h"
 #include "prs/loads/analyze.h"
 #include "prs/model/preload.h"
+#include "prs/slip/slip_equilibrium.h"
 
 namespace prs {
 
@@ -99,6 +100,9 @@ struct LifeResult {
   double reliability_factor = 1.0;  ///< a1
   double element_ratio = 0.0;       ///< gamma = d_r cos(alpha)/(2 c)
 
+  std::optional<PerPart<double>> temperature;    ///< Of the parts, by `heat` [K].
+  std::optional<HeatStatus> temperature_status;  ///< How the search for them ended.
+
   std::vector<LoadStep> steps;  ///< Steps of the history or the spectrum.
   std::optional<LoadHistory> history;
   double revolutions = 0.0;               ///< Sum over all steps; 1 where they are shares.
@@ -145,8 +149,11 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
 /// `history` is given where the case has one. Throws CaseError where Lemor's factor is not known
 /// for the geometry, the loads need a thrust section that is not given, the screw never turns or
 /// never carries, or the geometry gives no contact.
+/// `oils`: in place of the lubricant at the temperature of the file, for running loads. With a
+/// block `heat` see prs/heat/warm_parts.h.
 LifeResult analyze_life(const Conditions& c, Contacts contacts,
-                        std::optional<LoadHistory> history = {});
+                        std::optional<LoadHistory> history = {},
+                        const std::optional<Oils>& oils = {});
 inline LifeResult analyze_life(const Case& c, std::optional<LoadHistory> history = {}) {
   return analyze_life(c, checked_contacts(c, Detail::complete), std::move(history));
 }

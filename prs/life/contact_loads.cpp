@@ -81,13 +81,14 @@ SpatialLoad spatial_load(const Conditions& c) {
 }
 
 /// A load case of `life`, still without force.
-LoadCase load_case_of(const LifeModel& model, Direction d) {
+LoadCase load_case_of(const Conditions& c, Direction d) {
   LoadCase load;
   load.direction = d;
-  load.position = model.c.life->position;
-  load.spatial = spatial_load(model.c);
+  load.position = c.life->position;
+  load.spatial = spatial_load(c);
   return load;
 }
+LoadCase load_case_of(const LifeModel& model, Direction d) { return load_case_of(model.c, d); }
 
 /// The turn of the carrier over which loads are rated.
 SpatialLoad::Orbit turn_of(const LoadCase& load) {
@@ -215,16 +216,21 @@ PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
   return solvers;
 }
 
+LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenBy driven_by) {
+  LoadCase load = load_case_of(c, d);
+  // F_N omega l > 0: the screw drives.
+  load.speed = std::abs(c.operation->speed) * -sense(d) * std::copysign(1.0, lead) *
+               (driven_by == DrivenBy::screw ? 1.0 : -1.0);
+  return load;
+}
+
 std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(
     const LifeModel& model, Direction d, DrivenBy driven_by) {
-  const auto models = std::make_shared<SlipModels>(model.c, model.contacts);
+  const auto models = std::make_shared<SlipModels>(
+      model.c, model.contacts, model.oils ? *model.oils : oils_in_operation(model.c));
   const auto running = std::make_shared<RunningSolver>(model.c, model.contacts, *models);
-  LoadCase load = load_case_of(model, d);
-  // F_N omega l > 0: the screw drives.
-  load.speed = std::abs(model.c.operation->speed) * -sense(d) *
-               std::copysign(1.0, model.contacts.threads.screw.lead) *
-               (driven_by == DrivenBy::screw ? 1.0 : -1.0);
-  return [&model, load, models, running](double force) -> std::optional<std::vector<double>> {
+  const LoadCase load = driven_load_case(model.c, model.contacts.threads.screw.lead, d, driven_by);
+  return [&model, d, load, models, running](double force) -> std::optional<std::vector<double>> {
     LoadCase at = load;
     at.axial_force = force;
     if (model.full()) {
@@ -236,6 +242,14 @@ std::function<std::optional<std::vector<double>>(double force)> running_loads_so
     const LoadCaseResult found = running->solve(at, Detail::numbers, slip);
     if (!found.threads) return std::nullopt;
     std::vector<double> rated;
+    if (model.preloaded()) {
+      for (const Direction flank : kDirections)
+        for (const Interface i : kInterfaces)
+          for (const double normal : flank == d ? (*found.threads)[i].normal_load
+                                                : found.other_flank->threads[i].normal_load)
+            rated.push_back(normal * std::cos(model.laws[i].normal_angle) / model.equal_share());
+      return rated;
+    }
     for (const Interface i : kInterfaces)
       for (const double normal : (*found.threads)[i].normal_load)
         rated.push_back(normal * std::cos(model.laws[i].normal_angle) /

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prs/model/case.h"
+#include "prs/slip/slip_equilibrium.h"
 #include "prs/threads/contact_laws.h"
 
 namespace prs {
@@ -60,6 +61,7 @@ struct LifeModel {
   const Conditions& c;
   const Contacts& contacts;
   PerInterface<ContactLaw> laws;
+  std::optional<Oils> oils = {};  ///< In place of the lubricant at the temperature of the file.
 
   /// Whether fatigue stands on loads of the running screw.
   bool running() const { return life_takes_running_loads(c); }
@@ -84,6 +86,10 @@ std::string why_not_held(const LifeModel& model, Direction d, double force);
 /// has no fit.
 PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
                                             const PerDirection<bool>& wanted);
+
+/// A load case of `life` of one sense, still without force, that the screw or the load drives at
+/// the magnitude of `operation.speed`.
+LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenBy driven_by);
 
 /// Loads of the running screw as `ContactLoads::rated`, under a force > 0 of one sense that the
 /// screw or the load drives at the magnitude of `operation.speed` [N]; nothing where there are

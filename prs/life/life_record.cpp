@@ -1,4 +1,5 @@
 #include "prs/life/life_record.h"
+#include "prs/loads/heat_record.h"
 
 #include <cmath>
 
@@ -306,6 +307,13 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"thread_loads", of<&LifeResult::loads>,
      "static | running: of a screw that turns, with friction; static safety is always static", "",
      "loads that fatigue stands on"},
+    {"temperature_degC", of<[](const LifeResult& r) {
+       return r.temperature ? std::optional(celsius_of(*r.temperature)) : std::nullopt;
+     }>,
+     "of the parts under all loads: that at which the mean heat of the spectrum flows off, or the "
+     "mean of the duty cycle; with heat"},
+    {"temperature_status", of<&LifeResult::temperature_status>,
+     "converged | no_steady_state | iteration_limit; with heat"},
     {"reliability_factor", of<&LifeResult::reliability_factor>,
      "a1 of the reliability that is asked for", kReliability},
     {"modification_factor", of<[](const LifeResult& r) { return r.life.modification_factor; }>,

@@ -22,9 +22,18 @@ std::vector<LoadStep> load_steps(const LoadHistory& history, double lead,
                                  std::optional<double> operation_speed,
                                  HistorySource::DrivenBy driven_by);
 
+/// Time for which the screw turns with the load of each sample, half of the intervals to its
+/// neighbours in which it does [s]; the history must have a clock.
+std::vector<double> moving_times(const LoadHistory& history, double lead,
+                                 std::optional<double> operation_speed);
+
 /// The loads of a spectrum and their revolutions, in the order of the spectrum; shares stay shares,
 /// summing to 1. `operation_speed` [rad/s] turns durations into revolutions.
 std::vector<LoadStep> load_steps(std::span<const SpectrumLoad> spectrum, double lead,
                                  std::optional<double> operation_speed);
+
+/// Those of the history, where there is one, else of the spectrum.
+std::vector<LoadStep> load_steps(const Life& life, const std::optional<LoadHistory>& history,
+                                 double lead, std::optional<double> operation_speed);
 
 }  // namespace prs

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +31,9 @@ struct RollerShares {
 
 struct FullLoads;
 
+/// Share of a thread where there is no load.
+inline constexpr double kNoShare = std::numeric_limits<double>::quiet_NaN();
+
 /// Per-thread results of one interface of one roller; thread 1, next to the loaded end of the
 /// screw, stands first. Of a full mechanism roller after roller. SI units.
 struct InterfaceLoads {
@@ -50,6 +55,23 @@ struct InterfaceLoads {
   std::optional<double> running_over_static;  ///< Largest normal load over that at rest.
 };
 
+/// Threads of one flank of a roller.
+struct FlankThreads {
+  std::vector<double> normal_load;  ///< [N]
+  std::vector<double> axial_load;   ///< Of normal load and friction [N].
+  std::vector<double> power;        ///< That friction takes, with slip [W].
+};
+
+/// Under preload: the flank that the load does not name, of the same threads or of the other nut.
+struct OtherFlank {
+  PerInterface<FlankThreads> threads;
+  /// At rest: R_near and R_far of the roller under both flanks, or of one of each nut, that of the
+  /// named flank first; > 0 outwards [N].
+  std::vector<std::array<double, 2>> guide_force;
+  double rollers = 1.0;
+  bool of_second_roller = false;  ///< Of a double nut, whose nuts have rollers of their own.
+};
+
 /// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
 /// stiffness are absent.
 struct LoadCaseResult {
@@ -60,6 +82,7 @@ struct LoadCaseResult {
   std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
+  std::optional<OtherFlank> other_flank;                ///< With preload.
   std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see full_result.h.
   std::optional<RunningLoads> running;    ///< Where these are loads of the running screw.
   std::optional<SlipResult> slip;         ///< Where it was asked for and the loads are known.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -139,7 +140,10 @@ struct SlipResult {
   std::optional<double> viscosity;             ///< eta_0 in operation, mean oil [Pa s].
 
   ThreadOf hottest;                            ///< Thread with the largest power density.
-  std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases.
+  std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases, without preload.
+  /// Of a double nut: the rollers of the second one, by themselves. Powers, torques and efficiency
+  /// above are of both nuts, all else is of the first one.
+  std::shared_ptr<const SlipResult> second_nut;
 
   bool converged() const {
     return status == SlipStatus::converged || status == SlipStatus::imposed;

@@ -154,7 +154,7 @@ template <Interface i>
 constexpr auto threads =
     found<[](const SlipResult& slip) -> const InterfaceSlip& { return slip.threads[i]; }>;
 
-constexpr Quantity<SlipResult> kSlip[] = {
+constexpr Quantity<SlipResult> kSlipResult[] = {
     {"converged", of<&SlipResult::converged>, "whether there is an answer"},
     {"status", of<&SlipResult::status>, "how the search for the slip ratio ended"},
     {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance", "", "", "", "",
@@ -204,6 +204,9 @@ constexpr Quantity<SlipResult> kSlip[] = {
     {"hottest_thread", found<hottest_thread>, "of the largest power density"},
     {"equal_shares", found<&SlipResult::equal_shares>,
      "what slip would be if all threads carried the same load"},
+    {"second_nut", found<[](const SlipResult& slip) { return slip.second_nut.get(); }>,
+     "rollers of the second nut of a double nut; powers, torques and efficiency here are of both "
+     "nuts, all else of the first"},
     {"screw", threads<Interface::screw>, "threads at the screw, of one roller or of all"},
     {"nut", threads<Interface::nut>, "threads at the nut, of one roller or of all"},
 };
@@ -271,7 +274,7 @@ Record<EqualShareSlip> record_of() {
 
 template <>
 Record<SlipResult> record_of() {
-  return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", kSlip};
+  return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", kSlipResult};
 }
 
 }  // namespace prs

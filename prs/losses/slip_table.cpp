@@ -7,8 +7,8 @@
 #include <span>
 
 #include "prs/loads/case_table.h"
+#include "prs/loads/heat_record.h"
 #include "prs/loads/warnings.h"
-#include "prs/losses/heat_record.h"
 #include "prs/losses/slip_record.h"
 #include "prs/model/units.h"
 #include "prs/record/quantity_csv.h"

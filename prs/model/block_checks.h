@@ -50,12 +50,15 @@ void check_measures(const MeasureOptions& m, Problems& problems);
 // What commands need of their blocks.
 
 void require_preload(const Case& c, Problems& problems);
+/// What the temperatures of `preload` need where the case states `heat`.
+void require_warm_preload(const Case& c, Problems& problems);
 void require_life(const Case& c, Problems& problems);
 /// Of the law of friction and the bearings of the roller heads.
 void require_friction(const Conditions& c, Problems& problems);
 void require_slip(const Conditions& c, Problems& problems);
 /// What `slip` needs where the case states `heat`.
 void require_heat(const Case& c, Problems& problems);
+void require_expansion(const Case& c, Problems& problems);
 
 inline constexpr std::string_view kMaterialsExample =
     "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";

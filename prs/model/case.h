@@ -57,12 +57,19 @@ inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share
   return share == LoadCase::Share::solved && model.loads == ModelOptions::Loads::running;
 }
 
-/// Whether `life` takes running loads. With preload both flanks carry, and it does not; nor where
-/// `heat` alone knows the temperature of the oil.
+/// Whether slip, heat and life have both flanks of a nut, or both nuts.
+inline bool has_both_flanks(const Conditions& c, LoadCase::Share share) {
+  return c.preload && share == LoadCase::Share::solved &&
+         c.model.mechanism == ModelOptions::Mechanism::sector;
+}
+
+/// Whether `life` takes running loads: not where `heat` alone would know the temperature of the oil
+/// and life does not take it.
 inline bool life_takes_running_loads(const Conditions& c) {
-  return slip_takes_running_loads(c.model, c.life->share) && !c.preload && c.friction &&
-         c.operation && c.operation->speed != 0.0 &&
-         !(c.heat && c.lubricant && !has_operating_point(*c.lubricant));
+  const bool oil_is_known =
+      !c.lubricant || has_operating_point(*c.lubricant) || c.life->takes_heat(c.heat.has_value());
+  return slip_takes_running_loads(c.model, c.life->share) && c.friction && c.operation &&
+         c.operation->speed != 0.0 && oil_is_known;
 }
 
 /// Everything that a file states.

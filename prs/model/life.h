@@ -67,6 +67,10 @@ struct Life {
   /// Full mechanism only: the load case whose side loads, misalignment and orbit hold for all
   /// forces.
   std::optional<std::string> load_case;
+  /// Whether the temperatures of the parts follow from a block `heat`.
+  bool takes_heat(bool has_heat) const {
+    return has_heat && share == LoadCase::Share::solved && temperatures == LifeTemperatures::heat;
+  }
   double fatigue_slope = 5.0;  ///< k of the equivalent load range: FKM, steel, normal stress.
 };
 

@@ -13,14 +13,15 @@ PerDirection<double> held_sections(const Structure::Thrust& thrust) {
 }
 
 PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts,
-                               const PerInterface<ContactLaw>& laws, double position) {
+                               const PerInterface<ContactLaw>& laws, double position, Play play) {
   Preload preload = *c.preload;
   preload.position = position;
   const PreloadParts parts{contacts.mechanism, *c.structure, *c.materials, c.model, laws,
                            c.deviations,       preload};
   const PerDirection<double> section = held_sections(c.structure->nut.thrust);
   PreloadSectors sectors;
-  for (const Direction d : kDirections) sectors[d] = build_preload_sector(parts, d, section[d]);
+  for (const Direction d : kDirections)
+    sectors[d] = build_preload_sector(parts, d, section[d], play);
   return sectors;
 }
 
@@ -45,6 +46,17 @@ Fit preload_fit(const Conditions& c, const Contacts& contacts, const PreloadSect
       fmt::format("asks for an interference of {:.4g} mm; expected at most {:.4g} mm, a "
                   "quarter of the pitch; take less preload",
                   1e3 * found, 1e3 * most));
+}
+
+Conditions with_interference(Conditions c, const Contacts& contacts) {
+  if (!c.preload || !c.preload->force) return c;
+  Conditions cold = c;
+  cold.deviations.temperature.reset();
+  const PreloadSectors sectors =
+      preload_sectors(cold, contacts, contact_laws(cold, contacts), cold.preload->position);
+  c.preload->interference = interference(sectors.tension, preload_fit(cold, contacts, sectors));
+  c.preload->force.reset();
+  return c;
 }
 
 double reference_preload(const Conditions& c, const Contacts& contacts) {

@@ -13,7 +13,7 @@
 #include "prs/input/assumptions.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/input/study_reader.h"
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/loads/load_json.h"

@@ -7,7 +7,7 @@
 
 #include "prs/life/life_record.h"
 #include "prs/loads/analyze.h"
-#include "prs/losses/heat_record.h"
+#include "prs/loads/heat_record.h"
 #include "prs/model/units.h"
 #include "prs/record/record_table.h"
 

@@ -64,10 +64,20 @@ struct Answer {
   std::vector<std::array<double, 2>> guide_force;  ///< See `RunningLoads`.
 };
 
-/// Where the rollers stand among all threads.
+/// Where the rollers stand among all threads; under preload rows are the flank that the load names
+/// and the other one.
 struct Rollers {
   std::vector<std::size_t> present{0};
   std::size_t threads = 0;
+  enum class Rows { rollers, flanks, nuts } rows = Rows::rollers;
+
+  bool of_flanks() const { return rows != Rows::rollers; }
+};
+
+/// What slips alike: rollers of one nut, whose threads stand from `first` on among all.
+struct Slipping {
+  SlipModel model;
+  std::size_t first = 0;
 };
 
 double largest(const std::vector<double>& values) { return std::ranges::max(values); }
@@ -105,42 +115,57 @@ class FixedPoint {
   }
 
   /// From the state at rest, which `loaded` has; its loads become those of the running screw.
-  /// `turned`, where it is given: the answer to friction in these proportions to the normal loads;
-  /// none where it must be followed step by step.
-  SlipEquilibrium solve(Answer answer, const Bodies& bodies, const Turned& turned,
-                        const std::optional<double>& near) {
+  /// One equilibrium for each nut. `turned`, where it is given: the answer to friction in these
+  /// proportions to the normal loads; none where it must be followed step by step.
+  std::vector<SlipEquilibrium> solve(Answer answer, const Bodies& bodies, const Turned& turned,
+                                     const std::optional<double>& near) {
     RunningLoads& r = running();
-    SlipEquilibrium slip;
-    std::optional<double> slip_ratio = near;
+    std::vector<SlipEquilibrium> slip;
+    std::vector<std::optional<double>> slip_ratio(2, near);
     bool anew = true;  // Looks for the slip ratio, in place of a step by the last slope.
     push_ = std::vector<RollerPush>(rollers_.present.size(), no_push(rollers_.threads));
     for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
-      const SlipModel model = model_on(answer);
+      const std::vector<Slipping> nuts = slipping_on(answer);
+      std::vector<double> centrifugal(push_.size(), 0.0);
       const double before = r.change;
-      std::optional<double> next;
-      if (!anew) {
-        slip.balance.motion.slip_ratio = *slip_ratio;
-        next = next_slip_ratio(model, slip);
-      }
-      if (!next) {
-        slip = find_slip_equilibrium(model, slip_ratio);
-        if (!slip.ok()) {
-          r.status = slip.status == SlipStatus::jammed ? RunningStatus::jammed
-                                                       : RunningStatus::slip_no_equilibrium;
-          return slip;
+      double missed = 0.0;
+      slip.resize(nuts.size());
+      for (std::size_t n = 0; n < nuts.size(); ++n) {
+        const SlipModel& model = nuts[n].model;
+        SlipEquilibrium& found = slip[n];
+        std::optional<double> next;
+        if (!anew) {
+          found.balance.motion.slip_ratio = *slip_ratio[n];
+          next = next_slip_ratio(model, found);
         }
-        next = slip.balance.motion.slip_ratio;
+        if (!next) {
+          found = find_slip_equilibrium(model, slip_ratio[n]);
+          if (!found.ok()) {
+            r.status = found.status == SlipStatus::jammed ? RunningStatus::jammed
+                                                          : RunningStatus::slip_no_equilibrium;
+            return slip;
+          }
+          next = found.balance.motion.slip_ratio;
+        }
+        missed = std::max(missed, std::abs(*next - found.balance.motion.slip_ratio));
+        slip_ratio[n] = next;
+        set_friction(nuts[n], found);
+        const double force = found.balance.forces.centrifugal;
+        if (rollers_.of_flanks())
+          centrifugal[nuts[n].first / rollers_.threads] = force;
+        else
+          centrifugal.assign(push_.size(), force);
       }
-      const double missed = std::abs(*next - slip.balance.motion.slip_ratio);
-      slip_ratio = next;
-      set_friction(model, slip);
-      if (!follow(bodies, turned, slip.balance.forces.centrifugal, answer)) return slip;
+      if (!follow(bodies, turned, centrifugal, answer)) return slip;
       anew = r.rounds > 1 && r.change > 0.3 * before;
       if (r.change > kTolerance || missed > kSlipMissed) continue;
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
       r.guide_force = answer.guide_force;
       r.status = RunningStatus::converged;
-      set_axial_loads(model);
+      for (const Slipping& nut : nuts) set_axial_loads(nut);
+      for (const Interface i : kInterfaces)
+        threads()[i].running_over_static =
+            largest(threads()[i].normal_load) / r.at_rest.largest_normal_load[i];
       return slip;
     }
     r.status = RunningStatus::iteration_limit;
@@ -155,7 +180,8 @@ class FixedPoint {
 
   /// Loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is
   /// that of the round. False where there are none.
-  bool follow(const Bodies& bodies, const Turned& turned, double centrifugal, Answer& answer) {
+  bool follow(const Bodies& bodies, const Turned& turned, const std::vector<double>& centrifugal,
+              Answer& answer) {
     RunningLoads& r = running();
     const PerInterface<std::vector<double>> start = answer.normal_load;
     PerInterface<std::vector<double>> before = start;
@@ -216,60 +242,71 @@ class FixedPoint {
     return change / load;
   }
 
-  /// The model of slip on these loads. Where the file states the angle of a normal, F_i is that of
+  /// The models of slip on these loads. Where the file states the angle of a normal, F_i is that of
   /// the sector, |s cos(psi) N_i +- T_x,i|.
-  SlipModel model_on(const Answer& answer) {
+  std::vector<Slipping> slipping_on(const Answer& answer) {
     running().guide_force = answer.guide_force;
-    const double s = sense(*loaded_.load_case.direction);
+    const double named = sense(*loaded_.load_case.direction);
     for (const Interface i : kInterfaces) {
       InterfaceLoads& loads = threads()[i];
       loads.normal_load = answer.normal_load[i];
       const double cosine = std::cos(loads.normal_angle);
       for (std::size_t p = 0; p < rollers_.present.size(); ++p)
         for (std::size_t k = 0; k < rollers_.threads; ++k) {
+          const double s = rollers_.of_flanks() && p > 0 ? -named : named;
           const std::size_t at = rollers_.present[p] * rollers_.threads + k;
           const double friction = (i == Interface::screw ? 1.0 : -1.0) * push_[p].axial[i][k];
           loads.axial_load[at] = std::abs(s * cosine * loads.normal_load[at] + friction);
         }
     }
-    return models_.of(loaded_);
+    std::vector<Slipping> nuts;
+    for (SlipModel& model : models_.of_nuts(loaded_)) {
+      const bool is_named = (model.axial_force < 0.0) == (named > 0.0);
+      const bool other = rollers_.rows == Rollers::Rows::nuts && !is_named;
+      nuts.push_back({std::move(model), other ? rollers_.threads : 0});
+    }
+    return nuts;
   }
 
   /// T_i = N_i (n - m_i) of each thread.
-  void set_friction(const SlipModel& model, const SlipEquilibrium& slip) {
+  void set_friction(const Slipping& nut, const SlipEquilibrium& found) {
     for (const Interface i : kInterfaces) {
-      const LoadedThreads& t = model.threads[i];
+      const LoadedThreads& t = nut.model.threads[i];
       FrictionForces& friction = *threads()[i].friction;
-      const std::size_t count = t.patch_of_thread.size();
       for (auto* values : {&friction.axial, &friction.radial, &friction.tangential})
-        values->assign(count, 0.0);
-      for (std::size_t k = 0; k < count; ++k) {
+        values->resize(threads()[i].normal_load.size());
+      for (std::size_t k = 0; k < t.patch_of_thread.size(); ++k) {
+        const std::size_t at = nut.first + k;
+        friction.axial[at] = friction.radial[at] = friction.tangential[at] = 0.0;
         if (!t.patch_of_thread[k]) continue;
-        const contact::PatchFriction& f = slip.balance.patches[i].friction[*t.patch_of_thread[k]];
-        const double major = threads()[i].normal_load[k] * f.traction_major;
-        const double minor = threads()[i].normal_load[k] * f.traction_minor;
-        const ContactFrameOf<double>& frame = model.frames[i];
-        friction.radial[k] = major * frame.major_axis.x + minor * frame.minor_axis.x;
-        friction.tangential[k] = major * frame.major_axis.y + minor * frame.minor_axis.y;
-        friction.axial[k] = major * frame.major_axis.z + minor * frame.minor_axis.z;
+        const contact::PatchFriction& f = found.balance.patches[i].friction[*t.patch_of_thread[k]];
+        const double major = threads()[i].normal_load[at] * f.traction_major;
+        const double minor = threads()[i].normal_load[at] * f.traction_minor;
+        const ContactFrameOf<double>& frame = nut.model.frame(i, t.contacts[*t.patch_of_thread[k]]);
+        friction.radial[at] = major * frame.major_axis.x + minor * frame.minor_axis.x;
+        friction.tangential[at] = major * frame.major_axis.y + minor * frame.minor_axis.y;
+        friction.axial[at] = major * frame.major_axis.z + minor * frame.minor_axis.z;
       }
     }
   }
 
   /// F_i = N_i |m_z,i| of converged loads, friction included.
-  void set_axial_loads(const SlipModel& model) {
-    const double unit = std::abs(model.axial_force) / contacts_.mechanism.rollers;
+  void set_axial_loads(const Slipping& nut) {
+    const double unit = std::abs(loaded_.load_case.axial_force) / contacts_.mechanism.rollers;
     for (const Interface i : kInterfaces) {
       InterfaceLoads& loads = threads()[i];
-      const std::vector<double>& friction = loads.friction->axial;
-      for (std::size_t k = 0; k < loads.axial_load.size(); ++k) {
+      const LoadedThreads& t = nut.model.threads[i];
+      for (std::size_t k = 0; k < t.patch_of_thread.size(); ++k) {
+        const std::size_t at = nut.first + k;
         if (!c_.contact.normal_angle[i])
-          loads.axial_load[k] =
-              std::abs(loads.normal_load[k] * model.frames[i].normal.z - friction[k]);
-        loads.load_rate[k] = loads.axial_load[k] / unit;
+          loads.axial_load[at] =
+              t.patch_of_thread[k]
+                  ? std::abs(loads.normal_load[at] *
+                                 nut.model.frame(i, t.contacts[*t.patch_of_thread[k]]).normal.z -
+                             loads.friction->axial[at])
+                  : 0.0;
+        loads.load_rate[at] = loads.axial_load[at] / unit;
       }
-      loads.running_over_static =
-          largest(loads.normal_load) / running().at_rest.largest_normal_load[i];
     }
   }
 
@@ -290,15 +327,16 @@ class FixedPoint {
     return all;
   }
 
-  /// All unknown forces, the centrifugal one of a roller last [N].
-  Eigen::VectorXd vector_of(const std::vector<RollerPush>& pushes, double centrifugal) const {
+  /// All unknown forces, the centrifugal ones of the rows last [N].
+  Eigen::VectorXd vector_of(const std::vector<RollerPush>& pushes,
+                            const std::vector<double>& centrifugal) const {
     std::vector<double> all;
     for (const RollerPush& push : pushes)
       for (const Interface i : kInterfaces) {
         all.insert(all.end(), push.axial[i].begin(), push.axial[i].end());
         all.insert(all.end(), push.radial[i].begin(), push.radial[i].end());
       }
-    all.push_back(centrifugal);
+    all.insert(all.end(), centrifugal.begin(), centrifugal.end());
     return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
   }
   void take(const Eigen::VectorXd& x) {
@@ -307,8 +345,10 @@ class FixedPoint {
       for (const Interface i : kInterfaces)
         for (auto* values : {&push.axial[i], &push.radial[i]})
           for (double& value : *values) value = x[next++];
-      push.of_thread = thread_share_ * x[x.size() - 1];
-      push.of_heads = head_share_ * x[x.size() - 1];
+    }
+    for (RollerPush& push : push_) {
+      push.of_thread = thread_share_ * x[next];
+      push.of_heads = head_share_ * x[next++];
     }
   }
 
@@ -378,9 +418,90 @@ void start(LoadCaseResult& rest) {
 
 LoadCaseResult RunningSolver::solve(const LoadCase& load_case, Detail detail,
                                     std::optional<SlipEquilibrium>& slip) {
-  return conditions_.model.mechanism == ModelOptions::Mechanism::full
+  second_nut_.reset();
+  return has_both_flanks(conditions_, load_case.share) ? of_flanks(load_case, slip)
+         : conditions_.model.mechanism == ModelOptions::Mechanism::full
              ? of_all_rollers(load_case, detail, slip)
              : of_sector(load_case, slip);
+}
+
+LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case,
+                                        std::optional<SlipEquilibrium>& slip) {
+  if (!flanks_) flanks_.emplace(conditions_, contacts_);
+  const Direction named = *load_case.direction;
+  LoadCaseResult rest = flanks_->solve(load_case);
+  start(rest);
+  if (!rest.threads) return not_running(std::move(rest));
+  const RunningLoads::AtRest at_rest{
+      {largest(rest.threads->screw.normal_load), largest(rest.threads->nut.normal_load)},
+      rest.axial_displacement.value_or(0.0)};
+  const std::size_t threads = rest.threads->screw.normal_load.size();
+  const bool two_nuts = rest.other_flank->of_second_roller;
+  Answer answer{fe::NewtonStatus::converged, {}, rest.other_flank->guide_force};
+  for (const Interface i : kInterfaces) {
+    InterfaceLoads& loads = (*rest.threads)[i];
+    FlankThreads& other = rest.other_flank->threads[i];
+    loads.normal_load.insert(loads.normal_load.end(), other.normal_load.begin(),
+                             other.normal_load.end());
+    loads.axial_load.resize(2 * threads);
+    loads.load_rate.resize(2 * threads);
+    answer.normal_load[i] = loads.normal_load;
+    other = {};
+  }
+  const auto of_flank = [&](const std::vector<RollerPush>& push) {
+    PerDirection<RollerPush> by_direction;
+    by_direction[named] = push[0];
+    by_direction[opposite(named)] = push[1];
+    return by_direction;
+  };
+
+  PreloadPoint last;
+  FixedPoint point(conditions_, contacts_, models_,
+                   {{0, 1}, threads, two_nuts ? Rollers::Rows::nuts : Rollers::Rows::flanks}, rest);
+  std::vector<SlipEquilibrium> found = point.solve(
+      answer,
+      [&](const std::vector<RollerPush>& push) {
+        last = flanks_->go_on(load_case, of_flank(push));
+        Answer to{last.solve.status, {}, {}};
+        if (!last.solve.converged()) return to;
+        to.guide_force = flanks_->guide_forces(last, named, of_flank(push));
+        for (const Interface i : kInterfaces)
+          for (const Direction d : {named, opposite(named)})
+            to.normal_load[i].insert(to.normal_load[i].end(), last.sides[d].normal_load[i].begin(),
+                                     last.sides[d].normal_load[i].end());
+        return to;
+      },
+      {}, last_slip_ratio_);
+  rest.running->at_rest = at_rest;
+  if (!rest.running->converged()) {
+    rest.other_flank.reset();
+    return not_running(std::move(rest));
+  }
+  slip = std::move(found.front());
+  if (two_nuts) second_nut_ = std::move(found.back());
+  last_slip_ratio_ = slip->balance.motion.slip_ratio;
+
+  LoadCaseResult loaded = both_flanks_result(load_case, contacts_, laws_, std::move(last));
+  loaded.other_flank->of_second_roller = two_nuts;
+  for (const Interface i : kInterfaces) {
+    InterfaceLoads& loads = (*rest.threads)[i];
+    FlankThreads& other = loaded.other_flank->threads[i];
+    const auto cut = [&](std::vector<double>& values) {
+      std::vector<double> behind(values.begin() + static_cast<std::ptrdiff_t>(threads),
+                                 values.end());
+      values.resize(threads);
+      return behind;
+    };
+    other.normal_load = cut(loads.normal_load);
+    other.axial_load = cut(loads.axial_load);
+    cut(loads.load_rate);
+    if (load_case.axial_force == 0.0) std::ranges::fill(loads.load_rate, kNoShare);
+    for (auto* values :
+         {&loads.friction->axial, &loads.friction->radial, &loads.friction->tangential})
+      cut(*values);
+    loads.running_over_static = largest(loads.normal_load) / at_rest.largest_normal_load[i];
+  }
+  return with_friction(std::move(loaded), std::move(rest));
 }
 
 RunningSolver::SectorAt& RunningSolver::sector_at(Direction d, double position) {
@@ -416,23 +537,25 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
     return solver.go_on(force, push_loads(sector, push));
   };
   FixedPoint point(conditions_, contacts_, models_, {{0}, threads}, rest);
-  slip = point.solve(
-      answer_to(no_push(threads), fe::NewtonStatus::converged),
-      [&](const std::vector<RollerPush>& push) {
-        return answer_to(push.front(), under(push.front()).status);
-      },
-      [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
-        RollerPush push = per_normal_load.front();
-        if (!solver.follow(force, TurnedLoads(solver, force, push))) return std::nullopt;
-        const Answer loads = answer_to(push, fe::NewtonStatus::converged);
-        for (const Interface i : kInterfaces)
-          for (std::size_t k = 0; k < threads; ++k) {
-            push.axial[i][k] *= loads.normal_load[i][k];
-            push.radial[i][k] *= loads.normal_load[i][k];
-          }
-        return answer_to(push, fe::NewtonStatus::converged);
-      },
-      last_slip_ratio_);
+  slip = point
+             .solve(
+                 answer_to(no_push(threads), fe::NewtonStatus::converged),
+                 [&](const std::vector<RollerPush>& push) {
+                   return answer_to(push.front(), under(push.front()).status);
+                 },
+                 [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
+                   RollerPush push = per_normal_load.front();
+                   if (!solver.follow(force, TurnedLoads(solver, force, push))) return std::nullopt;
+                   const Answer loads = answer_to(push, fe::NewtonStatus::converged);
+                   for (const Interface i : kInterfaces)
+                     for (std::size_t k = 0; k < threads; ++k) {
+                       push.axial[i][k] *= loads.normal_load[i][k];
+                       push.radial[i][k] *= loads.normal_load[i][k];
+                     }
+                   return answer_to(push, fe::NewtonStatus::converged);
+                 },
+                 last_slip_ratio_)
+             .front();
   if (!rest.running->converged()) return not_running(std::move(rest));
   last_slip_ratio_ = slip->balance.motion.slip_ratio;
   fe::NewtonSummary last = under(point.push().front());
@@ -473,20 +596,23 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
     return all;
   }
   FixedPoint point(conditions_, contacts_, models_, rollers, rest);
-  all.slip = point.solve(
-      {fe::NewtonStatus::converged,
-       {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
-       forces_on_guides(rest.full->rings)},
-      [&](const std::vector<RollerPush>& push) {
-        all.loads = full_distribution(load_case, conditions_, contacts_, laws_, solver,
-                                      Detail::numbers, push);
-        Answer answer{all.loads.solve.status, {}, forces_on_guides(all.loads.rings)};
-        for (const Interface i : kInterfaces)
-          for (const std::vector<double>& roller : all.loads.normal_load[i])
-            answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(), roller.end());
-        return answer;
-      },
-      {}, last_slip_ratio_);
+  all.slip = point
+                 .solve(
+                     {fe::NewtonStatus::converged,
+                      {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
+                      forces_on_guides(rest.full->rings)},
+                     [&](const std::vector<RollerPush>& push) {
+                       all.loads = full_distribution(load_case, conditions_, contacts_, laws_,
+                                                     solver, Detail::numbers, push);
+                       Answer answer{all.loads.solve.status, {}, forces_on_guides(all.loads.rings)};
+                       for (const Interface i : kInterfaces)
+                         for (const std::vector<double>& roller : all.loads.normal_load[i])
+                           answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(),
+                                                        roller.end());
+                       return answer;
+                     },
+                     {}, last_slip_ratio_)
+                 .front();
   all.push = point.push();
   if (rest.running->converged())
     last_slip_ratio_ = all.slip->balance.motion.slip_ratio;
@@ -581,7 +707,9 @@ Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions opt
   require_rolling(c, contacts);
   Result result = analyze(c, std::move(contacts), options, runs);
   const SlipModels models(c, result.contacts);
-  RunningSolver solver(c, result.contacts, models);
+  Conditions alone = c;  // `solve` has one flank, whatever closes the other one.
+  alone.preload.reset();
+  RunningSolver solver(alone, result.contacts, models);
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!runs(loaded.load_case)) continue;
     std::optional<SlipEquilibrium> slip;

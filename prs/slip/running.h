@@ -7,6 +7,7 @@
 
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
+#include "prs/preload/both_flanks.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_model.h"
@@ -40,8 +41,11 @@ class RunningSolver {
 
   /// A load case with solved shares and all that belongs to no slip; `running` says how the search
   /// ended. Where it converged: its slip.
+  /// Under preload with both flanks, of two nuts the slip of the first.
   LoadCaseResult solve(const LoadCase& load_case, Detail detail,
                        std::optional<SlipEquilibrium>& slip);
+  /// Slip of the second nut of a double nut, of the last load case.
+  const std::optional<SlipEquilibrium>& second_nut() const { return second_nut_; }
 
   /// A turn of the carrier under a load case on all rollers: each position is an equilibrium with
   /// its own slip ratio.
@@ -58,6 +62,7 @@ class RunningSolver {
 
   SectorAt& sector_at(Direction d, double position);
   LoadCaseResult of_sector(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
+  LoadCaseResult of_flanks(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
   LoadCaseResult of_all_rollers(const LoadCase& load_case, Detail detail,
                                 std::optional<SlipEquilibrium>& slip);
   struct AllRunning;
@@ -70,6 +75,8 @@ class RunningSolver {
   PerInterface<ContactLaw> laws_;
   const SlipModels& models_;
   std::map<std::pair<Direction, double>, std::unique_ptr<SectorAt>> sectors_;
+  std::optional<FlankSolver> flanks_;
+  std::optional<SlipEquilibrium> second_nut_;
   std::optional<double> last_slip_ratio_;
 };
 

@@ -76,10 +76,10 @@ void set_values(std::vector<double>& values, const LoadedThreads& threads, Value
 
 /// Roller and body as their surfaces move through the contact, which the carrier holds.
 std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bodies,
-                                          const SlipModel& model, const SlipBalance& balance,
-                                          Interface i) {
-  const ContactMotion motion = contact_motion(model.geometry, balance.motion, i);
-  const ContactFrameOf<double>& frame = model.frames[i];
+                                          const Kinematics& parts,
+                                          const KinematicGeometry& geometry,
+                                          const ContactFrameOf<double>& frame, Interface i) {
+  const ContactMotion motion = contact_motion(geometry, parts, i);
   for (std::size_t k = 0; k < 2; ++k) {
     const double sense = k == 0 ? -1.0 : 1.0;  // Sliding: of the body against the roller.
     const auto along = [&](const contact::Vector3<double>& axis) {
@@ -91,13 +91,25 @@ std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bod
   return bodies;
 }
 
+std::vector<std::vector<double> InterfaceSlip::*> all_values() {
+  return {&InterfaceSlip::power,
+          &InterfaceSlip::power_density,
+          &InterfaceSlip::friction_coefficient,
+          &InterfaceSlip::spin_torque,
+          &InterfaceSlip::sliding_speed,
+          &InterfaceSlip::max_sliding_speed,
+          &InterfaceSlip::film_thickness,
+          &InterfaceSlip::central_film,
+          &InterfaceSlip::film_factor,
+          &InterfaceSlip::film_ratio,
+          &InterfaceSlip::boundary_share,
+          &InterfaceSlip::dynamic_normal_load,
+          &InterfaceSlip::wear,
+          &InterfaceSlip::flash_temperature};
+}
+
 void clear_values(InterfaceSlip& slip) {
-  for (auto* values :
-       {&slip.power, &slip.power_density, &slip.friction_coefficient, &slip.spin_torque,
-        &slip.sliding_speed, &slip.max_sliding_speed, &slip.film_thickness, &slip.central_film,
-        &slip.film_factor, &slip.film_ratio, &slip.boundary_share, &slip.dynamic_normal_load,
-        &slip.wear, &slip.flash_temperature})
-    values->clear();
+  for (const auto values : all_values()) (slip.*values).clear();
 }
 
 /// Values of an interface that are all empty so far.
@@ -105,9 +117,14 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
                         Interface i, const SlipDetail& detail) {
   const LoadedThreads& threads = model.threads[i];
   const PatchBalance& b = balance.patches[i];
-  const contact::PatchMotion& motion = balance.sliding[i];
+  const auto motion = [&](std::size_t k) -> const contact::PatchMotion& {
+    return balance.motion_of(i, threads.contacts[k]);
+  };
+  const auto sliding = [&](std::size_t k) {
+    return std::hypot(motion(k).sliding_major, motion(k).sliding_minor);
+  };
   slip.threads_per_roller = threads.threads_per_roller;
-  slip.along_major = motion.along_major;
+  slip.along_major = balance.sliding[i].along_major;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
     set_values(values, threads, value_of_patch);
   };
@@ -121,8 +138,7 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
     });
     add(slip.friction_coefficient, [&](std::size_t k) { return b.friction[k].mean_friction; });
     add(slip.spin_torque, [&](std::size_t k) { return b.normal_load[k] * b.friction[k].spin_arm; });
-    add(slip.sliding_speed,
-        [&](std::size_t) { return std::hypot(motion.sliding_major, motion.sliding_minor); });
+    add(slip.sliding_speed, sliding);
     add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
     add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
   }
@@ -134,25 +150,30 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
     });
   }
   if (model.heated[i] && detail.threads) {
-    const std::array<contact::HeatedBody, 2> bodies = moving(*model.heated[i], model, balance, i);
     add(slip.flash_temperature, [&](std::size_t k) {
-      return contact::flash_temperature(threads.contacts[k].ellipse, bodies, power(k));
+      const LoadedThreads::Contact& c = threads.contacts[k];
+      return contact::flash_temperature(
+          c.ellipse,
+          moving(*model.heated[i], balance.motion,
+                 c.other_flank ? model.other_flank->geometry : model.geometry, model.frame(i, c),
+                 i),
+          power(k));
     });
   }
   if (!model.oils.threads[i] || !detail.films) return;
   const contact::Lubricant& oil = *model.oils.threads[i];
-  const double rolling = motion.rolling_speed;
   add(slip.film_thickness, [&](std::size_t k) {
-    return contact::sandu_film(oil, threads.contacts[k].film, rolling).thickness;
+    return contact::sandu_film(oil, threads.contacts[k].film, motion(k).rolling_speed).thickness;
   });
   const auto central_film = [&](std::size_t k) {
-    return contact::central_film(oil, threads.contacts[k].film, rolling, motion.along_major);
+    return contact::central_film(oil, threads.contacts[k].film, motion(k).rolling_speed,
+                                 motion(k).along_major);
   };
   add(slip.central_film, central_film);
-  const double sliding = std::hypot(motion.sliding_major, motion.sliding_minor);
   const auto film_factor = [&](std::size_t k) {
     const LoadedThreads::Contact& c = threads.contacts[k];
-    return contact::film_factor(oil, c.film, c.ellipse.peak_pressure, rolling, sliding);
+    return contact::film_factor(oil, c.film, c.ellipse.peak_pressure, motion(k).rolling_speed,
+                                sliding(k));
   };
   add(slip.film_factor, film_factor);
   const std::optional<double>& roughness = model.roughness[i];
@@ -170,6 +191,13 @@ void for_each_thread(const PerInterface<InterfaceSlip>& threads, auto visit) {
   for (const Interface i : kInterfaces)
     for (std::size_t k = 0; k < threads[i].power.size(); ++k)
       visit(ThreadOf{i, static_cast<int>(k)}, threads[i].power[k], threads[i].power_density[k]);
+}
+
+void find_hottest(SlipResult& slip) {
+  double hottest = -1.0;
+  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
+    if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = thread;
+  });
 }
 
 EqualShareSlip summary_of(const SlipResult& equal) {
@@ -355,8 +383,9 @@ Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions
   if (std::ranges::all_of(c.load_cases, equal))
     return analyze_contacts(c, std::move(contacts), options.detail);
   require_contacts(c, contacts);
-  Result result =
-      analyze(c, std::move(contacts), options, [&](const LoadCase& load) { return runs(c, load); });
+  Result result = analyze(c, std::move(contacts), options, [&](const LoadCase& load) {
+    return runs(c, load) || has_both_flanks(c, load.share);
+  });
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!equal(loaded.load_case)) continue;
     loaded = equal_share_result(loaded.load_case, result.contacts);
@@ -500,11 +529,65 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   slip.forces = b.forces;
   set_heads(slip.heads, model, b);
   if (model.bearing_viscosity > 0.0) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
-  double hottest = -1.0;
-  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
-    if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = thread;
-  });
+  find_hottest(slip);
 }
+
+namespace {
+
+/// Threads of the flank that the load names stay in the lists, power of the other one goes to it.
+void part_flanks(LoadCaseResult& loaded) {
+  if (!loaded.other_flank || !loaded.slip->converged()) return;
+  SlipResult& slip = *loaded.slip;
+  for (const Interface i : kInterfaces) {
+    const auto count = static_cast<std::ptrdiff_t>((*loaded.threads)[i].normal_load.size());
+    std::vector<double>& power = loaded.other_flank->threads[i].power;
+    if (slip.second_nut) {
+      const bool first = loaded.load_case.direction == Direction::tension;
+      power = (first ? slip : *slip.second_nut).threads[i].power;
+      continue;
+    }
+    power.assign(slip.threads[i].power.begin() + count, slip.threads[i].power.end());
+    for (const auto values : all_values())
+      if (std::vector<double>& all = slip.threads[i].*values; !all.empty())
+        all.resize(static_cast<std::size_t>(count));
+  }
+  find_hottest(slip);
+}
+
+/// What both nuts do to the screw, powers and torques of the second one on top, under the force F_N
+/// of the load case.
+void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_model,
+                    double force) {
+  if (slip.converged() && second.converged()) {
+    slip.power.screw += second.power.screw;
+    slip.power.nut += second.power.nut;
+    slip.power.carrier_roller += second.power.carrier_roller;
+    slip.power.carrier_screw += second.power.carrier_screw;
+    slip.power.carrier_nut += second.power.carrier_nut;
+    slip.power_loss_input_output += second.power_loss_input_output;
+    slip.torque_screw += second.torque_screw;
+    slip.torque_nut += second.torque_nut;
+    const double advance = -first_model.geometry.lead / (2.0 * std::numbers::pi) * slip.speed;
+    const double turned = first_model.geometry.is_standard() ? slip.torque_screw : slip.torque_nut;
+    const PowerFlow flow{turned * turning_speed(first_model.geometry.type, slip.speed),
+                         force * advance};
+    slip.efficiency = flow.efficiency();
+    slip.driven_by =
+        force * slip.speed * first_model.geometry.lead < 0.0 ? DrivenBy::load : DrivenBy::screw;
+    slip.self_locking.reset();
+    slip.holding_torque.reset();
+    if (slip.driven_by == DrivenBy::load) {
+      slip.self_locking = !slip.efficiency;
+      slip.holding_torque = std::copysign(1.0, slip.speed) * slip.torque_screw;
+    }
+    slip.efficiency_fit.reset();
+  } else if (slip.converged()) {
+    slip.status = second.status;
+  }
+  slip.second_nut = std::make_shared<SlipResult>(std::move(second));
+}
+
+}  // namespace
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
                     const std::optional<Oils>& oils) {
@@ -515,19 +598,32 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       result.warnings.push_back(std::move(*note));
   const SlipModels models(c, result.contacts, oils ? *oils : oils_in_operation(c));
   RunningSolver running(c, result.contacts, models);
+  std::optional<FlankSolver> flanks;
+  if (has_both_flanks(c, LoadCase::Share::solved)) flanks.emplace(c, result.contacts);
   for (LoadCaseResult& loaded : result.load_cases) {
     std::optional<SlipEquilibrium> found;
-    if (runs(c, loaded.load_case)) {
+    if (runs(c, loaded.load_case) || has_both_flanks(c, loaded.load_case.share)) {
       require_admissible(models.unloaded(loaded.load_case));
-      loaded = running.solve(loaded.load_case, options.detail, found);
+      loaded = runs(c, loaded.load_case) ? running.solve(loaded.load_case, options.detail, found)
+                                         : flanks->solve(loaded.load_case);
       if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
     }
     if (!loaded.threads) continue;
-    const SlipModel model = models.of(loaded);
+    const std::vector<SlipModel> nuts = models.of_nuts(loaded);
+    const SlipModel& model = nuts.front();
     require_admissible(model);
     loaded.slip.emplace();
     set_slip_result(*loaded.slip, model, found ? *found : find_slip_equilibrium(model), {});
-    if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged()) {
+    if (nuts.size() == 2) {
+      SlipResult second;
+      const std::optional<SlipEquilibrium>& known = running.second_nut();
+      set_slip_result(second, nuts[1], known ? *known : find_slip_equilibrium(nuts[1]), {});
+      add_second_nut(*loaded.slip, std::move(second), nuts[0],
+                     axial_force_on_nut(loaded.load_case));
+    }
+    part_flanks(loaded);
+    if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged() &&
+        !loaded.other_flank) {
       const SlipResult equal = slip_result(models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }

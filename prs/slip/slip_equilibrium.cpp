@@ -19,18 +19,30 @@ struct RollerHeadOf {
   contact::JournalBearingStateOf<Number> state{};
 };
 
+/// How the other flank of an interface slides, where there is one.
+template <class Number>
+contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i,
+                                             const Number& slip_ratio) {
+  if (!model.other_flank) return {};
+  const auto& [geometry, frames] = *model.other_flank;
+  return patch_motion(frames[i],
+                      contact_motion(geometry, kinematics(geometry, model.speed, slip_ratio), i));
+}
+
 /// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
 /// one has no normal load.
 template <class Number, class Take>
 InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
                                          const contact::PatchMotionOf<Number>& sliding,
+                                         const contact::PatchMotionOf<Number>& other,
                                          bool& possible, Take take) {
   const LoadedThreads& threads = model.threads[i];
   InterfaceForces<Number> sum;
   for (std::size_t k = 0; k < threads.patches.size() && possible; ++k) {
-    const contact::PatchFrictionOf<Number> friction = threads.patches[k].friction(sliding);
     const LoadedThreads::Contact& contact = threads.contacts[k];
-    const ContactFrameOf<double>& frame = model.frames[i];
+    const contact::PatchFrictionOf<Number> friction =
+        threads.patches[k].friction(contact.other_flank ? other : sliding);
+    const ContactFrameOf<double>& frame = model.frame(i, contact);
     const PatchForces<Number> at =
         contact.normal_load
             ? forces_of(frame, friction, turned_normal<Number, double>(frame, friction),
@@ -39,6 +51,11 @@ InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
     possible = is_possible(at.normal_load) && value(at.on_roller.force.z) * frame.normal.z <= 0.0;
     sum.force = sum.force + at.on_roller.force;
     sum.spin_torque += at.on_roller.spin_torque;
+    if (contact.other_flank) {
+      const auto &here = model.other_flank->geometry.points[i], &there = model.geometry.points[i];
+      sum.couple +=
+          (here.x - there.x) * at.on_roller.force.y - (here.y - there.y) * at.on_roller.force.x;
+    }
     take(k, friction, at);
   }
   return sum;
@@ -101,8 +118,8 @@ std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double sl
   const RollerBalanceOf<Number> found = roller_balance(
       model, Number(slip_ratio, 1.0),
       [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
-        return interface_forces(model, i, sliding, possible,
-                                [](std::size_t, const auto&, const auto&) {});
+        return interface_forces(model, i, sliding, other_sliding(model, i, Number(slip_ratio, 1.0)),
+                                possible, [](std::size_t, const auto&, const auto&) {});
       },
       heads_in<Number>(model));
   if (!possible) return std::nullopt;
@@ -121,7 +138,8 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
         at.friction.resize(threads.patches.size());
         at.normal_load.resize(threads.patches.size());
         at.power = 0.0;
-        return interface_forces(model, i, sliding, possible,
+        b.other_sliding[i] = other_sliding(model, i, slip_ratio);
+        return interface_forces(model, i, sliding, b.other_sliding[i], possible,
                                 [&](std::size_t k, const contact::PatchFriction& friction,
                                     const PatchForces<double>& forces) {
                                   at.friction[k] = friction;
@@ -135,7 +153,8 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
 }
 
 double residue_unit(const SlipModel& m) {
-  return m.geometry.centre_distance * std::abs(m.axial_force) / m.rollers;
+  const double force = m.carried.value_or(std::abs(m.axial_force));
+  return m.geometry.centre_distance * (force > 0.0 ? force : 1.0) / m.rollers;
 }
 
 double relative_residue(const SlipModel& m, const SlipBalance& b) {
@@ -203,7 +222,8 @@ void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& m
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {
   // What acts on a roller, taken about the screw's axis, acts back on screw and nut.
   const auto about_axis = [&](Interface i) {
-    return moment_z(m.geometry.points[i], 0.0, b.interfaces[i].force) + b.interfaces[i].spin_torque;
+    return moment_z(m.geometry.points[i], 0.0, b.interfaces[i].force) + b.interfaces[i].couple +
+           b.interfaces[i].spin_torque;
   };
   const double c = m.geometry.centre_distance;
   const double roller_gear = roller_gear_radius(m.geometry);

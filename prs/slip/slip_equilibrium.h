@@ -24,6 +24,7 @@ struct LoadedThreads {
   struct Contact {
     double axial_load = 0.0;                 ///< F_i, > 0; not used with a normal load [N]
     std::optional<double> normal_load = {};  ///< N_i where the running screw has it [N].
+    bool other_flank = false;                ///< See `SlipModel::other_flank`.
     contact::HertzContact ellipse;
     contact::FilmContact film;
     contact::FrictionLaw friction;
@@ -57,6 +58,16 @@ struct GuideForces {
 struct SlipModel : RollerModelOf<double> {
   double axial_force = 0.0;  ///< F_N, signed, of the whole mechanism [N]
   PerInterface<LoadedThreads> threads;
+  /// Where preload closes both flanks of the threads: points and directions of those that do not
+  /// face the load.
+  struct OtherFlank {
+    KinematicGeometry geometry;
+    PerInterface<ContactFrameOf<double>> frames;
+  };
+  std::optional<OtherFlank> other_flank;
+  /// With preload: axial load that both flanks carry at the screw, in place of `axial_force` where
+  /// a measure is needed [N].
+  std::optional<double> carried;
   Oils oils;
 
   GuideForces guides;
@@ -70,6 +81,10 @@ struct SlipModel : RollerModelOf<double> {
   std::optional<Wear> wear;
   PerInterface<std::optional<double>> roughness;  ///< Composite Rq [m].
   std::optional<double> imposed_slip_ratio;
+
+  const ContactFrameOf<double>& frame(Interface i, const LoadedThreads::Contact& c) const {
+    return c.other_flank ? other_flank->frames[i] : frames[i];
+  }
 };
 
 /// Friction at the patches of one interface of one roller.
@@ -82,6 +97,11 @@ struct PatchBalance {
 /// What acts on one roller, and what its patches have to do with it.
 struct SlipBalance : RollerBalance {
   PerInterface<PatchBalance> patches;
+  PerInterface<contact::PatchMotion> other_sliding;  ///< On `SlipModel::other_flank`.
+
+  const contact::PatchMotion& motion_of(Interface i, const LoadedThreads::Contact& c) const {
+    return c.other_flank ? other_sliding[i] : sliding[i];
+  }
 };
 
 /// Balances all but the moment about the roller's axis, whose residue is left in `moments` (Sandu
@@ -94,7 +114,8 @@ struct SlipBalance : RollerBalance {
 /// where numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
 
-/// c |F_N|/N_R [N m], the unit of `relative_residue`.
+/// c |F_N|/N_R [N m], under preload with what both flanks carry: the unit of `relative_residue`. Of
+/// an open nut c/N_R times 1 N.
 double residue_unit(const SlipModel& model);
 
 /// R_z, the moment left on a roller over c |F_N|/N_R [-] (Sandu 2018, (3.39) to (3.43)).

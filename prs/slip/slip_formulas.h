@@ -50,6 +50,8 @@ template <class Number>
 struct InterfaceForces {
   contact::Vector3<Number> force{};
   Number spin_torque{};
+  /// Moment about z of forces that act beside the interface's point, about that point.
+  Number couple = Number(simd::ValueOf<Number>(0.0));
 };
 
 /// Everything that acts on one roller at one slip ratio.
@@ -242,7 +244,8 @@ RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Numbe
     b.sliding[i] = patch_motion(m.frames[i], contact_motion(m.geometry, b.motion, i));
     b.interfaces[i] = forces_at(i, b.sliding[i]);
     b.moments.contacts +=
-        moment_z(m.geometry.points[i], m.geometry.centre_distance, b.interfaces[i].force);
+        moment_z(m.geometry.points[i], m.geometry.centre_distance, b.interfaces[i].force) +
+        b.interfaces[i].couple;
     b.moments.spin += b.interfaces[i].spin_torque;
   }
   b.bearing = {Number(Real(0.0)), Number(Real(0.0))};

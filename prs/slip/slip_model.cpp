@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "prs/loads/full_result.h"
@@ -11,8 +12,18 @@
 namespace prs {
 namespace {
 
+/// The faces that a force closes; the sign of a force of 0 is that of its direction.
 contact::InterfaceGeometry touching(const contact::InterfaceGeometry& i1_j2, double force) {
-  return force > 0.0 ? i1_j2 : contact::on_other_faces(i1_j2);
+  return std::signbit(force) ? contact::on_other_faces(i1_j2) : i1_j2;
+}
+
+PerInterface<ContactFrameOf<double>> frames_of(const Contacts& contacts, double force) {
+  PerInterface<ContactFrameOf<double>> frames;
+  for (const Interface i : kInterfaces) {
+    const contact::InterfaceGeometry g = touching(contacts.interfaces[i].geometry, force);
+    frames[i] = {g.point.normal, g.major_axis, g.minor_axis};
+  }
+  return frames;
 }
 
 KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
@@ -80,8 +91,9 @@ LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact
                                   .curvature_ratio = relative.first / relative.second,
                                   .direction = model.film_direction,
                                   .thinning = model.film_thinning};
-  return {axial_load, std::nullopt, contact::at_load(contact.hertz, normal_load), film,
-          friction_of(model, i, film)};
+  return {axial_load, std::nullopt,
+          false,      contact::at_load(contact.hertz, normal_load),
+          film,       friction_of(model, i, film)};
 }
 
 /// Under its static load.
@@ -170,10 +182,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
 
 void set_geometry(SlipModel& m, const Contacts& contacts) {
   m.geometry = kinematic_geometry(contacts, m.axial_force);
-  for (const Interface i : kInterfaces) {
-    const contact::InterfaceGeometry g = touching(contacts.interfaces[i].geometry, m.axial_force);
-    m.frames[i] = {g.point.normal, g.major_axis, g.minor_axis};
-  }
+  m.frames = frames_of(contacts, m.axial_force);
 }
 
 void set_equal_contacts(SlipModel& m, const Contacts& contacts) {
@@ -189,24 +198,35 @@ void set_equal_contacts(SlipModel& m, const Contacts& contacts) {
 SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
   if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
   SlipModel model = unloaded(loaded.load_case, oils);
+  const auto flank = static_cast<std::size_t>(contacts_.mechanism.contacts_per_roller);
+  if (loaded.other_flank)
+    model.other_flank = {kinematic_geometry(contacts_, -model.axial_force),
+                         frames_of(contacts_, -model.axial_force)};
   for (const Interface i : kInterfaces) {
     LoadedThreads& threads = model.threads[i];
     const int row = (*loaded.threads)[i].threads_per_roller;
     threads.threads_per_roller = row;
     if (row > 0) threads.alike = 1.0 / model.rollers;
-    const InterfaceLoads& loads = (*loaded.threads)[i];
-    for (std::size_t k = 0; k < loads.normal_load.size(); ++k) {
-      threads.patch_of_thread.push_back(std::nullopt);
-      if (loads.normal_load[k] <= 0.0) continue;
-      threads.patch_of_thread.back() = threads.contacts.size();
-      const InterfaceContact& contact = contacts_.interfaces[i];
-      threads.contacts.push_back(
-          loaded.running ? contact_of(model, contact, i, loads.axial_load[k], loads.normal_load[k])
-                         : contact_of(model, contact, i, loads.axial_load[k]));
-      // Sector and geometry agree on the normal, but where the file states another one.
-      if (loaded.running && !conditions_.contact.normal_angle[i])
-        threads.contacts.back().normal_load = loads.normal_load[k];
-    }
+    const auto add = [&](const std::vector<double>& axial, const std::vector<double>& normal) {
+      for (std::size_t k = 0; k < normal.size(); ++k) {
+        const bool other = loaded.other_flank && threads.patch_of_thread.size() >= flank;
+        threads.patch_of_thread.push_back(std::nullopt);
+        if (normal[k] <= 0.0) continue;
+        threads.patch_of_thread.back() = threads.contacts.size();
+        const InterfaceContact& contact = contacts_.interfaces[i];
+        LoadedThreads::Contact& added = threads.contacts.emplace_back(
+            loaded.running ? contact_of(model, contact, i, axial[k], normal[k])
+                           : contact_of(model, contact, i, axial[k]));
+        added.other_flank = other;
+        // Sector and geometry agree on the normal, but where the file states another one.
+        if (loaded.running && !conditions_.contact.normal_angle[i]) added.normal_load = normal[k];
+        if (loaded.other_flank && i == Interface::screw)
+          model.carried = model.carried.value_or(0.0) + model.rollers * axial[k];
+      }
+    };
+    add((*loaded.threads)[i].axial_load, (*loaded.threads)[i].normal_load);
+    if (loaded.other_flank)
+      add(loaded.other_flank->threads[i].axial_load, loaded.other_flank->threads[i].normal_load);
   }
   model.guides = guides_of(loaded);
   add_patches(model);
@@ -220,6 +240,8 @@ GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
   if (loaded.running) {
     guides.of_roller = loaded.running->guide_force;
     guides.carry_centrifugal = true;
+  } else if (loaded.other_flank) {
+    guides.of_roller = loaded.other_flank->guide_force;
   } else if (conditions_.model.roller == ModelOptions::Roller::rigid_bending) {
     return guides;
   } else if (full) {
@@ -240,6 +262,49 @@ GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
                       {{none, none}, {none, none}}));
   }
   return guides;
+}
+
+std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded, const Oils& oils) const {
+  std::vector<SlipModel> models;
+  if (!loaded.other_flank || !loaded.other_flank->of_second_roller) {
+    models.push_back(of(loaded, oils));
+    return models;
+  }
+  const auto threads = static_cast<std::ptrdiff_t>(contacts_.mechanism.contacts_per_roller);
+  const Direction named = *loaded.load_case.direction;
+  for (const Direction d : {Direction::compression, Direction::tension}) {
+    const std::ptrdiff_t row = d == named ? 0 : 1;
+    LoadCaseResult nut;
+    nut.load_case = loaded.load_case;
+    nut.load_case.direction = d;
+    nut.threads.emplace();
+    for (const Interface i : kInterfaces) {
+      const FlankThreads& other = loaded.other_flank->threads[i];
+      const auto part = [&](const std::vector<double>& first, const std::vector<double>& second) {
+        std::vector<double> all = first;
+        all.insert(all.end(), second.begin(), second.end());
+        return std::vector<double>(all.begin() + row * threads, all.begin() + (row + 1) * threads);
+      };
+      const InterfaceLoads& loads = (*loaded.threads)[i];
+      (*nut.threads)[i].normal_load = part(loads.normal_load, other.normal_load);
+      (*nut.threads)[i].axial_load = part(loads.axial_load, other.axial_load);
+    }
+    const std::vector<double>& axial = nut.threads->screw.axial_load;
+    nut.load_case.axial_force =
+        contacts_.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0);
+    const auto guide = static_cast<std::size_t>(row);
+    if (loaded.running) {
+      nut.running.emplace();
+      if (loaded.running->guide_force.size() > guide)
+        nut.running->guide_force = {loaded.running->guide_force[guide]};
+    } else {
+      nut.other_flank.emplace();
+      if (loaded.other_flank->guide_force.size() > guide)
+        nut.other_flank->guide_force = {loaded.other_flank->guide_force[guide]};
+    }
+    models.push_back(of(nut, oils));
+  }
+  return models;
 }
 
 SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils& oils) const {

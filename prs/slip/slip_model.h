@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "contact/lubricant.h"
 #include "contact/patch.h"
@@ -54,6 +55,12 @@ class SlipModels {
   /// shares one for all.
   SlipModel of(const LoadCaseResult& loaded) const { return of(loaded, oils_); }
   SlipModel of(const LoadCaseResult& loaded, const Oils& oils) const;
+  /// The same, of each nut of a double nut by itself: first nut, second nut. They carry
+  /// compression and tension, the second one with patches of its own.
+  std::vector<SlipModel> of_nuts(const LoadCaseResult& loaded) const {
+    return of_nuts(loaded, oils_);
+  }
+  std::vector<SlipModel> of_nuts(const LoadCaseResult& loaded, const Oils& oils) const;
   /// One patch that stands for all threads of an interface (Sandu 2018).
   SlipModel equal_shares(const LoadCase& load_case) const { return equal_shares(load_case, oils_); }
   SlipModel equal_shares(const LoadCase& load_case, const Oils& oils) const;

@@ -10,10 +10,10 @@
 #include <numeric>
 
 #include "prs/heat/analyze_heat.h"
+#include "prs/heat/warm_parts.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
-#include "prs/life/analyze_life.h"
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/losses/slip_analysis.h"
@@ -263,7 +263,7 @@ struct DesignEngine::Parts {
   /// Lives, of which `use` is told where there are any.
   template <class Use>
   DesignStatus with_lives(const Case& c, Use use) const {
-    const LifeResult result = analyze_life(c, history_of(c));
+    const LifeResult result = analyze_warm_life(c, history_of(c));
     if (!result.converged()) return {"not_converged", *result.failure};
     use(result);
     return {};
