@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "prs/input/described_file.h"
 #include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/input/value_text.h"
@@ -92,6 +93,8 @@ Json json_of(const Node* node, const Value& value) {
 }
 
 }  // namespace
+
+Json resolved(const Node& root, const Value& description) { return json_of(&root, description); }
 
 Json resolved_input(const Source& source) {
   ErrorList errors(source);

@@ -37,9 +37,11 @@ std::string text_of(const ChoiceUnderKey& under) { return text_of(under.choice);
 std::string text_of(const MapValue& map) {
   std::string text;
   map.for_each([&](const Field& field) {
-    if (field.has_value())
-      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", field.key,
-                          input::text_of(field.value()));
+    if (!field.has_value()) return;
+    const Value value = field.value();
+    const auto* const list = std::get_if<ListValue>(&value.as);
+    if (list && list->size() == 0 && list->least > 0) return;  // As if it were not there.
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", field.key, input::text_of(value));
   });
   return fmt::format("{{{}}}", text);
 }

@@ -14,6 +14,8 @@
 #include "prs/output/staged_file.h"
 #include "prs/page/page.h"
 #include "prs/run/commands.h"
+#include "prs/size/size_analysis.h"
+#include "prs/study/schedule.h"
 #include "prs/threads/threads.h"
 #include "python/engine/interpreter_guard.h"
 
@@ -144,6 +146,21 @@ void bind_case(nb::module_& module) {
            nb::arg("speed").none(), nb::arg("load_case").none(),
            "Writes a model of the screw by the file's ending, .fmu or .mo; its warnings.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
+  module.def(
+      "size",
+      [](const input::Source& source) {
+        const GilRelease released;
+        SizeOptions options;
+        options.for_each = [](std::size_t count, const auto& prepare) {
+          run_in_order(count, default_threads(), prepare);
+        };
+        const auto delivery = std::make_shared<const Delivery>(
+            size_delivery(size_screws(read_requirement(source), options)));
+        return std::make_shared<Document>(
+            [delivery, source] { return delivery->document(document_info(source, Command::size)); },
+            keeping(delivery->pictures(), delivery));
+      },
+      nb::arg("source"), "Which screw, and which motor, for a requirement.");
   for (const AnyAnalysis& row : analyses())
     if (row.run)
       bound.def(name(row.command).data(), [&row](const CaseSource& c) { return c.run(row); });

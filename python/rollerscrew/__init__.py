@@ -13,6 +13,7 @@ from rollerscrew.case import Case, explore
 from rollerscrew.designs import Designs
 from rollerscrew.record import Record, Values
 from rollerscrew.results import *  # noqa: F403
+from rollerscrew.sizing import size
 
 __all__ = [
     "Case",
@@ -25,6 +26,7 @@ __all__ = [
     "export_step",
     "records",
     "schema",
+    "size",
 ]
 __all__ += results.__all__
 

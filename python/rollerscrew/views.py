@@ -329,6 +329,39 @@ class MeasuresViews(SolveViews):
         return self.plot_figure("stiffness_terms", ax)
 
 
+class SizeViews(Result):
+    """Which screw, and which motor: candidates against a requirement, the best first."""
+
+    __slots__ = ()
+    _block = "candidates"
+
+    def to_frame(self) -> pd.DataFrame:
+        """Values of every candidate, one row each, by rank; units in the names."""
+        return pd.DataFrame([dict(_flat(row)) for row in self["candidates"]])
+
+    def criteria_frame(self) -> pd.DataFrame:
+        """Value, limit, margin and status of every criterion of every candidate."""
+        return pd.DataFrame(
+            [
+                {"rank": row.rank, "candidate": row.name, **criterion.to_dict()}
+                for row in self["candidates"]
+                for criterion in row.criteria
+            ]
+        )
+
+    def plot_map(self, ax: Axes | None = None) -> Axes:
+        """Candidates over diameter and lead, in the colour of what limits them."""
+        return self.plot_figure("size_map", ax)
+
+    def plot_curve(self, ax: Axes | None = None) -> Axes:
+        """Force over speed of the first candidate, with what limits it."""
+        return self.plot_figure("size_curve", ax)
+
+    def plot_margins(self, ax: Axes | None = None) -> Axes:
+        """Margins of the first five candidates."""
+        return self.plot_figure("size_margins", ax)
+
+
 class CompareViews(Result):
     """The models of the bodies side by side: stiffness, shares and pressures of each.
 

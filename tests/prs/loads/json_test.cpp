@@ -127,7 +127,7 @@ TEST(Json, TextSurvivesMalformedNames) {
 /// What a document gives that is written load case by load case.
 std::string written(const Result& result) {
   std::string text;
-  write_with_load_cases(
+  write_with_items(
       document_of(solve_analysis(), result, kInfo, false),
       [&](std::size_t k) { return load_case_json(result, k); },
       [&](std::string_view piece) { text += piece; });
