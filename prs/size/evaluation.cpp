@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "prs/configurations/heat_estimate.h"
+#include "prs/configurations/complete_screw.h"
 #include "prs/heat/thermal_network.h"
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"

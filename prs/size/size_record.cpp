@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/configurations/configurations_json.h"
+#include "prs/configurations/configurations_files.h"
 #include "prs/losses/heat_record.h"
 #include "prs/record/record_table.h"
-#include "prs/record/sources.h"
 #include "prs/size/size_analysis.h"
 
 namespace prs {
