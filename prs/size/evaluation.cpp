@@ -185,7 +185,10 @@ class Evaluation {
           sized_.c.load_cases[k].axial_force >
               sized_.c.load_cases[largest].axial_force * (1.0 + 1e-9))
         largest = k;
-    const std::optional<double>& nut = result_.load_cases[largest].axial_stiffness;
+    Conditions at_rest = sized_.c;
+    at_rest.load_cases = {sized_.c.load_cases[largest]};
+    const std::optional<double> nut =
+        analyze(at_rest, contacts_, kManyDesigns).load_cases.front().axial_stiffness;
     if (nut && measures_.shaft_stiffness)
       c_.stiffness = 1.0 / (1.0 / *nut + 1.0 / *measures_.shaft_stiffness);
   }
@@ -455,7 +458,6 @@ class Evaluation {
           1e3 * *r_.stroke,
           c_.type == Mechanism::Type::standard ? "nut's length" : "length of the rollers' threads",
           1e3 * length);
-    if (locks() && r_.friction->model == Friction::Model::jacod) return;
     if (c_.brake_needed && r_.friction->model == Friction::Model::jacod)
       note("friction: at rest the film of `jacod` is gone, so that the screw may still hold");
     warn_of_heat();

@@ -23,6 +23,10 @@ double spectrum_travel(const MotionCycle& cycle, const MotionSegment& s) {
   return cycle.mean_load ? std::abs(s.travel()) : kNoTravel;
 }
 
+DrivenBy driven_by(const MotionSegment& s) {
+  return s.force * s.sense() < 0.0 ? DrivenBy::load : DrivenBy::screw;
+}
+
 /// As a text of YAML, whatever it holds.
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
@@ -66,6 +70,7 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   Case& c = sized.c;
   c = s.c;
   c.model.bodies = ModelOptions::Bodies::refined;
+  if (r.model.loads == Requirement::Loads::at_rest) c.model.loads = ModelOptions::Loads::at_rest;
   Life& life = c.life.emplace();
   life.position = s.position;
   life.reliability = r.life.reliability;
@@ -76,7 +81,8 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
     if (!segment.is_loaded()) continue;
     life.spectrum.push_back({.force = std::abs(segment.force),
                              .direction = direction_of(r, segment.force),
-                             .distance = spectrum_travel(cycle, segment)});
+                             .distance = spectrum_travel(cycle, segment),
+                             .driven_by = driven_by(segment)});
     if (!moves) continue;
     place = c.load_cases.size();
     c.load_cases.push_back(
@@ -89,9 +95,11 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   c.lubricant = r.lubricant;
   c.roughness = r.roughness;
   c.carrier = r.carrier;
-  c.measures = MeasureOptions{r.measures.loaded_width, r.measures.friction_coefficient,
-                              r.measures.yield_strength,
-                              MeasureOptions::Shaft{sized.shaft_length, r.measures.shaft.ends}};
+  MeasureOptions& measures = c.measures.emplace();
+  measures.loaded_width = r.measures.loaded_width;
+  measures.friction_coefficient = r.measures.friction_coefficient;
+  measures.yield_strength = r.measures.yield_strength;
+  measures.shaft = MeasureOptions::Shaft{sized.shaft_length, r.measures.shaft.ends};
   return sized;
 }
 
@@ -123,9 +131,9 @@ std::string life_text(const CandidateData& candidate, const SizedCase& sized, bo
       format_quantity(*life.position, unit::length), format_quantity(life.reliability, unit::share),
       life.modification_factor);
   for (const SpectrumLoad& load : life.spectrum)
-    text += fmt::format("    - {{force: {}, direction: {}, distance: {}}}\n",
+    text += fmt::format("    - {{force: {}, direction: {}, distance: {}, driven_by: {}}}\n",
                         format_quantity(load.force, unit::force), name(load.direction),
-                        format_quantity(*load.distance, unit::length));
+                        format_quantity(*load.distance, unit::length), name(load.driven_by));
   if (!by_maker || !candidate.dynamic_capacity) return text;
   text += fmt::format(
       "  # As the maker prints them; without these lines life is that by threads.\n"
@@ -207,7 +215,9 @@ std::string sized_case_text(const SizeInput& in, const CandidateData& candidate,
   const std::string origin =
       fmt::format("Chosen by `prs size` for {}: {}, {} {}.", in.source.name, candidate.name,
                   candidate.is_row ? "row of the catalogue" : "design", candidate.number);
-  return screw_text(sized.screw, origin) + "\nmodel: {bodies: refined}\n" +
+  return screw_text(sized.screw, origin) +
+         fmt::format("\nmodel: {{bodies: refined{}}}\n",
+                     sized.c.model.loads ? ", loads: static" : "") +
          "# One load case per segment of the motion, at its mean speed; the load drives the "
          "last.\n" +
          load_cases_text(in, sized) +
