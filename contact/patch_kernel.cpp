@@ -2,7 +2,6 @@
 
 #include "contact/lubricant.h"
 #include "simd/asinh.h"
-#include "simd/sum.h"
 
 namespace contact {
 namespace {
@@ -17,13 +16,17 @@ simd::Dual<Batch> spread(const simd::Dual<double>& x) {
   return {Batch(x.value), Batch(x.slope)};
 }
 
+/// Sum of the numbers of a batch: `hadd` of xsimd 8, `reduce_add` since.
 template <class Batch>
 double sum_of(const Batch& x) {
-  return simd::sum(x);
+  if constexpr (requires { reduce_add(x); })
+    return reduce_add(x);
+  else
+    return hadd(x);
 }
 template <class Batch>
 simd::Dual<double> sum_of(const simd::Dual<Batch>& x) {
-  return {simd::sum(x.value), simd::sum(x.slope)};
+  return {sum_of(x.value), sum_of(x.slope)};
 }
 
 template <class Batch, class Number, class Friction>
@@ -48,8 +51,8 @@ PatchSumsOf<Number> sums(const PatchPoints& points, const SlidingFieldOf<Number>
     max_speed = wide.max_speed.get(k) > max_speed ? wide.max_speed.get(k) : max_speed;
   return {sum_of(wide.traction_major), sum_of(wide.traction_minor),
           sum_of(wide.moment_major),   sum_of(wide.moment_minor),
-          simd::sum(wide.power),       simd::sum(wide.friction),
-          simd::sum(wide.sliding),     max_speed};
+          sum_of(wide.power),          sum_of(wide.friction),
+          sum_of(wide.sliding),        max_speed};
 }
 
 }  // namespace

@@ -6,13 +6,17 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
-#include "fe/index.h"
+#include "fe/sparse_pattern.h"
 
 namespace fe {
 namespace {
+
+/// Twice the area of the triangle abc, positive where it turns from r to z.
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
 
 using StrainMatrix = Eigen::Matrix<double, 6, 24>;
 
@@ -91,6 +95,53 @@ int kind_of(int harmonic) { return std::min(harmonic, 2); }
 
 }  // namespace
 
+MeridianGrid::MeridianGrid(int column_count, int layer_count)
+    : columns(column_count),
+      layers(layer_count),
+      points(static_cast<std::size_t>((column_count + 1) * (layer_count + 1))),
+      filled(static_cast<std::size_t>(column_count * layer_count), true) {}
+
+MeshedGrid::MeshedGrid(const MeridianGrid& grid) : stride_(2 * grid.layers + 1) {
+  index_.assign(static_cast<std::size_t>((2 * grid.columns + 1) * stride_), -1);
+  const auto node_at = [&](int i, int j) {
+    int& node = index_[static_cast<std::size_t>(i * stride_ + j)];
+    if (node < 0) {
+      const Eigen::Vector2d& low = grid.point(i / 2, j / 2);
+      const Eigen::Vector2d& high = grid.point((i + 1) / 2, (j + 1) / 2);
+      node = mesh_.size();
+      mesh_.nodes.push_back(0.5 * (low + high));
+      if (!(mesh_.nodes.back().x() >= 0.0))
+        throw std::invalid_argument("a point of the meridian mesh lies beyond the axis");
+    }
+    return node;
+  };
+  for (int c = 0; c < grid.columns; ++c)
+    for (int l = 0; l < grid.layers; ++l) {
+      if (!grid.is_filled(c, l)) continue;
+      const std::array<Eigen::Vector2d, 4> corner{grid.point(c, l), grid.point(c, l + 1),
+                                                  grid.point(c + 1, l + 1), grid.point(c + 1, l)};
+      for (std::size_t k = 0; k < 4; ++k)
+        if (!(turn(corner[k], corner[(k + 1) % 4], corner[(k + 3) % 4]) > 0.0))
+          throw std::invalid_argument("a cell of the meridian mesh is turned over");
+      const int i = 2 * c, j = 2 * l;
+      mesh_.elements.push_back({node_at(i, j), node_at(i, j + 2), node_at(i + 2, j + 2),
+                                node_at(i + 2, j), node_at(i, j + 1), node_at(i + 1, j + 2),
+                                node_at(i + 2, j + 1), node_at(i + 1, j)});
+    }
+}
+
+MeridianEdge MeshedGrid::along_axis(int column, int layer) const {
+  const int i = 2 * column, j = 2 * layer;
+  assert(at(i + 1, j) >= 0);
+  return {at(i, j), at(i + 2, j), at(i + 1, j)};
+}
+
+MeridianEdge MeshedGrid::outwards(int column, int layer) const {
+  const int i = 2 * column, j = 2 * layer;
+  assert(at(i, j + 1) >= 0);
+  return {at(i, j), at(i, j + 2), at(i, j + 1)};
+}
+
 double circumference_factor(int harmonic) {
   return harmonic == 0 ? 2.0 * std::numbers::pi : std::numbers::pi;
 }
@@ -167,20 +218,37 @@ HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, 
                            const std::vector<HarmonicSupport>& supports,
                            const std::vector<HarmonicSpring>& springs)
     : kind_(kind_of(harmonic)) {
-  number_freedoms(mesh, harmonic, supports);
-  std::vector<std::vector<int>> groups;  // equations that stiffen each other
+  const int equations = number_freedoms(mesh, harmonic, supports);
+  Places places;
+  const auto couple = [&](const std::vector<int>& rows) {
+    for (const int a : rows)
+      for (const int b : rows) {
+        const int i = at(freedom_, a).equation, j = at(freedom_, b).equation;
+        if (i >= 0 && i <= j) places.add(i, j);
+      }
+  };
+  for (int i = 0; i < equations; ++i) places.add(i, i);
   for (const auto& element : mesh.elements) {
-    groups.emplace_back();
+    std::vector<int> rows;
     for (const int node : element)
-      for (int c = 0; c < kComponents; ++c)
-        groups.back().push_back(at(freedom_, kComponents * node + c).equation);
+      for (int c = 0; c < kComponents; ++c) rows.push_back(kComponents * node + c);
+    couple(rows);
   }
   for (const HarmonicSpring& spring : springs) {
-    groups.emplace_back();
-    for (const auto& t : spring.terms)
-      groups.back().push_back(at(freedom_, row_of(t.node, t.component)).equation);
+    std::vector<int> rows;
+    for (const auto& t : spring.terms) rows.push_back(row_of(t.node, t.component));
+    couple(rows);
   }
-  order_equations(groups);
+  // Renumbers the equations to keep the factor small.
+  const CholmodModule& cholmod = modules::loaded<CholmodModule>();
+  const SparseSymmetric pattern = places.compressed(equations);
+  const std::vector<int> place = inverse(cholmod.fill_reducing_order(pattern));
+  stiffness_ = permuted(pattern, place);
+  for (Freedom& f : freedom_)
+    if (f.equation >= 0) f.equation = at(place, f.equation);
+  const auto slot = [&](int i, int j) {
+    return static_cast<std::size_t>(slot_in(stiffness_, i, j));
+  };
 
   const std::size_t entries = stiffness_.row.size();
   for (auto* values : {&constant_, &linear_, &quadratic_, &springs_}) values->assign(entries, 0.0);
@@ -209,11 +277,11 @@ HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, 
         springs_[slot(i.equation, j.equation)] +=
             spring.stiffness * i.sign * a.weight * j.sign * b.weight;
       }
-  cholesky_ = modules::loaded<CholmodModule>().supernodal(stiffness_);
+  cholesky_ = cholmod.supernodal(stiffness_);
 }
 
-void HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,
-                                   const std::vector<HarmonicSupport>& supports) {
+int HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,
+                                  const std::vector<HarmonicSupport>& supports) {
   std::vector<bool> held(static_cast<std::size_t>(kComponents * mesh.size()), false);
   std::vector<bool> used(static_cast<std::size_t>(mesh.size()), false);
   for (const auto& element : mesh.elements)
@@ -243,48 +311,7 @@ void HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,
       at(freedom_, v) = {at(freedom_, u).equation, -1.0};
     }
   }
-  stiffness_.column_start.assign(static_cast<std::size_t>(equations) + 1, 0);
-}
-
-/// Builds the pattern, then renumbers the equations to keep the factor small.
-void HarmonicBody::order_equations(const std::vector<std::vector<int>>& groups) {
-  const auto build = [&](const std::vector<int>& new_number) {
-    const int n = stiffness_.size();
-    std::vector<std::vector<int>> column(static_cast<std::size_t>(n));
-    for (int i = 0; i < n; ++i) at(column, i).push_back(i);
-    for (const auto& group : groups)
-      for (const int a : group)
-        for (const int b : group) {
-          if (a < 0 || b < 0) continue;
-          const int i = at(new_number, a), j = at(new_number, b);
-          if (i < j) at(column, j).push_back(i);
-        }
-    stiffness_.row.clear();
-    for (int j = 0; j < n; ++j) {
-      std::vector<int>& rows = at(column, j);
-      std::sort(rows.begin(), rows.end());
-      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-      stiffness_.row.insert(stiffness_.row.end(), rows.begin(), rows.end());
-      at(stiffness_.column_start, j + 1) = static_cast<int>(stiffness_.row.size());
-    }
-    stiffness_.value.assign(stiffness_.row.size(), 0.0);
-  };
-  std::vector<int> number(static_cast<std::size_t>(stiffness_.size()));
-  std::iota(number.begin(), number.end(), 0);
-  build(number);
-  const std::vector<int> order = modules::loaded<CholmodModule>().fill_reducing_order(stiffness_);
-  for (int k = 0; k < stiffness_.size(); ++k) at(number, at(order, k)) = k;
-  for (Freedom& f : freedom_)
-    if (f.equation >= 0) f.equation = at(number, f.equation);
-  build(number);
-}
-
-std::size_t HarmonicBody::slot(int i, int j) const {
-  const auto begin = stiffness_.row.begin() + at(stiffness_.column_start, j);
-  const auto end = stiffness_.row.begin() + at(stiffness_.column_start, j + 1);
-  const auto found = std::lower_bound(begin, end, i);
-  assert(found != end && *found == i);
-  return static_cast<std::size_t>(found - stiffness_.row.begin());
+  return equations;
 }
 
 FactorizationStatus HarmonicBody::factorize(int harmonic) {

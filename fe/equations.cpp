@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "fe/cholesky.h"
-#include "fe/index.h"
+#include "fe/sparse_pattern.h"
 
 namespace fe {
 namespace {
@@ -34,49 +34,6 @@ LinearForm approach_of(const SpringElement& e) {
   end(e.from, 1.0);
   end(e.to, -1.0);
   return form;
-}
-
-/// Places of an upper triangle, in any order, repeated or not.
-class Places {
- public:
-  void add(int i, int j) { places_.push_back({std::min(i, j), std::max(i, j)}); }
-
-  SparseSymmetric compressed(int size) const {
-    std::vector<int> begin(static_cast<std::size_t>(size) + 1, 0);
-    for (const Place& p : places_) ++at(begin, p.column + 1);
-    for (int j = 0; j < size; ++j) at(begin, j + 1) += at(begin, j);
-    std::vector<int> rows(places_.size()), next = begin;
-    for (const Place& p : places_) at(rows, at(next, p.column)++) = p.row;
-
-    SparseSymmetric m;
-    m.column_start.push_back(0);
-    std::vector<int> seen_in(static_cast<std::size_t>(size), -1);
-    for (int j = 0; j < size; ++j) {
-      for (int k = at(begin, j); k < at(begin, j + 1); ++k) {
-        const int row = at(rows, k);
-        if (std::exchange(at(seen_in, row), j) != j) m.row.push_back(row);
-      }
-      std::sort(m.row.begin() + m.column_start.back(), m.row.end());
-      m.column_start.push_back(static_cast<int>(m.row.size()));
-    }
-    m.value.assign(m.row.size(), 0.0);
-    return m;
-  }
-
- private:
-  struct Place {
-    int row, column;
-  };
-  std::vector<Place> places_;
-};
-
-/// The pattern with row i at place[i].
-SparseSymmetric permuted(const SparseSymmetric& m, const std::vector<int>& place) {
-  Places places;
-  for (int j = 0; j < m.size(); ++j)
-    for (int k = at(m.column_start, j); k < at(m.column_start, j + 1); ++k)
-      places.add(at(place, at(m.row, k)), at(place, j));
-  return places.compressed(m.size());
 }
 
 /// Pattern of the upper triangle over the equations that `number` gives to the freedoms.
@@ -157,6 +114,32 @@ struct LongState {
   Number difference(int i, int j) const { return (*this)[j] - (*this)[i]; }
 };
 
+/// Largest change of a force where approaches change by approach_change(spring), relative to the
+/// largest force.
+template <class ApproachChange>
+double largest_change(const std::vector<Equations::Spring>& springs, const State& q,
+                      ApproachChange approach_change) {
+  double change = 0.0, largest = 0.0;
+  for (const Equations::Spring& s : springs) {
+    const SpringResponse r = evaluate(s.law, s.approach(q));
+    change = std::max(change, r.tangent * approach_change(s));
+    largest = std::max(largest, r.force);
+  }
+  return largest > 0.0 ? change / largest : 0.0;
+}
+
+/// residual = f - residual, less the forces force_of(k) of the springs.
+template <class ForceOf>
+void less_forces(const std::vector<Equations::Spring>& springs, const Eigen::VectorXd& f,
+                 ForceOf force_of, Eigen::VectorXd& residual) {
+  residual = f - residual;
+  for (std::size_t k = 0; k < springs.size(); ++k) {
+    const Equations::Spring& s = springs[k];
+    const double force = force_of(k);
+    for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] -= force * s.coefficient[i];
+  }
+}
+
 /// Beams shorter than this take numbers of 113 binary digits [m].
 constexpr double kShortBeam = 2e-4;
 
@@ -228,13 +211,10 @@ void Equations::number_freedoms(const Model& model) {
   }
 
   const SparseSymmetric pattern = pattern_of(model, number_, size);
-  const std::vector<int> order = fill_reducing_order(pattern);
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) at(place, order[k]) = static_cast<int>(k);
-
+  const std::vector<int> place = inverse(fill_reducing_order(pattern));
   linear_ = permuted(pattern, place);
 
-  kind_.resize(order.size());
+  kind_.resize(place.size());
   for (std::size_t freedom = 0; freedom < number_.size(); ++freedom) {
     int& n = number_[freedom];
     if (n < 0 || n >= size) continue;
@@ -317,14 +297,7 @@ void Equations::add_springs(const Model& model) {
   for (const FormSpring& e : model.form_springs) add(e.approach, e.law);
 }
 
-int Equations::slot(int i, int j) const {
-  if (i > j) std::swap(i, j);
-  const auto begin = linear_.row.begin() + at(linear_.column_start, j);
-  const auto end = linear_.row.begin() + at(linear_.column_start, j + 1);
-  const auto found = std::lower_bound(begin, end, i);
-  assert(found != end && *found == i);
-  return static_cast<int>(found - linear_.row.begin());
-}
+int Equations::slot(int i, int j) const { return slot_in(linear_, i, j); }
 
 Eigen::VectorXd Equations::load_vector(const std::vector<NodalLoad>& loads) const {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(size());
@@ -386,11 +359,11 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
 void Equations::tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f,
                                  Eigen::VectorXd& residual) const {
   forces_of(Displacements<State>{*this, x, 0.0}, residual);
-  residual = f - residual;
-  for (const Spring& s : springs_) {
-    const double force = evaluate(s.law, s.approach(q)).tangent * s.approach(x);
-    for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] -= force * s.coefficient[i];
-  }
+  const auto force = [&](std::size_t k) {
+    const Spring& s = springs_[k];
+    return evaluate(s.law, s.approach(q)).tangent * s.approach(x);
+  };
+  less_forces(springs_, f, force, residual);
 }
 
 template <class Number>
@@ -416,28 +389,21 @@ std::vector<double> Equations::nodal_forces(const State& q) const {
 }
 
 double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {
-  double change = 0.0, largest = 0.0;
-  for (const Spring& s : springs_) {
+  return largest_change(springs_, q, [&](const Spring& s) {
     double w = 0.0;
     for (std::size_t i = 0; i < s.count; ++i) w += s.coefficient[i] * x[s.equation[i]];
-    const SpringResponse r = evaluate(s.law, s.approach(q));
-    change = std::max(change, std::abs(r.tangent * w));
-    largest = std::max(largest, r.force);
-  }
-  return largest > 0.0 ? change / largest : 0.0;
+    return std::abs(w);
+  });
 }
 
 double Equations::force_rounding(const State& q) const {
-  double change = 0.0, largest = 0.0;
-  for (const Spring& s : springs_) {
-    double size = std::abs(s.law.gap);
-    for (std::size_t i = 0; i < s.count; ++i)
-      size = std::max(size, std::abs(s.coefficient[i] * q[s.equation[i]]));
-    const SpringResponse r = evaluate(s.law, s.approach(q));
-    change = std::max(change, r.tangent * size);
-    largest = std::max(largest, r.force);
-  }
-  return largest > 0.0 ? 4.0 * std::numeric_limits<double>::epsilon() * change / largest : 0.0;
+  return 4.0 * std::numeric_limits<double>::epsilon() *
+         largest_change(springs_, q, [&](const Spring& s) {
+           double size = std::abs(s.law.gap);
+           for (std::size_t i = 0; i < s.count; ++i)
+             size = std::max(size, std::abs(s.coefficient[i] * q[s.equation[i]]));
+           return size;
+         });
 }
 
 Eigen::VectorXd Equations::rounding_residual(const State& q) const {
@@ -461,7 +427,7 @@ Eigen::VectorXd Equations::rounding_residual(const State& q) const {
 
 void Equations::secant_stiffness(const std::vector<double>& stiffness,
                                  SparseSymmetric& matrix) const {
-  std::copy(linear_.value.begin(), linear_.value.end(), matrix.value.begin());
+  matrix.value = linear_.value;
   for (std::size_t k = 0; k < springs_.size(); ++k)
     springs_[k].for_each_tangent(stiffness[k],
                                  [&](int slot, double value) { at(matrix.value, slot) += value; });
@@ -470,23 +436,15 @@ void Equations::secant_stiffness(const std::vector<double>& stiffness,
 void Equations::secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f,
                                 Eigen::VectorXd& residual) const {
   linear_forces(State(Eigen::VectorXd::Zero(size())), residual);
-  residual = f - residual;
-  for (std::size_t k = 0; k < springs_.size(); ++k) {
-    const Spring& s = springs_[k];
-    for (std::size_t i = 0; i < s.count; ++i)
-      residual[s.equation[i]] += stiffness[k] * s.law.gap * s.coefficient[i];
-  }
+  less_forces(
+      springs_, f, [&](std::size_t k) { return -stiffness[k] * springs_[k].law.gap; }, residual);
 }
 
 void Equations::secant_residual(const std::vector<double>& stiffness, const State& x,
                                 const Eigen::VectorXd& f, Eigen::VectorXd& residual) const {
   forces_of(Displacements<State>{*this, x, 0.0}, residual);
-  residual = f - residual;
-  for (std::size_t k = 0; k < springs_.size(); ++k) {
-    const Spring& s = springs_[k];
-    const double force = stiffness[k] * s.approach(x);
-    for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] -= force * s.coefficient[i];
-  }
+  less_forces(
+      springs_, f, [&](std::size_t k) { return stiffness[k] * springs_[k].approach(x); }, residual);
 }
 
 double Equations::largest_approach(const State& q) const {

@@ -1,12 +1,16 @@
 #include "fe/newton.h"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 
-#include "fe/double_tangent.h"
+#include "fe/cholesky.h"
+#include "fe/index.h"
 #include "fe/newton_method.h"
-#include "fe/wide_newton.h"
 
 namespace fe {
 namespace {
@@ -15,6 +19,71 @@ constexpr double kTangentTolerance = 1e-11;
 constexpr int kMostRefinements = 10;
 /// Relative correction after which the next one would be rounding.
 constexpr double kRefined = 1e-8;
+
+/// The tangent in doubles and its factorization: what steps of Newton's method are solved with.
+class DoubleTangent {
+ public:
+  explicit DoubleTangent(const Equations& equations)
+      : equations_(&equations), tangent_(equations.linear_stiffness()), cholesky_(tangent_) {}
+
+  /// See Cholesky::factorize.
+  double smallest_pivot_ratio = kSmallestPivotRatio;
+
+  void tangent(const State& q, double least) {
+    stiffness_.resize(equations_->springs().size());
+    for (std::size_t k = 0; k < stiffness_.size(); ++k)
+      stiffness_[k] = std::max(equations_->response(q, static_cast<int>(k)).tangent, least);
+    secant(stiffness_);
+  }
+  void secant(const std::vector<double>& stiffness) {
+    stiffness_ = stiffness;
+    equations_->secant_stiffness(stiffness_, tangent_);
+  }
+  void shift_by(double change) {
+    stiffness_.clear();
+    const SparseSymmetric& linear = equations_->linear_stiffness();
+    for (int j = 0; j < tangent_.size(); ++j) {
+      const int diagonal = at(tangent_.column_start, j + 1) - 1;
+      at(tangent_.value, diagonal) += change * at(linear.value, diagonal);
+    }
+  }
+  FactorizationStatus factorize() {
+    const FactorizationStatus status = cholesky_.factorize(tangent_, smallest_pivot_ratio);
+    factorized_ = status == FactorizationStatus::ok ? stiffness_ : std::vector<double>();
+    return status;
+  }
+  /// Whether no spring's stiffness differs from that in the factorization by more than this share
+  /// of it: a solve with the factorization then leaves at most this share of an error, in energy.
+  bool factorized_within(double share) const {
+    if (factorized_.empty() || factorized_.size() != stiffness_.size()) return false;
+    for (std::size_t k = 0; k < stiffness_.size(); ++k)
+      if (!(std::abs(stiffness_[k] - factorized_[k]) <= share * factorized_[k])) return false;
+    return true;
+  }
+  /// Call it after a change of the linear part.
+  void forget() { factorized_.clear(); }
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { cholesky_.solve(b, x); }
+  bool solved(const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
+    Eigen::VectorXd left = b;
+    for (int j = 0; j < tangent_.size(); ++j)
+      for (int k = at(tangent_.column_start, j); k < at(tangent_.column_start, j + 1); ++k) {
+        const int i = at(tangent_.row, k);
+        left[i] -= at(tangent_.value, k) * x[j];
+        if (i != j) left[j] -= at(tangent_.value, k) * x[i];
+      }
+    return left.cwiseAbs().maxCoeff() <= 0.1 * b.cwiseAbs().maxCoeff();
+  }
+
+  const SparseSymmetric& matrix() const { return tangent_; }
+  const Cholesky& cholesky() const { return cholesky_; }
+
+ private:
+  const Equations* equations_;
+  SparseSymmetric tangent_;
+  /// Spring stiffnesses in the matrix, and in its factorization; none where it is shifted.
+  std::vector<double> stiffness_, factorized_;
+  Cholesky cholesky_;
+};
 
 class DoubleNumbers : public DoubleTangent {
  public:
@@ -70,6 +139,171 @@ class DoubleNumbers : public DoubleTangent {
   std::unique_ptr<Cholesky> start_;
 };
 
+using Wide = boost::multiprecision::cpp_bin_float_quad;
+using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
+
+/// Pivots below this share of the largest leave no digit in the solution.
+constexpr double kSmallestWidePivotRatio = 1e-33;
+
+/// As in NewtonOptions: small compared with the softest stiffness of a model.
+constexpr double kFirstShift = 1e-26;
+
+/// Displacements as Equations reads them.
+struct WideState {
+  WideVector value;
+
+  Wide operator[](int i) const { return i < 0 ? Wide(0.0) : value[i]; }
+  Wide compensation(int) const { return 0.0; }
+  Wide difference(int i, int j) const { return (*this)[j] - (*this)[i]; }
+};
+
+WideState to_wide(const State& q) { return {q.head.cast<Wide>() + q.tail.cast<Wide>()}; }
+
+State to_state(const WideState& q) {
+  State state(Eigen::VectorXd(q.value.size()));
+  for (Eigen::Index i = 0; i < q.value.size(); ++i) {
+    state.head[i] = static_cast<double>(q.value[i]);
+    state.tail[i] = static_cast<double>(q.value[i] - state.head[i]);
+  }
+  return state;
+}
+
+/// What the states, forces and energies of both kinds of steps are.
+struct WideNumbers {
+  using Energy = Wide;
+  using State = WideState;
+  using Vector = WideVector;
+
+  explicit WideNumbers(const Equations& e) : equations(e) {}
+
+  State zero_state() const { return {Vector::Zero(equations.size())}; }
+
+  Wide net_approach(const Equations::Spring& s, const State& q) const {
+    Wide w = -s.law.gap;
+    for (std::size_t i = 0; i < s.count; ++i) w += s.coefficient[i] * q[s.equation[i]];
+    return w;
+  }
+
+  /// The laws themselves have the digits of a double, of the net approach.
+  SpringResponse response(const Equations::Spring& s, const State& q) const {
+    return evaluate(without_gap(s.law), static_cast<double>(net_approach(s, q)));
+  }
+
+  Wide energy_and_residual(const State& q, const Eigen::VectorXd& f, Vector& residual) const {
+    Wide energy = Wide(0.5) * equations.linear_forces(q, residual);
+    const Vector load = f.cast<Wide>();
+    energy += q.value.dot(Wide(0.5) * residual - load);
+    residual -= load;
+    for (const Equations::Spring& s : equations.springs()) {
+      const SpringResponse r = response(s, q);
+      energy += r.energy;
+      for (std::size_t i = 0; i < s.count; ++i)
+        residual[s.equation[i]] += Wide(r.force) * s.coefficient[i];
+    }
+    return energy;
+  }
+
+  double force_change(const State& q, const Vector& x) const {
+    return equations.force_change(to_state(q), x.cast<double>());
+  }
+
+  double largest_approach(const State& q) const { return equations.largest_approach(to_state(q)); }
+  static double force_rounding(const State&) { return 0.0; }
+  /// What the laws round stays.
+  bool residual_is_rounding(const State& q, const Vector& residual) const {
+    Eigen::VectorXd rounding = Eigen::VectorXd::Zero(equations.size());
+    for (const Equations::Spring& s : equations.springs()) {
+      const double force = response(s, q).force;
+      for (std::size_t i = 0; i < s.count; ++i)
+        rounding[s.equation[i]] += force * std::abs(s.coefficient[i]);
+    }
+    rounding *= 4.0 * std::numeric_limits<double>::epsilon();
+    return (residual.cast<double>().array().abs() <= rounding.array()).all();
+  }
+
+  /// The laws' energies have the digits of a double.
+  double energy_rounding(const State& q, const Eigen::VectorXd&, const Wide&) const {
+    double energy = 0.0;
+    for (const Equations::Spring& s : equations.springs()) energy += response(s, q).energy;
+    return 64.0 * std::numeric_limits<double>::epsilon() * energy;
+  }
+  static void set_to_step(State& to, const State& from, double length, const Vector& step) {
+    to.value = from.value - Wide(length) * step;
+  }
+
+  const Equations& equations;
+};
+
+/// Steps in doubles.
+struct DoubleSteps : WideNumbers {
+  static constexpr int kMostStalls = 3;
+  static constexpr double kNoGain = 1e-3;
+
+  DoubleSteps(const Equations& e, DoubleTangent& d) : WideNumbers(e), doubles(d) {}
+
+  void tangent(const State& q, double least) { doubles.tangent(to_state(q), least); }
+  void shift_by(double change) { doubles.shift_by(change); }
+  FactorizationStatus factorize() { return doubles.factorize(); }
+  bool factorized_within(double share) const { return doubles.factorized_within(share); }
+  void solve(const Vector& b, Vector& x) {
+    doubles.solve(b.cast<double>(), step);
+    x = step.cast<Wide>();
+  }
+  bool solved(const Vector& b, const Vector& x) const {
+    return doubles.solved(b.cast<double>(), x.cast<double>());
+  }
+
+  DoubleTangent& doubles;
+  Eigen::VectorXd step;
+};
+
+/// Steps in wide numbers.
+struct WideSteps : WideNumbers {
+  static constexpr int kMostStalls = std::numeric_limits<int>::max();
+  static constexpr double kNoGain = 0.0;
+  using Matrix = Eigen::SparseMatrix<Wide>;
+
+  explicit WideSteps(const Equations& e) : WideNumbers(e), linear(e.linear_values<Wide>()) {
+    const SparseSymmetric& pattern = e.linear_stiffness();
+    matrix =
+        Eigen::Map<const Matrix>(e.size(), e.size(), static_cast<Eigen::Index>(linear.size()),
+                                 pattern.column_start.data(), pattern.row.data(), linear.data());
+    factor.analyzePattern(matrix);
+  }
+
+  void tangent(const State& q, double least) {
+    std::copy(linear.begin(), linear.end(), matrix.valuePtr());
+    for (const Equations::Spring& s : equations.springs())
+      s.for_each_tangent(Wide(std::max(response(s, q).tangent, least)),
+                         [&](int slot, const Wide& k) { matrix.valuePtr()[slot] += k; });
+  }
+
+  void shift_by(double change) {
+    for (int j = 0; j < equations.size(); ++j) {
+      const int diagonal = matrix.outerIndexPtr()[j + 1] - 1;
+      matrix.valuePtr()[diagonal] += change * at(linear, diagonal);
+    }
+  }
+
+  FactorizationStatus factorize() {
+    factor.factorize(matrix);
+    if (factor.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
+    const Vector pivots = factor.vectorD();
+    for (const Wide& pivot : pivots)
+      if (!(pivot > kSmallestWidePivotRatio * pivots.maxCoeff()))
+        return FactorizationStatus::not_positive_definite;
+    return FactorizationStatus::ok;
+  }
+
+  void solve(const Vector& b, Vector& x) const { x = factor.solve(b); }
+  static bool factorized_within(double) { return false; }
+  bool solved(const Vector&, const Vector&) const { return true; }
+
+  std::vector<Wide> linear;
+  Matrix matrix;  ///< Upper triangle of the tangent.
+  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
+};
+
 }  // namespace
 
 std::string_view name(NewtonStatus status) {
@@ -78,6 +312,51 @@ std::string_view name(NewtonStatus status) {
                                          "no_equilibrium",     "mechanism"};
   return kNames[static_cast<std::size_t>(status)];
 }
+
+/// Newton's method in numbers of 113 binary digits, for models whose stiffnesses are so far apart
+/// that doubles lose the softest of them: stiffnesses 17 decades apart keep 16 digits.
+class WideNewton {
+ public:
+  /// `doubles`: what steps in doubles are solved with.
+  WideNewton(const Equations& equations, DoubleTangent& doubles)
+      : equations_(equations), by_doubles_(equations, doubles) {}
+
+  /// As NewtonSolver::solve, in at most `limit` linear solves: forces are those of wide numbers,
+  /// but steps are solved for in doubles, whose errors the next step takes away. Where these are
+  /// too large, it goes on with a tangent in wide numbers, a thousand times as slow.
+  NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit, State& q) {
+    WideState wide = to_wide(q);
+    NewtonSummary summary = by_doubles_.solve(f, options, limit, kMostShifted, wide);
+    if (digits_may_help(summary)) {
+      if (!(summary.relative_residual <= kNear)) wide = to_wide(q);
+      NewtonOptions wide_options = options;
+      wide_options.first_shift = kFirstShift;
+      const int left = limit - summary.iterations();
+      continue_by(by_wide().solve(f, wide_options, left, left, wide), summary);
+      summary.wide = true;
+    }
+    q = to_state(wide);
+    return summary;
+  }
+
+  /// See NewtonSolver::solve_tangent.
+  bool solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x) {
+    WideSteps& numbers = by_wide().numbers();
+    numbers.tangent(to_wide(q), 0.0);
+    if (numbers.factorize() != FactorizationStatus::ok) return false;
+    WideVector wide;
+    numbers.solve(rate.cast<Wide>(), wide);
+    x = wide.cast<double>();
+    return true;
+  }
+
+ private:
+  NewtonMethod<WideSteps>& by_wide() { return by_wide_ ? *by_wide_ : by_wide_.emplace(equations_); }
+
+  const Equations& equations_;
+  NewtonMethod<DoubleSteps> by_doubles_;
+  std::optional<NewtonMethod<WideSteps>> by_wide_;
+};
 
 struct NewtonSolver::Doubles {
   explicit Doubles(const Equations& equations)

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "prs/heat/case_losses.h"
 #include "prs/heat/duty_cycle.h"
-#include "prs/heat/steady_heat.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {

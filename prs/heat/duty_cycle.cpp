@@ -11,8 +11,6 @@
 #include <memory>
 #include <utility>
 
-#include "prs/heat/loss_table.h"
-#include "prs/heat/steady_heat.h"
 #include "prs/model/quantity_text.h"
 #include "prs/sector/bodies.h"
 
@@ -219,14 +217,29 @@ class Cycle {
   double period_ = 0.0;
 };
 
-/// The load cases that the duty names, each once.
+/// A load case that the duty names.
+struct DutyCase {
+  std::string name;
+  std::unique_ptr<CaseLosses> losses;
+  std::unique_ptr<CaseLosses> equal;  ///< Shares, where the load case's follow the temperatures.
+  double weight = 0.0;                ///< Share of the period.
+};
+
 struct Duty {
-  std::vector<std::unique_ptr<CaseLosses>> cases;
-  std::vector<std::string> names;
-  /// With equal shares, where the load case's shares follow the temperatures.
-  std::vector<std::unique_ptr<CaseLosses>> equal;
-  std::vector<double> weights;    ///< Share of the period.
+  std::vector<DutyCase> cases;    ///< Each once.
   std::vector<Segment> segments;  ///< Table 0 is that of rests, 1 that of the first load case.
+
+  /// heat_of(case) on average; none where one has none.
+  template <class HeatOf>
+  std::optional<OfParts> average(HeatOf heat_of) const {
+    OfParts sum = OfParts::Zero();
+    for (const DutyCase& c : cases) {
+      const std::optional<OfParts> heat = heat_of(c);
+      if (!heat) return std::nullopt;
+      sum += c.weight * *heat;
+    }
+    return sum;
+  }
 };
 
 Duty duty_of(const Conditions& c, const Contacts& contacts) {
@@ -238,107 +251,79 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
       duty.segments.push_back({0, step.time()});
       continue;
     }
-    const auto known = std::ranges::find(duty.names, *step.load_case);
-    const auto index = static_cast<std::size_t>(known - duty.names.begin());
-    if (known == duty.names.end()) {
-      const LoadCase& load = *std::ranges::find(c.load_cases, *step.load_case,
-                                                [](const LoadCase& l) { return l.name; });
-      duty.names.push_back(*step.load_case);
-      duty.cases.push_back(std::make_unique<CaseLosses>(c, contacts, load, load.share));
-      duty.equal.push_back(
-          load.share == LoadCase::Share::solved
-              ? std::make_unique<CaseLosses>(c, contacts, load, LoadCase::Share::equal)
-              : nullptr);
-      duty.weights.push_back(0.0);
+    const auto known = std::ranges::find(duty.cases, *step.load_case, &DutyCase::name);
+    const auto index = static_cast<std::size_t>(known - duty.cases.begin());
+    if (known == duty.cases.end()) {
+      const LoadCase& load = *std::ranges::find(c.load_cases, *step.load_case, &LoadCase::name);
+      const auto with = [&](LoadCase::Share share) {
+        return std::make_unique<CaseLosses>(c, contacts, load, share);
+      };
+      duty.cases.push_back(
+          {load.name, with(load.share),
+           load.share == LoadCase::Share::solved ? with(LoadCase::Share::equal) : nullptr});
     }
-    duty.weights[index] += step.time();
+    duty.cases[index].weight += step.time();
     duty.segments.push_back({index + 1, step.time()});
   }
-  for (double& weight : duty.weights) weight /= period;
+  for (DutyCase& known : duty.cases) known.weight /= period;
   return duty;
 }
 
 /// Heat of the duty on average.
-HeatSource average(Duty& duty, bool may_grow) {
+HeatSource average(const Duty& duty, bool may_grow) {
   const auto failure = std::make_shared<std::string>();
-  const auto of_oil = [&duty](const PerInterface<double>& oil,
-                              auto estimate) -> std::optional<OfParts> {
-    OfParts sum = OfParts::Zero();
-    for (std::size_t k = 0; k < duty.cases.size(); ++k) {
-      const std::optional<OfParts> heat = estimate(*duty.cases[k], oil);
-      if (!heat) return std::nullopt;
-      sum += duty.weights[k] * *heat;
-    }
-    return sum;
-  };
-  return {[&duty, failure](const OfParts& t) -> std::optional<OfParts> {
-            OfParts sum = OfParts::Zero();
-            for (std::size_t k = 0; k < duty.cases.size(); ++k) {
-              const std::optional<Losses> losses = duty.cases[k]->at(t);
-              if (!losses) {
-                *failure = fmt::format("{} in `{}`", duty.cases[k]->failure(), duty.names[k]);
-                return std::nullopt;
-              }
-              sum += duty.weights[k] * losses->heat;
-            }
-            return sum;
+  return {[&duty, failure](const OfParts& t) {
+            return duty.average([&](const DutyCase& c) -> std::optional<OfParts> {
+              const std::optional<Losses> losses = c.losses->at(t);
+              if (losses) return losses->heat;
+              *failure = fmt::format("{} in `{}`", c.losses->failure(), c.name);
+              return std::nullopt;
+            });
           },
           [failure] { return *failure; },
-          [of_oil](const PerInterface<double>& oil) {
-            return of_oil(oil, [](const CaseLosses& c, const PerInterface<double>& at) {
-              return c.estimate(at);
-            });
+          [&duty](const PerInterface<double>& oil) {
+            return duty.average([&](const DutyCase& c) { return c.losses->estimate(oil); });
           },
-          [of_oil](const PerInterface<double>& oil) {
-            return of_oil(oil, [](const CaseLosses& c, const PerInterface<double>& at) {
-              return c.rough_estimate(at);
-            });
+          [&duty](const PerInterface<double>& oil) {
+            return duty.average([&](const DutyCase& c) { return c.losses->rough_estimate(oil); });
           },
           may_grow};
 }
 
-/// Range of the temperatures while each load case acts.
-struct Visited {
-  std::vector<TemperatureBox> boxes;
-  std::vector<bool> any;
-
-  explicit Visited(std::size_t tables) : boxes(tables), any(tables, false) {}
-  void add(std::size_t table, const OfParts& t) {
-    const OfParts at = table_coordinates(t);
-    if (!any[table]) boxes[table] = {at, at};
-    any[table] = true;
-    boxes[table].include(at);
-  }
-};
-
 /// Losses of a load case. With solved shares equal ones come first: they cost little, and what is
 /// left over is small.
-std::optional<LossTable> table_over(const TemperatureBox& box, Duty& duty, std::size_t k,
-                                    bool good) {
+std::optional<LossTable> table_over(const TemperatureBox& box, const DutyCase& load, bool good) {
   const auto of = [&](CaseLosses& losses, bool by_rollers, const LossTable::Effort& effort,
                       LossTable rough) {
     return LossTable::over(
         box, [&losses](const OfParts& t) { return losses.at(t); }, by_rollers,
         good ? effort : kRoughTable, std::move(rough));
   };
-  if (!duty.equal[k]) return of(*duty.cases[k], false, kTable, {});
-  const std::optional<LossTable> equal = of(*duty.equal[k], false, kTable, {});
-  return of(*duty.cases[k], true, kSolvedTable, equal.value_or(LossTable{}));
+  if (!load.equal) return of(*load.losses, false, kTable, {});
+  const std::optional<LossTable> equal = of(*load.equal, false, kTable, {});
+  return of(*load.losses, true, kSolvedTable, equal.value_or(LossTable{}));
 }
 
-/// What each load case sees in a cycle from `start`.
-Visited visited_from(const OfParts& start, const Cycle& cycle,
-                     const std::vector<LossTable>& tables) {
-  Visited visited(tables.size());
+/// Range of the temperatures while each load case acts in a cycle from `start`.
+std::vector<TemperatureBox> visited_from(const OfParts& start, const Cycle& cycle,
+                                         const std::vector<LossTable>& tables) {
+  std::vector<std::optional<TemperatureBox>> visited(tables.size());
+  const auto add = [&](std::size_t table, const OfParts& t) {
+    const OfParts at = table_coordinates(t);
+    if (!visited[table]) visited[table] = {at, at};
+    visited[table]->include(at);
+  };
   State state = starting_at(start);
   std::size_t last = 0;
   OfParts before = start;
   cycle.run(tables, state, [&](std::size_t table, double, const OfParts& t, const auto&) {
-    if (table != last) visited.add(table, before);
-    visited.add(table, t);
+    if (table != last) add(table, before);
+    add(table, t);
     last = table, before = t;
   });
-  return visited;
+  std::vector<TemperatureBox> boxes;
+  for (const auto& box : visited) boxes.push_back(box.value_or(TemperatureBox{}));
+  return boxes;
 }
 
 /// The cycle that repeats itself: its losses, the first table that of rests, and its first
@@ -352,7 +337,7 @@ struct Periodic {
 
 /// Each round takes tables over what the last one has visited: rough ones, and good ones once the
 /// range is known.
-Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
+Periodic find_periodic(const Cycle& cycle, const Duty& duty, const OfParts& guess) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
   Periodic found{HeatStatus::converged, {}, std::vector<LossTable>(cases + 1), guess};
@@ -362,7 +347,7 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
     return found;
   };
   for (std::size_t k = 0; k < cases; ++k)
-    if (const std::optional<Losses> losses = duty.cases[k]->at(guess))
+    if (const std::optional<Losses> losses = duty.cases[k].losses->at(guess))
       found.tables[k + 1] = LossTable(*losses);
 
   bool good = false;
@@ -375,9 +360,9 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
                     "the temperatures of the cycle do not come to repeat themselves; give the "
                     "parts more conductance, less load or more rest");
     found.start = *start;
-    const Visited visited = visited_from(*start, cycle, found.tables);
+    const std::vector<TemperatureBox> visited = visited_from(*start, cycle, found.tables);
     const auto is_covered = [&](std::size_t k) {
-      return round > 0 && covered[k].contains(visited.boxes[k + 1]);
+      return round > 0 && covered[k].contains(visited[k + 1]);
     };
     bool inside = round > 0;
     for (std::size_t k = 0; k < cases && inside; ++k) inside = is_covered(k);
@@ -386,15 +371,15 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
     for (std::size_t k = 0; k < cases; ++k) {
       if (was_good && is_covered(k)) continue;
       // Constant losses lead too far, so that what they visited is not kept.
-      TemperatureBox box = visited.boxes[k + 1];
+      TemperatureBox box = visited[k + 1];
       if (round > 1 && good == was_good)
         box.include(covered[k].least), box.include(covered[k].greatest);
       covered[k] = box.widened(0.25);
-      std::optional<LossTable> table = table_over(covered[k], duty, k, good);
+      std::optional<LossTable> table = table_over(covered[k], duty.cases[k], good);
       if (!table)
         return end_as(HeatStatus::no_steady_state,
                       fmt::format("{} in `{}` at temperatures of the cycle",
-                                  duty.cases[k]->failure(), duty.names[k]));
+                                  duty.cases[k].losses->failure(), duty.cases[k].name));
       found.tables[k + 1] = std::move(*table);
     }
   }
@@ -444,7 +429,7 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
                               std::vector<Warning>& warnings) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
-  Duty duty = duty_of(c, contacts);
+  const Duty duty = duty_of(c, contacts);
   const Cycle cycle(network, capacity, duty.segments);
   HeatCycle result;
   result.period = cycle.period();
@@ -461,10 +446,10 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
     if (found.tables[k + 1].error() > kTellTable)
       warnings.push_back(
-          Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.names[k]),
+          Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.cases[k].name),
                   fmt::format("the losses of `{}` are not smooth over the temperatures of the "
                               "cycle: interpolated to {{value}} of their largest",
-                              duty.names[k])}
+                              duty.cases[k].name)}
               .with(found.tables[k + 1].error(), kTellTable));
   keep_course(found, cycle, network.ambient, result);
   return end_as(HeatStatus::converged, {});

@@ -1,14 +1,8 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "prs/heat/case_losses.h"
-#include "prs/heat/thermal_network.h"
-#include "prs/loads/heat_result.h"
-#include "prs/loads/result.h"
-#include "prs/model/case.h"
 
 namespace prs {
 

@@ -1,8 +1,156 @@
 #include "prs/heat/thermal_network.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "prs/model/quantity_text.h"
 
 namespace prs {
+namespace {
+
+constexpr double kTolerance = 1e-8;  // [K]
+constexpr double kCoolest = 50.0;    // Below, no oil's line is evaluated [K].
+constexpr int kMostRounds = 50;
+constexpr double kDifference = 0.05;  // Of temperatures, for derivatives [K].
+
+double largest(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
+bool is_sound(const OfParts& t) {
+  return t.allFinite() && t.minCoeff() > kCoolest && t.maxCoeff() < kHottest;
+}
+
+/// The estimate, scaled to the exact heat where that is known.
+class ScaledEstimate {
+ public:
+  using OfOil = std::function<std::optional<OfParts>(const PerInterface<double>& oil)>;
+
+  ScaledEstimate(const ThermalNetwork& network, const OfOil& of_oil)
+      : network_(network), of_oil_(of_oil) {}
+
+  void scale_to(const OfParts& temperature, const OfParts& exact) {
+    ratio_.setOnes();
+    offset_.setZero();
+    const std::optional<OfParts> at = of_oil_(oil_temperatures(temperature));
+    for (int i = 0; i < 3; ++i) {
+      if (at && (*at)[i] > 0.0)
+        ratio_[i] = exact[i] / (*at)[i];
+      else
+        ratio_[i] = 0.0, offset_[i] = exact[i];
+    }
+  }
+
+  std::optional<OfParts> heat(const PerInterface<double>& oil) const {
+    std::optional<OfParts> q = of_oil_(oil);
+    if (q) *q = q->cwiseProduct(ratio_) + offset_;
+    return q;
+  }
+  std::optional<OfParts> heat(const OfParts& t) const { return heat(oil_temperatures(t)); }
+
+  /// Heat less what flows off [W].
+  std::optional<OfParts> surplus(const OfParts& t) const {
+    std::optional<OfParts> q = heat(t);
+    if (q) *q -= network_.conductance * (t.array() - network_.ambient).matrix();
+    return q;
+  }
+
+  /// Whether the total heat falls short of (sign < 0) or exceeds (sign > 0) what flows off, at this
+  /// share of the way from ambient to the steady state; not where it is unknown.
+  bool crosses(double share, const OfParts& steady, double sign) const {
+    const OfParts rise = (steady.array() - network_.ambient).matrix();
+    const OfParts t = (network_.ambient + (share * rise).array()).matrix();
+    if (!is_sound(t)) return false;
+    const std::optional<OfParts> q = heat(t);
+    return q && sign * (q->sum() / (network_.conductance * rise).sum() - share) > 0.0;
+  }
+  bool crosses_at_any(std::initializer_list<double> shares, const OfParts& steady,
+                      double sign) const {
+    return std::ranges::any_of(shares, [&](double s) { return crosses(s, steady, sign); });
+  }
+  /// Whether the parts would stop warming before they get there, or do not stay there.
+  bool has_cooler_state(const OfParts& steady) const {
+    return crosses_at_any({0.3, 0.6, 0.85}, steady, -1.0) || crosses(1.05, steady, 1.0);
+  }
+  bool has_hotter_state(const OfParts& steady) const {
+    return crosses_at_any({1.3, 2.0, 3.5, 6.0, 10.0, 18.0, 30.0}, steady, 1.0);
+  }
+
+  /// d(surplus)/dT [W/K], forward differences; `at` is the surplus at t.
+  std::optional<Eigen::Matrix3d> derivative(const OfParts& t, const OfParts& at) const {
+    const OfParts q = at + network_.conductance * (t.array() - network_.ambient).matrix();
+    Eigen::Matrix<double, 3, 2> by_oil;
+    for (const Interface i : kInterfaces) {
+      PerInterface<double> oil = oil_temperatures(t);
+      oil[i] += kDifference;
+      const std::optional<OfParts> moved = heat(oil);
+      if (!moved) return std::nullopt;
+      by_oil.col(static_cast<int>(i)) = (*moved - q) / kDifference;
+    }
+    return by_oil * oil_by_parts() - network_.conductance;
+  }
+
+ private:
+  const ThermalNetwork& network_;
+  const OfOil& of_oil_;
+  OfParts ratio_ = OfParts::Ones(), offset_ = OfParts::Zero();
+};
+
+/// Newton's method from t, where the surplus is known; Broyden's update keeps the derivative.
+std::optional<OfParts> newton(const ScaledEstimate& estimate, OfParts t, OfParts surplus,
+                              std::optional<Eigen::Matrix3d>& derivative, double tolerance) {
+  double before = 0.0;
+  for (int i = 0; i < 25; ++i) {
+    if (!derivative) derivative = estimate.derivative(t, surplus);
+    if (!derivative) return std::nullopt;
+    const OfParts step = -derivative->partialPivLu().solve(surplus);
+    t += step;
+    if (!is_sound(t)) return std::nullopt;
+    const double size = largest(step);
+    if (size <= tolerance) return t;
+    const std::optional<OfParts> next = estimate.surplus(t);
+    if (!next) return std::nullopt;
+    surplus = *next;
+    *derivative += surplus * step.transpose() / step.squaredNorm();
+    if (i > 0 && size > 0.3 * before) derivative.reset();
+    before = size;
+  }
+  return std::nullopt;
+}
+
+/// Follows the warming parts from t, all with time constants of one, by linearly implicit Euler
+/// steps that grow; none where they pass `kHottest` or their heat is not known.
+std::optional<OfParts> follow(const ScaledEstimate& estimate, const ThermalNetwork& network,
+                              OfParts t) {
+  constexpr double kMostRise = 5.0;  // In a step [K].
+  const Eigen::Matrix3d capacity = network.conductance.diagonal().asDiagonal();
+  double h = 0.1;
+  for (int i = 0; i < 2000; ++i) {
+    const std::optional<OfParts> surplus = estimate.surplus(t);
+    if (!surplus) return std::nullopt;
+    const std::optional<Eigen::Matrix3d> derivative = estimate.derivative(t, *surplus);
+    if (!derivative) return std::nullopt;
+    const OfParts step = (capacity / h - *derivative).partialPivLu().solve(*surplus);
+    if (!step.allFinite() || largest(step) > kMostRise) {
+      h *= 0.25;
+      continue;
+    }
+    t += step;
+    if (!is_sound(t)) return std::nullopt;
+    if (h > 1e6 && largest(step) < 1e-6) return t;
+    h *= 2.0;
+  }
+  return std::nullopt;
+}
+
+std::string runaway(const OfParts& heat) {
+  return fmt::format(
+      "the parts warm on beyond {}: they take up more heat ({:.4g} W) than they pass on at any "
+      "temperature below; give them more conductance, less load or less speed",
+      celsius(kHottest), heat.sum());
+}
+
+}  // namespace
 
 OfParts of_parts(const PerPart<double>& v) { return {v.screw, v.roller, v.nut}; }
 PerPart<double> per_part(const OfParts& v) { return {v[0], v[1], v[2]}; }
@@ -34,6 +182,49 @@ Eigen::Matrix<double, 2, 3> oil_by_parts() {
   Eigen::Matrix<double, 2, 3> m;
   m << 0.5, 0.5, 0.0, 0.0, 0.5, 0.5;
   return m;
+}
+
+SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
+                            const std::optional<OfParts>& start) {
+  const OfParts ambient = OfParts::Constant(network.ambient);
+  ScaledEstimate fine(network, source.estimate), rough(network, source.rough_estimate);
+  SteadyHeat found;
+  const auto end_as = [&](HeatStatus status, std::string reason) {
+    found.status = status;
+    found.reason = std::move(reason);
+    return found;
+  };
+  std::optional<Eigen::Matrix3d> derivative;
+  OfParts t = start.value_or(ambient);
+  for (int round = 0; round < kMostRounds; ++round) {
+    ++found.evaluations;
+    const std::optional<OfParts> heat = source.exact(t);
+    if (!heat)
+      return end_as(HeatStatus::no_steady_state,
+                    fmt::format("{} with the screw at {}, the rollers at {}, the nut at {}",
+                                source.failure(), celsius(t[0]), celsius(t[1]), celsius(t[2])));
+    found.heat = *heat;
+    found.temperature = network.steady(*heat);
+    const double change = largest(found.temperature - t);
+    if (change <= kTolerance) return end_as(HeatStatus::converged, {});
+    fine.scale_to(t, *heat);
+    const OfParts surplus = network.conductance * (found.temperature - t);
+    const double tolerance = round == 0 ? 1e-2 * change : 0.1 * kTolerance;
+    std::optional<OfParts> next = newton(fine, t, surplus, derivative, tolerance);
+    const bool choose = source.may_grow && round == 0;
+    if (choose) rough.scale_to(t, *heat);
+    if (next && choose && rough.has_cooler_state(*next)) next.reset();
+    if (!next) {
+      next = follow(fine, network, round == 0 ? start.value_or(ambient) : t);
+      derivative.reset();
+      if (!next) return end_as(HeatStatus::no_steady_state, runaway(*heat));
+    }
+    if (choose) found.others = rough.has_hotter_state(*next);
+    t = *next;
+  }
+  return end_as(HeatStatus::iteration_limit,
+                fmt::format("the temperatures still change by {:.1e} K after {} rounds",
+                            largest(found.temperature - t), kMostRounds));
 }
 
 }  // namespace prs

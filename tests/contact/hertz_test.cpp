@@ -11,8 +11,7 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/elliptic_integrals.h"
-#include "contact/ellipticity_approximations.h"
+#include "contact/hertz_formulas.h"
 #include "tests/contact/units.h"
 
 namespace contact {

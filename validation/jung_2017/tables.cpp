@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "contact/elliptic_integrals.h"
 #include "contact/hertz.h"
+#include "contact/hertz_formulas.h"
 #include "prs/model/units.h"
 #include "validation/extensions.h"
 #include "validation/jung_2017/measures.h"

@@ -8,10 +8,9 @@
 #include <numbers>
 #include <utility>
 
-#include "contact/elliptic_integrals.h"
-#include "contact/ellipticity_approximations.h"
 #include "contact/film.h"
 #include "contact/hertz.h"
+#include "contact/hertz_formulas.h"
 #include "contact/patch.h"
 #include "prs/loads/analyze.h"
 #include "prs/model/units.h"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "fe/axisymmetric.h"
-#include "fe/meridian_mesh.h"
 #include "prs/model/groove.h"
 #include "prs/sector/influence/hertz_patch.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/elliptic_integrals.h"
+#include "contact/hertz_formulas.h"
 
 namespace prs {
 namespace {
