@@ -289,9 +289,8 @@ Json object_schema() {
   Json properties = Json::object();
   std::vector<std::string> keys;
   if constexpr (HasGrid<T>) {
-    properties = {{"x", list(type("number"))},
-                  {"y", list(type("number"))},
-                  {"values", list(list(number_or_null()))}};
+    for (const char* axis : {"x", "y"}) properties[axis] = list(type("number"));
+    properties["values"] = list(list(number_or_null()));
     keys = {"x", "y", "values"};
   }
   for_each_field<T>([&]<class Value>(const Field<T, Value>& f) {

@@ -58,7 +58,11 @@ for (const lesson of lessons)
       const program = run(command, `configs/${lesson}`, '--json');
       assert.equal(answer.status, program.status, answer.messages.join('\n'));
       assert.deepEqual(answer.messages, program.lines);
-      assert.deepEqual(differences(answer.document, JSON.parse(program.out)).slice(0, 5), []);
+      const document = JSON.parse(program.out);
+      // The engine knows the name of a history, not its place.
+      const history = document.resolved_input?.life?.history;
+      if (history) history.file = history.file.split('/').pop();
+      assert.deepEqual(differences(answer.document, document).slice(0, 5), []);
     });
 
 test('values are set as by --set', () => {
