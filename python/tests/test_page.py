@@ -18,8 +18,13 @@ from conftest import Run, lessons
 webdriver = pytest.importorskip("selenium.webdriver")
 pypdf = pytest.importorskip("pypdf")
 
+from selenium.common.exceptions import (  # noqa: E402
+    MoveTargetOutOfBoundsException,
+    StaleElementReferenceException,
+)
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
+from selenium.webdriver.remote.webdriver import WebDriver  # noqa: E402
 from selenium.webdriver.remote.webelement import WebElement  # noqa: E402
 from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
 
@@ -352,12 +357,20 @@ def test_a_thread_is_looked_at(browser: Browser, page: Callable[..., Path]) -> N
     WebDriverWait(browser.driver, PATIENCE).until(
         lambda _: browser.text("#thread .body") != first, "another thread"
     )
-    picture = browser.find("#loads .pick")
-    browser.driver.execute_script("arguments[0].scrollIntoView()", picture)
-    webdriver.ActionChains(browser.driver).move_to_element_with_offset(
-        picture, -picture.rect["width"] / 2 + 3, 0
-    ).click().perform()
-    browser.wait("document.getElementById('thread-number').value === '1'")
+
+    def first_is_picked(driver: WebDriver) -> bool:
+        """Clicks again where the page still moved as a picture above was drawn."""
+        picture = browser.find("#loads .pick")
+        driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", picture)
+        webdriver.ActionChains(driver).move_to_element_with_offset(
+            picture, -picture.rect["width"] / 2 + 3, 0
+        ).click().perform()
+        return number.get_attribute("value") == "1"
+
+    moved = [MoveTargetOutOfBoundsException, StaleElementReferenceException]
+    WebDriverWait(browser.driver, PATIENCE, ignored_exceptions=moved).until(
+        first_is_picked, "the first thread is picked"
+    )
 
 
 def test_hostile_names_stay_text(
