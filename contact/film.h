@@ -14,6 +14,14 @@ namespace contact {
 /// or as it does.
 enum class FilmDirection : std::int64_t { minor_axis, rolling };
 
+/// What thins a film besides load and speed.
+template <class Real>
+struct FilmThinningOf {
+  Real starvation = 1.0;  ///< phi_s, of an inlet that is not full.
+  Real conductivity{};    ///< k of the oil [W/(m K)]; 0: the inlet stays cold.
+};
+using FilmThinning = FilmThinningOf<double>;
+
 /// Inputs of the film formulas for one lubricated contact of two bodies.
 template <class Real>
 struct FilmContactOf {
@@ -22,6 +30,7 @@ struct FilmContactOf {
   Real contact_modulus{};      ///< E* [Pa]; the E' of the formulas is 2 E* (Sandu's 2/Sigma).
   Real curvature_ratio = 1.0;  ///< lambda, smaller over larger relative curvature, above 0 to 1.
   simd::EnumOf<FilmDirection, Real> direction = FilmDirection::minor_axis;  ///< Of `central_film`.
+  FilmThinningOf<Real> thinning{};
 
   Real film_modulus() const { return 2.0 * contact_modulus; }  ///< E' [Pa]
 };
@@ -214,6 +223,35 @@ Number central_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf
   if (!any(follows)) return along_minor;
   return select(follows, chittenden_thickness(lubricant, contact, rolling_speed, along_major),
                 along_minor);
+}
+
+/// phi = phi_s phi_T, a film over that of a full and isothermal inlet, with phi_T that of shear
+/// heating at the inlet (Gupta, Cheng, Zhu, Forster, Krauter, ASME J. Tribology 114 (1992) 296):
+///
+///     phi_T = (1 - 13.2 (p_0/E') L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64),
+///     L = beta eta_0 u_m^2/k,   S = v/u_m
+///
+/// the numerator not below 0.05; u_m half of the sum velocity, v the sliding speed at the centre.
+/// `rolling_speed`: the sum |u|; 1 of phi_T without rolling.
+template <class Number, class Real>
+Number film_factor(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
+                   const Real& peak_pressure, const Number& rolling_speed,
+                   const Number& sliding_speed) {
+  using simd::any, simd::power, simd::select, simd::value;
+  const FilmThinningOf<Real>& t = contact.thinning;
+  const Number cold(t.starvation), none(Real(0.0)), least(Real(0.05));
+  const auto warms = t.conductivity > Real(0.0) && value(rolling_speed) > Real(0.0);
+  if (!any(warms)) return cold;
+  const Number mean = 0.5 * rolling_speed;
+  const Number loading =
+      lubricant.temperature_coefficient * lubricant.viscosity / t.conductivity * (mean * mean);
+  const auto slides = value(sliding_speed) > Real(0.0);
+  const Number slip = select(slides, power(Number(sliding_speed / mean), Real(0.83)), none);
+  const Number pressure =
+      1.0 - 13.2 * peak_pressure / contact.film_modulus() * power(loading, Real(0.42));
+  const Number thermal = select(pressure < least, least, pressure) /
+                         (1.0 + 0.213 * (1.0 + 2.23 * slip) * power(loading, Real(0.64)));
+  return select(warms, t.starvation * thermal, cold);
 }
 
 /// Share of the load on flanks that touch through a film of Lambda times their composite Rq,

@@ -7,9 +7,10 @@ namespace contact {
 /// Oil, or base oil of a grease, at operating temperature. SI units.
 template <class Real>
 struct LubricantOf {
-  Real viscosity{};           ///< eta_0, dynamic, at ambient pressure [Pa s]
-  Real pressure_viscosity{};  ///< alpha, at ambient pressure [1/Pa]
-  Real eyring_stress{};       ///< tau_0, shear stress where thinning begins [Pa]
+  Real viscosity{};                ///< eta_0, dynamic, at ambient pressure [Pa s]
+  Real pressure_viscosity{};       ///< alpha, at ambient pressure [1/Pa]
+  Real eyring_stress{};            ///< tau_0, shear stress where thinning begins [Pa]
+  Real temperature_coefficient{};  ///< beta = -(d eta_0/dT)/eta_0 [1/K]; 0 where not known.
 };
 using Lubricant = LubricantOf<double>;
 

@@ -55,11 +55,11 @@ void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_p
 
 FrictionLaw coulomb_friction(double coefficient);
 /// Jacod's law, point by point: Eyring fluid, Roelands viscosity at the Hertz pressure of the
-/// *static* load, Sandu's film of the whole contact.
+/// *static* load, Sandu's film of the whole contact, thinned by `film_factor`.
 FrictionLaw film_friction(const Lubricant& lubricant, const FilmContact& film_contact);
 /// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
-/// mu_film Jacod's, s the `boundary_share` of the whole contact by the central film.
-/// Jacod's for thick films, Coulomb's without film or entrainment.
+/// mu_film Jacod's, s the `boundary_share` of the whole contact by the central film,
+/// thinned as well. Jacod's for thick films, Coulomb's without film or entrainment.
 FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact,
                            const TouchingFlanks& touching);
 

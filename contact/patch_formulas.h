@@ -144,13 +144,17 @@ PatchLawOf<Number> law_at(const FrictionLawOf<Real>& law, const Real& peak_press
   if (!any(has_film)) return at;
   const auto rolls = value(rolling_speed) > Real(0.0);
   const MoesNumbersOf<Number> moes = moes_numbers(law.oil, law.film, rolling_speed);
-  at.factor =
-      select(has_film && rolls,
-             sliding_factor_of(law.oil, law.film, sandu_parameter(moes), rolling_speed), none);
+  const Number thinned = film_factor(law.oil, law.film, peak_pressure, rolling_speed,
+                                     simd::length(motion.sliding_major, motion.sliding_minor));
+  at.factor = select(
+      has_film && rolls,
+      sliding_factor_of(law.oil, law.film, Number(thinned * sandu_parameter(moes)), rolling_speed),
+      none);
   at.scale = Number(select(has_film, Real(law.oil.eyring_stress / peak_pressure), Real(0.0)));
   const auto touches = law.kind == FrictionKind::mixed;
   if (!any(touches)) return at;
-  const Number film = central_thickness(law.oil, law.film, moes, rolling_speed, motion.along_major);
+  const Number film =
+      thinned * central_thickness(law.oil, law.film, moes, rolling_speed, motion.along_major);
   const Number share =
       select(rolls, boundary_share(Number(film / law.roughness), law.exponent), Number(Real(1.0)));
   at.coefficient = select(touches, share * law.coefficient, at.coefficient);

@@ -35,6 +35,11 @@ double kinematic_viscosity(const WaltherLine& line, double temperature) {
   return kLeastKinematicViscosity + kSquareMillimetre * std::expm1(kLn10 * std::pow(10.0, y));
 }
 
+double temperature_coefficient(const WaltherLine& line, double temperature) {
+  const double shifted = kinematic_viscosity(line, temperature) / kSquareMillimetre + 0.7;
+  return line.slope / temperature * shifted / (shifted - 0.7) * std::log(shifted);
+}
+
 double gold_pressure_viscosity(BaseOil oil, double kinematic_viscosity) {
   assert(kinematic_viscosity > 0.0);
   const auto law = [&](double factor, double exponent) {

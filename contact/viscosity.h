@@ -36,6 +36,11 @@ WaltherLine walther_line(double temperature_1, double viscosity_1, double temper
 /// Infinite where that exceeds the numbers.
 double kinematic_viscosity(const WaltherLine& line, double temperature);
 
+/// beta = -(d nu/dT)/nu of the line at an absolute temperature [1/K]:
+///
+///     beta = slope/T (1 + 0.7 mm^2/s/nu) ln(nu/(mm^2/s) + 0.7).
+double temperature_coefficient(const WaltherLine& line, double temperature);
+
 /// What an oil is made of, as far as its viscosity under pressure depends on it.
 enum class BaseOil { mineral, polyalphaolefin, ester };
 

@@ -399,6 +399,36 @@ NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions&
   return summary;
 }
 
+bool NewtonSolver::follow(const std::function<void(const State&, Eigen::VectorXd&)>& load,
+                          const NewtonOptions& options, State& q) {
+  constexpr int kMostSteps = 40;
+  DoubleNumbers& numbers = doubles_->method.numbers();
+  Eigen::VectorXd& residual = doubles_->residual;
+  const State first = q;
+  Eigen::VectorXd f(equations_->size());
+  numbers.tangent(q, 0.0);
+  if (numbers.factorize() != FactorizationStatus::ok) return false;
+  double before = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < kMostSteps; ++step) {
+    load(q, f);
+    equations_->energy_and_residual(q, f, residual);
+    double largest = 0.0;
+    for (int i = 0; i < equations_->size(); ++i)
+      largest =
+          std::max(largest, std::abs(residual[i]) /
+                                (equations_->kind(i) == Dof::theta ? options.length_scale : 1.0));
+    largest /= options.force_scale;
+    if (!(largest < 0.5 * before) && !(largest <= options.rounding_tolerance)) break;
+    numbers.solve(residual, doubles_->correction);
+    q.set_to_step(State(q), 1.0, doubles_->correction);
+    // This step leaves a tenth of what was found.
+    if (largest <= options.residual_tolerance) return true;
+    before = largest;
+  }
+  q = first;
+  return false;
+}
+
 bool NewtonSolver::start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q) {
   DoubleNumbers& numbers = doubles_->method.numbers();
   Eigen::VectorXd& residual = doubles_->residual;

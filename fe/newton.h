@@ -35,6 +35,12 @@ class NewtonSolver {
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q,
                       const std::function<bool()>& held = {});
 
+  /// Goes on to equilibrium under a load that follows the state, `load(q, f)`, and changes little
+  /// with it: with the tangent at `q`, factorized once. False, and `q` is as it was, where the
+  /// residual does not shrink fast.
+  bool follow(const std::function<void(const State&, Eigen::VectorXd&)>& load,
+              const NewtonOptions& options, State& q);
+
   /// State of bilateral linear springs of the given stiffnesses in place of the contacts, gaps
   /// included. False where the structure is singular even so.
   bool start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q);

@@ -2,4 +2,4 @@
 
 // The document of `prs solve --json`: `prs::document_of(prs::solve_analysis(), result, {})` and
 // `prs::json_text`.
-#include "prs/loads/load_analysis.h"
+#include "prs/losses/solve_analysis.h"

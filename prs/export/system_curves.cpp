@@ -13,6 +13,7 @@
 #include "prs/model/check_case.h"
 #include "prs/model/problems.h"
 #include "prs/preload/preloaded_mechanism.h"
+#include "prs/slip/running.h"
 #include "prs/slip/slip.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
@@ -307,12 +308,15 @@ void add_preloaded_branches(const Conditions& c, const Contacts& contacts, doubl
 class FrictionTorque {
  public:
   FrictionTorque(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, Oils oils)
-      : loads_(c, contacts, pattern), models_(c, contacts, std::move(oils)) {}
+      : pattern_(pattern), loads_(c, contacts, pattern), models_(c, contacts, std::move(oils)) {
+    if (slip_takes_running_loads(c.model, pattern.share)) running_.emplace(c, contacts, models_);
+  }
 
   /// [N m] at a signed force [N] and speed [rad/s]; none where nothing is in equilibrium.
   std::optional<double> at(double force, double speed) {
     const auto [known, is_new] = torque_.try_emplace({force, speed});
     if (!is_new) return known->second;
+    if (running_) return known->second = running_at(force, speed);
     SlipModel& model = model_at(force);
     model.speed = speed;
     const SlipResult slip = slip_result(model);
@@ -325,6 +329,19 @@ class FrictionTorque {
   SlipStatus status() const { return status_; }
 
  private:
+  std::optional<double> running_at(double force, double speed) {
+    LoadCase load = pattern_;
+    load.direction = force < 0.0 ? Direction::compression : Direction::tension;
+    load.axial_force = std::abs(force);
+    load.speed = speed;
+    std::optional<SlipEquilibrium> slip;
+    const LoadCaseResult found = running_->solve(load, Detail::numbers, slip);
+    status_ = slip ? slip->status : SlipStatus::no_equilibrium;
+    if (!found.threads) return std::nullopt;
+    const SlipModel model = models_.of(found);
+    return drive_torques(model, slip->balance).screw -
+           force * model.geometry.lead / (2.0 * std::numbers::pi);
+  }
   SlipModel& model_at(double force) {
     if (const auto known = model_.find(force); known != model_.end()) return known->second;
     const Direction d = force < 0.0 ? Direction::compression : Direction::tension;
@@ -332,8 +349,10 @@ class FrictionTorque {
         .first->second;
   }
 
+  LoadCase pattern_;
   LoadsOfCase loads_;
   SlipModels models_;
+  std::optional<RunningSolver> running_;
   std::map<double, SlipModel> model_;
   std::map<std::pair<double, double>, std::optional<double>> torque_;
   SlipStatus status_ = SlipStatus::not_computed;
@@ -531,9 +550,9 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
     curves.warnings.push_back(torque_of_preloaded(c, pattern, options.load_case.has_value()));
   const Running parts = running(c, contacts, pattern);
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
-  curves.friction =
-      friction_table(torque, force, options.speed.value_or(largest_speed(c)),
-                     c.friction->of_film() || c.carrier.bearing, curves.lead, curves.torque_error);
+  curves.friction = friction_table(torque, force, options.speed.value_or(largest_speed(c)),
+                                   c.friction->of_film() || c.carrier.is_oiled(), curves.lead,
+                                   curves.torque_error);
 }
 
 /// The load case whose conditions hold: position, misalignment, speed. With `preload` and no load

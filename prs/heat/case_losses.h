@@ -55,6 +55,8 @@ class CaseLosses {
 
  private:
   std::optional<Losses> of(const SlipModel& model);
+  /// Heat and power of the rollers of a nut; false where they have no slip.
+  bool add(const SlipModel& model, const SlipEquilibrium& found, OfParts& heat, PowerFlow& flow);
   std::optional<OfParts> estimate(const SlipModels& models, const PerInterface<double>& oil) const;
 
   const Conditions& conditions_;

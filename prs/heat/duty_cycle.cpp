@@ -132,9 +132,10 @@ struct Warming {
 };
 
 /// The duty as lumped parts see it.
-class Cycle {
+class RepeatedCycle {
  public:
-  Cycle(const ThermalNetwork& network, const OfParts& capacity, std::vector<Segment> segments)
+  RepeatedCycle(const ThermalNetwork& network, const OfParts& capacity,
+                std::vector<Segment> segments)
       : network_(network), capacity_(capacity), segments_(std::move(segments)) {
     for (const Segment& s : segments_) period_ += s.duration;
   }
@@ -307,7 +308,7 @@ std::optional<LossTable> table_over(const TemperatureBox& box, const DutyCase& l
 }
 
 /// Range of the temperatures while each load case acts in a cycle from `start`.
-std::vector<TemperatureBox> visited_from(const OfParts& start, const Cycle& cycle,
+std::vector<TemperatureBox> visited_from(const OfParts& start, const RepeatedCycle& cycle,
                                          const std::vector<LossTable>& tables) {
   std::vector<std::optional<TemperatureBox>> visited(tables.size());
   const auto add = [&](std::size_t table, const OfParts& t) {
@@ -339,7 +340,7 @@ struct Periodic {
 
 /// Each round takes tables over what the last one has visited: rough ones, and good ones once the
 /// range is known.
-Periodic find_periodic(const Cycle& cycle, const Duty& duty, const OfParts& guess) {
+Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
   Periodic found{HeatStatus::converged, {}, std::vector<LossTable>(cases + 1), guess};
@@ -353,7 +354,7 @@ Periodic find_periodic(const Cycle& cycle, const Duty& duty, const OfParts& gues
       found.tables[k + 1] = LossTable(*losses);
 
   bool good = false;
-  Cycle::Factors factors;
+  RepeatedCycle::Factors factors;
   std::vector<TemperatureBox> covered(cases);
   for (int round = 0; round < kMostRounds; ++round) {
     const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
@@ -391,7 +392,8 @@ Periodic find_periodic(const Cycle& cycle, const Duty& duty, const OfParts& gues
 }
 
 /// Temperatures and energies of one period.
-void keep_course(const Periodic& found, const Cycle& cycle, double ambient, HeatCycle& result) {
+void keep_course(const Periodic& found, const RepeatedCycle& cycle, double ambient,
+                 HeatCycle& result) {
   const auto keep = [&](double time, const OfParts& t) {
     result.time.push_back(time);
     const PerPart<double> parts = per_part(t);
@@ -432,7 +434,7 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   const Duty duty = duty_of(c, contacts);
-  const Cycle cycle(network, capacity, duty.segments);
+  const RepeatedCycle cycle(network, capacity, duty.segments);
   HeatCycle result;
   result.period = cycle.period();
   const auto end_as = [&](HeatStatus status, const std::string& reason) {

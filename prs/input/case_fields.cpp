@@ -70,6 +70,12 @@ void alternatives(Choices& io, ModelOptions::Bodies& b) {
      "grooved bodies of revolution by finite elements");
 }
 
+void alternatives(Choices& io, ModelOptions::Loads& l) {
+  io("static", l, ModelOptions::Loads::at_rest, "those of a screw at rest");
+  io("running", l, ModelOptions::Loads::running,
+     "those of a screw that turns: each contact with the friction that slip finds for it");
+}
+
 void alternatives(Choices& io, ModelOptions::RollerContacts& r) {
   io("opposite", r, ModelOptions::RollerContacts::opposite,
      "at the same axial position, as on a helical roller with an odd number of starts");
@@ -102,9 +108,33 @@ void alternatives(Choices& io, MeasureOptions::Ends& e) {
   io("fixed_fixed", e, fixed_fixed, "both ends clamped");
 }
 
+void alternatives(Choices& io, MeasureOptions::System::Axial& a) {
+  using enum MeasureOptions::System::Axial;
+  io("one_end", a, one_end, "one axial bearing, behind which the shaft is free");
+  io("both_ends", a, both_ends, "an axial bearing at each end of `length`");
+}
+
+void alternatives(Choices& io, LifeTemperatures& t) {
+  io("heat", t, LifeTemperatures::heat, "the steady ones of the spectrum's mean heat");
+  io("reference", t, LifeTemperatures::reference, "that at which the nominal geometry holds");
+}
+
 void alternatives(Choices& io, Direction& d) {
   io("tension", d, Direction::tension, "the load pulls the screw out of the mechanism");
   io("compression", d, Direction::compression, "the load pushes the screw in");
+}
+
+void alternatives(Choices& io, DrivenBy& d) {
+  io("screw", d, DrivenBy::screw, "the screw moves its load");
+  io("load", d, DrivenBy::load, "the load moves the screw");
+}
+
+void alternatives(Choices& io, HistorySource::DrivenBy& d) {
+  io("travel", d, HistorySource::DrivenBy::travel,
+     "whom position or speed tell: F dx > 0 is driven by the load, x growing as the screw moves "
+     "out");
+  io("screw", d, HistorySource::DrivenBy::screw, "the screw always");
+  io("load", d, HistorySource::DrivenBy::load, "the load always");
 }
 
 void alternatives(Choices& io, LoadCase::Share& s) {
@@ -335,6 +365,10 @@ void fields(const Fields& io, Material& m) {
   io("density", m.density, Quantity{unit::density, positive}, "Density");
   io("thermal_expansion", m.thermal_expansion, Quantity{unit::thermal_expansion, not_negative},
      "Coefficient of linear thermal expansion");
+  io("conductivity", m.conductivity, Quantity{unit::thermal_conductivity, positive, "45 W/(m K)"},
+     "Of heat, for flash temperatures");
+  io("specific_heat", m.specific_heat, Quantity{unit::specific_heat, positive},
+     "For flash temperatures");
 }
 
 void fields(const Fields& io, PitchWave& w) {
@@ -411,6 +445,10 @@ void fields(const Fields& io, ModelOptions& m) {
   io("contact_phase", m.contact_phase, Choice{},
      "Where the rollers touch along the axis; `mechanism: full`");
   io("shear", m.shear, Flag{}, "Shear flexibility of screw, nut and rollers; `mechanism: full`");
+  io("loads", m.loads, Choice{},
+     "Of `solve`, slip, heat and life; static for `solve`, running for the others by default, "
+     "where "
+     "shares are solved");
   io("bodies", m.bodies, Choice{}, "How screw, roller and nut deform");
   io("refined", m.refined, Block{}, "Effects of `bodies: refined`, all by default");
   io("accuracy", m.accuracy, Choice{}, "Meshes of `bodies: influence`");
@@ -508,6 +546,8 @@ void fields(const Fields& io, Preload& p) {
   io("distance", p.distance, length, in_two_nuts,
      "From the last contact of the first nut to the first one of the second");
   io("load", p.load, Block{}, required, "External axial loads of the curve");
+  io("load_case", p.load_case, Text{"pull"},
+     "With `heat`: the load case whose steady temperatures the parts have; the first by default");
   io("lost_motion_load", p.lost_motion_load, Quantity{unit::force, positive},
      "The lost motion is the travel between this load in tension and in compression; 5 % of "
      "the largest load of the curve by default");
@@ -529,6 +569,8 @@ void fields(const Fields& io, HistorySource& h) {
   io("time", h.time, Block{}, "Time of the sample");
   io("interval", h.interval, Quantity{unit::duration, positive},
      optional_only_if(!h.time, "in place of `time`"), "Between two samples");
+  io("driven_by", h.driven_by, Choice{},
+     "Who drives, for running loads: travel by default where position or speed stand, else screw");
   io("hysteresis", h.hysteresis, Quantity{unit::force, not_negative},
      "Ranges up to this are no load cycles");
   io("bins", h.bins, Whole{1, 200}, "Of the matrix of cycles, along each axis");
@@ -548,6 +590,7 @@ void fields(const Fields& io, SpectrumLoad& l) {
   const bool measured = l.revolutions || l.distance || l.duration;
   io("share", l.share, Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}},
      required_only_if(!measured, one), "Of the revolutions of the spectrum");
+  io("driven_by", l.driven_by, Choice{}, "Who drives, for running loads");
 }
 
 void fields(const Fields& io, Life& l) {
@@ -555,6 +598,7 @@ void fields(const Fields& io, Life& l) {
   io("spectrum", l.spectrum, List{Block{}, l.history ? 0 : 1},
      required_only_if(!l.history, "in place of `history`"), "Loads and how long each acts");
   io("share", l.share, Choice{}, "How the load spreads over the threads");
+  io("temperatures", l.temperatures, Choice{}, "Of the parts, with a block `heat`");
   io("position", l.position, Quantity{unit::length},
      required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`"),
      "Axial position of the first roller contact on the nut");
@@ -582,6 +626,29 @@ void fields(const Fields& io, MeasureOptions::Shaft& s) {
   io("ends", s.ends, Choice{}, required, "How the screw is held at both ends of it");
 }
 
+void fields(const Fields& io, MeasureOptions::System::Shaft& s) {
+  const Quantity length{unit::length, positive, "300 mm"};
+  const bool two_bearings = s.axial == MeasureOptions::System::Axial::both_ends;
+  io("length", s.length, length, required,
+     "From the loaded section of the screw to the axial bearing, or between two of them; that of "
+     "`measures.shaft` is another one, for buckling and critical speed");
+  io("axial", s.axial, Choice{}, "Where the shaft is held along its axis");
+  io("from_bearing", s.from_bearing, length,
+     required_only_if(two_bearings, "only with `axial: both_ends`"),
+     "From the nearer axial bearing to the loaded section");
+  io("torsion_length", s.torsion_length, length,
+     "From the loaded section to where the rotation is held; `length` by default");
+}
+
+void fields(const Fields& io, MeasureOptions::System& s) {
+  const Quantity stiffness{unit::stiffness, positive, "600 N/um"};
+  io("shaft", s.shaft, Block{},
+     "Stretch and wind-up of the screw's shaft; not `measures.shaft`, whose length is that for "
+     "buckling and critical speed");
+  io("support_bearing", s.support_bearing, stiffness, "Of all bearings of the shaft together");
+  io("housing", s.housing, stiffness, "Of what holds the nut");
+}
+
 void fields(const Fields& io, MeasureOptions& m) {
   io("loaded_width", m.loaded_width, Quantity{unit::length, positive},
      "Of thread that one contact loads, for the compliance and the strength of its tooth");
@@ -591,6 +658,8 @@ void fields(const Fields& io, MeasureOptions& m) {
   io("yield_strength", m.yield_strength, Quantity{unit::pressure, positive, "900 MPa"},
      "Of the screw's shaft, for short columns");
   io("shaft", m.shaft, Block{}, "Of the screw, for buckling and critical speed");
+  io("system", m.system, Block{},
+     "What is in series with the mechanism, for the stiffness of the axis");
 }
 
 void fields(const Fields& io, ViscosityPoint& p) {
@@ -604,6 +673,14 @@ void fields(const Fields& io, ViscosityPoint& p) {
 void fields(const Fields& io, contact::WaltherLine& w) {
   io("intercept", w.intercept, Number{unbounded, "9.5"}, required, "At T = 1 K");
   io("slope", w.slope, Number{positive, "3.6"}, required, "Fall with log10(T/K)");
+}
+
+void fields(const Fields& io, Lubricant::Film::InletHeating& h) {
+  io("conductivity", h.conductivity, Quantity{unit::thermal_conductivity, positive, "0.14 W/(m K)"},
+     required, "Of heat, of the oil");
+  io("temperature_coefficient", h.temperature_coefficient,
+     Quantity{unit::temperature_coefficient, positive},
+     "-(d eta/dT)/eta of its viscosity; that of its own law by default, where it has one");
 }
 
 void fields(const Fields& io, Lubricant& l) {
@@ -634,6 +711,11 @@ void fields(const Fields& io, Lubricant& l) {
   io("film", l.film, Keys{[&](const Fields& film) {
        film("direction", l.film.direction, Choice{},
             "Direction of rolling that the central film takes");
+       film("starvation", l.film.starvation,
+            Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}, "0.7"},
+            "Film over that of a full inlet, measured or chosen");
+       film("inlet_heating", l.film.inlet_heating, Block{},
+            "Film that the shear at the inlet warms and thins (Gupta et al. 1992)");
      }},
      "Central film of the contacts");
 }
@@ -658,11 +740,31 @@ void fields(const Fields& io, Operation& o) {
      "Imposed in place of that of the roller's equilibrium");
 }
 
-void fields(const Fields& io, contact::JournalBearing& b) {
+void alternatives(Choices& io, HeadFriction& f) {
+  io("hydrodynamic", f.model, HeadFriction::Model::hydrodynamic, "a full film, by short bearings");
+  io("coulomb", f.model, HeadFriction::Model::coulomb, f.coefficient,
+     Number{Bounds{.least = 0.0, .greatest = 1.0}, "0.1"}, "a constant coefficient, without oil");
+  io("mixed", f.model, HeadFriction::Model::mixed, f.mixed, Block{},
+     "a film through which head and hole touch, by film over roughness");
+}
+
+void fields(const Fields& io, HeadFriction::Mixed& m) {
+  io("boundary", m.boundary, Number{Bounds{.least = 0.0, .greatest = 1.0}, "0.1"}, required,
+     "Coefficient of friction where head and hole touch");
+  io("roughness", m.roughness, Quantity{unit::length, positive}, required,
+     "Composite rms roughness Rq of head and hole");
+  io("exponent", m.exponent, Number{positive, "2"},
+     "Of (1 + film over roughness)^-exponent, the share of the load where they touch");
+}
+
+void fields(const Fields& io, HeadBearing& b) {
   const Quantity length{unit::length, positive};
-  io("length", b.length, length, required, "Axial length of one head's bearing");
+  const Presence of_film =
+      required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
+  io("friction", b.friction, Choice{}, "How a head rubs");
+  io("length", b.length, length, of_film, "Axial length of one head's bearing");
   io("diameter", b.diameter, length, required, "Diameter of the roller's head");
-  io("radial_clearance", b.radial_clearance, length, required,
+  io("radial_clearance", b.radial_clearance, length, of_film,
      "Radius of the hole less that of the head");
 }
 
@@ -674,7 +776,7 @@ void fields(const Fields& io, Carrier& c) {
   io("screw_torque", c.screw_torque, torque, "Resists the carrier on the screw");
   io("nut_torque", c.nut_torque, torque, "Resists the carrier on the nut");
   io("bearing", c.bearing, Block{},
-     "Plain bearings of the roller's heads, lubricated, in place of roller_torque");
+     "Plain bearings of the roller's heads, in place of roller_torque");
   io("gear_pressure_angle", c.gear_pressure_angle, Quantity{unit::angle, gear_pressure_angle},
      "Of the gears between rollers and nut, inverted: and screw");
 }

@@ -99,6 +99,10 @@ constexpr Unit kWear[] = {{{"mm^3/(N m)", "mm^3/Nm", "mm³/(N m)"}, 1.0, 1e9},
 
 constexpr Unit kThermalConductance[] = {{{"W/K"}}, {{"mW/K"}, 1.0, 1e3}};
 
+constexpr Unit kThermalConductivity[] = {{{"W/(m K)", "W/m/K", "W/(m*K)"}}};
+
+constexpr Unit kTemperatureCoefficient[] = {{{"1/K"}}, {{"%/K"}, 1.0, 100.0}};
+
 constexpr Unit kHeatCapacity[] = {{{"J/K"}}, {{"kJ/K"}, 1e3}};
 
 constexpr Unit kSpecificHeat[] = {{{"J/(kg K)", "J/kg/K", "J/(kg*K)"}},
@@ -148,6 +152,10 @@ const Dimension speed{"a speed", "150000 mm/min", "mm/min", kSpeed};
 const Dimension distance{"a distance", "500 km", "km", kDistance};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
+const Dimension thermal_conductivity{"a thermal conductivity", "45 W/(m K)", "W/(m K)",
+                                     kThermalConductivity};
+const Dimension temperature_coefficient{"a temperature coefficient", "0.035 1/K", "1/K",
+                                        kTemperatureCoefficient};
 const Dimension heat_capacity{"a heat capacity", "400 J/K", "J/K", kHeatCapacity};
 const Dimension specific_heat{"a specific heat", "460 J/(kg K)", "J/(kg K)", kSpecificHeat};
 }  // namespace unit
@@ -174,6 +182,8 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::share,
                                             &unit::wear,
                                             &unit::thermal_conductance,
+                                            &unit::thermal_conductivity,
+                                            &unit::temperature_coefficient,
                                             &unit::heat_capacity,
                                             &unit::specific_heat,
                                             &unit::mass,

@@ -77,6 +77,8 @@ extern const Dimension duration;
 extern const Dimension share;
 extern const Dimension wear;
 extern const Dimension thermal_conductance;
+extern const Dimension thermal_conductivity;
+extern const Dimension temperature_coefficient;
 extern const Dimension heat_capacity;
 extern const Dimension specific_heat;
 extern const Dimension mass;

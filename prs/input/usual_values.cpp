@@ -63,6 +63,13 @@ constexpr UsualValue kUsual[] = {
     // From full films to steel on steel without oil.
     {"wear.coefficient", "1e-13 mm^3/(N m)", "1e-2 mm^3/(N m)",
      "lubricated steel has about 1e-8 mm^3/(N m)"},
+    // From water-like oils to filled greases; from titanium and austenite to copper alloys.
+    {"lubricant.film.inlet_heating.conductivity", "0.05 W/(m K)", "0.7 W/(m K)",
+     "oils have 0.12 W/(m K) to 0.16 W/(m K)"},
+    {"lubricant.film.inlet_heating.temperature_coefficient", "0.005 1/K", "0.2 1/K",
+     "oils have 0.02 1/K to 0.06 1/K"},
+    {"materials.conductivity", "0.1 W/(m K)", "430 W/(m K)", "bearing steel has 45 W/(m K)"},
+    {"materials.specific_heat", "100 J/(kg K)", "3000 J/(kg K)", "steel has 460 J/(kg K)"},
     {"heat.ambient", "200 K", "570 K", "-50 degC to 200 degC"},
     // From a nut of a few mm in still air to one cooled by oil.
     {"heat.conductance.screw_ambient", "", "1000 W/K", "some W/K through bearings and housing"},
@@ -72,6 +79,9 @@ constexpr UsualValue kUsual[] = {
     {"carrier.roller_torque", "", "50 N m", "some mN m"},
     {"measures.friction_coefficient", "0.001", "0.3", "catalogues have 0.01"},
     {"measures.yield_strength", "100 MPa", "4 GPa", "steel has 300 MPa to 2 GPa"},
+    {"measures.system.shaft.length", "5 mm", "20 m", "ten to a hundred screw diameters"},
+    {"measures.system.support_bearing", "1 N/um", "100 kN/um", "bearings have 100 N/um to 3 kN/um"},
+    {"measures.system.housing", "1 N/um", "1000 kN/um", "housings have 10 N/um to 10 kN/um"},
     {"measures.shaft.length", "5 mm", "20 m", "ten to a hundred screw diameters"},
 };
 

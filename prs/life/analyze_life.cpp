@@ -13,6 +13,7 @@
 #include "prs/life/share_curve.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/problems.h"
+#include "prs/slip/running.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 
@@ -62,11 +63,10 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
   const std::optional<double> speed =
       c.operation ? std::optional(std::abs(c.operation->speed)) : std::nullopt;
   const double lead = r.contacts.mechanism.lead;
+  r.steps = load_steps(*c.life, r.history, lead, speed);
   if (r.history) {
-    r.steps = load_steps(*r.history, lead, speed);
     r.duration = duration(*r.history);
   } else {
-    r.steps = load_steps(c.life->spectrum, lead, speed);
     r.revolutions_known = !c.life->spectrum.front().share;
     double seconds = 0.0;
     for (const SpectrumLoad& l : c.life->spectrum)
@@ -133,18 +133,23 @@ bool has_pressures(const Contacts& contacts) {
 
 /// What the spectrum has of one sense of the force, and the loads that follow.
 struct Sense {
-  double revolutions = 0.0;    ///< Under a force other than 0.
-  double largest = 0.0;        ///< [N]
-  double running = 0.0;        ///< Largest force under which the screw turns [N].
-  double damage = 0.0;         ///< sum F^3 n
-  std::vector<double> forces;  ///< Magnitudes [N].
-  std::vector<double> turns;   ///< Revolutions under each.
+  double revolutions = 0.0;            ///< Under a force other than 0.
+  double largest = 0.0;                ///< [N]
+  double running = 0.0;                ///< Largest force under which the screw turns [N].
+  double damage = 0.0;                 ///< sum F^3 n
+  std::vector<double> forces;          ///< Magnitudes [N].
+  std::vector<double> turns;           ///< Revolutions under each.
+  std::vector<double> driven_by_load;  ///< Those of them that the load drives.
 
   ContactSolver solver;
   std::optional<ContactLoads> at_largest, at_running;  ///< Loads under these forces, once solved.
-  std::optional<ShareCurve> curve;
-  std::vector<double>
-      cubes;  ///< sum (load)^3 n of each rated contact, as `LifeModel::rated` has it.
+  std::optional<ShareCurve> curve;                     ///< At rest.
+  /// sum (load)^3 n of each rated contact, as `LifeModel::rated` has it, and the same at rest.
+  std::vector<double> cubes, cubes_at_rest;
+  int solves = 0;      ///< Equilibria of all curves.
+  double error = 0.0;  ///< Largest of them.
+  /// Largest load of a thread over that at rest, under the force where friction moves it most.
+  PerInterface<double> over_static{1.0, 1.0};
 
   bool exists() const { return !forces.empty(); }
   /// Keeps the loads under a force that is asked for again.
@@ -176,6 +181,7 @@ PerDirection<Sense> senses_of(const LifeModel& p, const LifeResult& r) {
     Sense& s = senses[step.axial_force < 0.0 ? Direction::compression : Direction::tension];
     s.forces.push_back(force);
     s.turns.push_back(step.revolutions);
+    s.driven_by_load.push_back(step.driven_by_load);
     if (force > 0.0) s.revolutions += step.revolutions;
     s.largest = std::max(s.largest, force);
     if (step.revolutions > 0.0) s.running = std::max(s.running, force);
@@ -202,12 +208,7 @@ std::function<double(double, double)> damage_between(const Sense& s) {
 }
 
 /// The curve of a sense, by few equilibria.
-ShareCurve curve_of_sense(const LifeModel& p, Sense& s) {
-  const ShareCurve::Solve solve = [&](double force) -> std::optional<std::vector<double>> {
-    std::optional<ContactLoads> loads = s.solve(force);
-    if (!loads) return std::nullopt;
-    return std::move(loads->rated);
-  };
+ShareCurve curve_of_sense(const LifeModel& p, const Sense& s, const ShareCurve::Solve& solve) {
   const double least = std::max(*std::ranges::min_element(s.forces), kLeastLoad * s.largest);
   if (!p.full() && !p.preloaded()) return ShareCurve(solve, least, s.largest);
   std::vector<double> forces = s.forces;
@@ -248,6 +249,65 @@ std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, d
     last = over;
     x += step;
     if (std::abs(step) < tolerance) return std::exp(x);
+  }
+  return std::nullopt;
+}
+
+/// `turns`: of the forces of a sense.
+std::vector<double> cubes_of(const LifeModel& p, const Sense& s, const ShareCurve& curve,
+                             const std::vector<double>& turns) {
+  CubicSums sums(curve, p.rated().count());
+  for (std::size_t k = 0; k < s.forces.size(); ++k) {
+    const double force = s.forces[k];
+    if (turns[k] > 0.0) sums.add(force, turns[k] * (p.preloaded() ? 1.0 : force * force * force));
+  }
+  return std::move(sums).take();
+}
+
+/// Compares running loads with those at rest, at the forces of a sense or some of many.
+void compare_with_rest(const LifeModel& p, Sense& s, const ShareCurve& running) {
+  const RatedContacts rated = p.rated();
+  const std::size_t step = (s.forces.size() + kFewForces - 1) / kFewForces;
+  std::vector<double> runs(rated.count()), rests(rated.count());
+  for (std::size_t k = 0; k < s.forces.size(); k += step) {
+    running.shares_at(s.forces[k], runs);
+    s.curve->shares_at(s.forces[k], rests);
+    for (const Interface i : kInterfaces) {
+      const auto largest = [&](const std::vector<double>& loads) {
+        return std::ranges::max(std::span(loads).subspan(rated.body(i), rated.threads));
+      };
+      const double over = largest(runs) / largest(rests);
+      if (std::abs(over - 1.0) > std::abs(s.over_static[i] - 1.0)) s.over_static[i] = over;
+    }
+  }
+}
+
+/// Curves of a sense and the damage of its loads; where they failed, the force.
+std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
+  const auto found = [&](const ShareCurve& curve) {
+    s.solves += curve.solves();
+    s.error = std::max(s.error, curve.error());
+    return curve.failed_at();
+  };
+  s.curve = curve_of_sense(p, s, [&](double force) -> std::optional<std::vector<double>> {
+    std::optional<ContactLoads> loads = s.solve(force);
+    if (!loads) return std::nullopt;
+    return std::move(loads->rated);
+  });
+  if (const auto failed = found(*s.curve)) return failed;
+  s.cubes = s.cubes_at_rest = cubes_of(p, s, *s.curve, s.turns);
+  if (!p.running()) return std::nullopt;
+  s.cubes.assign(s.cubes.size(), 0.0);
+  for (const DrivenBy by : {DrivenBy::screw, DrivenBy::load}) {
+    std::vector<double> turns = s.driven_by_load;
+    if (by == DrivenBy::screw)
+      for (std::size_t k = 0; k < turns.size(); ++k) turns[k] = s.turns[k] - turns[k];
+    if (!(std::ranges::max(turns) > 0.0)) continue;
+    const ShareCurve curve = curve_of_sense(p, s, running_loads_solver(p, d, by));
+    if (const auto failed = found(curve)) return failed;
+    compare_with_rest(p, s, curve);
+    const std::vector<double> cubes = cubes_of(p, s, curve, turns);
+    for (std::size_t k = 0; k < cubes.size(); ++k) s.cubes[k] += cubes[k];
   }
   return std::nullopt;
 }
@@ -382,23 +442,30 @@ void find_flank(const LifeModel& p, const PerDirection<Sense>& senses, LifeResul
   flank.largest_force = s.largest;
   for (const Direction of : kDirections) {
     if (!senses[of].curve || (of != d && !p.preloaded())) continue;
-    flank.solves += senses[of].curve->solves();
-    flank.interpolation_error = std::max(flank.interpolation_error, senses[of].curve->error());
+    flank.solves += senses[of].solves;
+    flank.interpolation_error = std::max(flank.interpolation_error, senses[of].error);
   }
-  std::vector<double> equivalent(p.rated().of_flank(), 0.0);
-  for (const Direction of : kDirections) {
-    if (senses[of].cubes.empty() || (of != d && !p.preloaded())) continue;
-    const auto cubes = of_flank(p, senses[of].cubes, d);
-    for (std::size_t k = 0; k < equivalent.size(); ++k) equivalent[k] += cubes[k];
-  }
-  for (double& f : equivalent) f = std::cbrt(std::max(f, 0.0) / r.revolutions);
+  const auto equivalent_loads = [&](std::vector<double> Sense::*of_sense) {
+    std::vector<double> equivalent(p.rated().of_flank(), 0.0);
+    for (const Direction of : kDirections) {
+      if (senses[of].cubes.empty() || (of != d && !p.preloaded())) continue;
+      const auto cubes = of_flank(p, senses[of].*of_sense, d);
+      for (std::size_t k = 0; k < equivalent.size(); ++k) equivalent[k] += cubes[k];
+    }
+    for (double& f : equivalent) f = std::cbrt(std::max(f, 0.0) / r.revolutions);
+    return equivalent;
+  };
+  const std::vector<double> equivalent = equivalent_loads(&Sense::cubes);
   flank.mean_load =
       p.preloaded() ? equivalent[p.rated().side()] : std::cbrt(s.damage / r.revolutions);
 
-  std::vector<double> lives;
+  std::vector<double> lives, at_rest;
   for (const Interface i : kInterfaces)
     flank.threads[i] = thread_lives_of(p, r, i, equivalent, lives);
   flank.life = combined_life(lives);
+  const std::vector<double> equivalent_at_rest = equivalent_loads(&Sense::cubes_at_rest);
+  for (const Interface i : kInterfaces) thread_lives_of(p, r, i, equivalent_at_rest, at_rest);
+  flank.life_at_rest = combined_life(at_rest);
   if (r.cycles) {
     const std::vector<double> ranges = equivalent_ranges(p, senses, r.cycles->cycles, d);
     for (const Interface i : kInterfaces)
@@ -444,21 +511,19 @@ void find_lives(const LifeModel& p, LifeResult& r) {
     if (!wanted[d]) continue;
     Sense& s = senses[d];
     s.solver = solvers[d];
-    s.curve = curve_of_sense(p, s);
-    if (s.curve->failed_at()) {
-      r.failure = failure_at(p, *s.curve->failed_at(), d);
+    if (const std::optional<double> failed = find_cubes(p, s, d)) {
+      r.failure = failure_at(p, *failed, d);
       return;
     }
-    CubicSums sums(*s.curve, p.rated().count());
-    for (std::size_t k = 0; k < s.forces.size(); ++k) {
-      const double force = s.forces[k];
-      if (s.turns[k] > 0.0)
-        sums.add(force, s.turns[k] * (p.preloaded() ? 1.0 : force * force * force));
-    }
-    s.cubes = std::move(sums).take();
   }
   for (const Direction d : kDirections)
     if (!r.failure && (wanted[d] || p.preloaded())) find_flank(p, senses, r, d);
+  if (!p.running() || r.failure) return;
+  for (const Direction d : kDirections)
+    if (auto warning = guides_without_play(p.c, senses[d].over_static)) {
+      r.warnings.push_back(std::move(*warning));
+      return;
+    }
 }
 
 void find_weakest(LifeResult& r) {
@@ -565,15 +630,16 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
   return flank.static_rating;
 }
 
-LifeResult analyze_life(const Conditions& c, Contacts contacts,
-                        std::optional<LoadHistory> history) {
+LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history,
+                        const std::optional<Oils>& oils) {
   LifeResult r;
   r.life = *c.life;
   r.model = c.model;
+  if (life_takes_running_loads(c)) r.loads = ModelOptions::Loads::running;
   r.contacts = std::move(contacts);
   r.warnings = geometry_warnings(c, r.contacts, {});
   r.history = std::move(history);
-  const LifeModel p{c, r.contacts, contact_laws(c, r.contacts)};
+  const LifeModel p{c, r.contacts, contact_laws(c, r.contacts), oils};
 
   find_capacity(p, r);
   find_spectrum(c, r);
@@ -589,14 +655,16 @@ LifeResult analyze_life(const Conditions& c, Contacts contacts,
   if (r.failure) return r;
   find_equal_shares_static_loads(p, r);
   r.catalogue_life = rating_life(r.dynamic_capacity, r.mean_load);
-  std::vector<double> equal, real;
+  std::vector<double> equal, real, at_rest;
   for (const Direction d : kDirections)
     if (r.flanks[d]) {
       equal.push_back(rating_life(r.dynamic_capacity, r.flanks[d]->mean_load));
       real.push_back(r.flanks[d]->life);
+      at_rest.push_back(r.flanks[d]->life_at_rest);
     }
   r.equal_shares_life = combined_life(equal);
   r.system_life = combined_life(real);
+  if (p.running()) r.life_at_rest = combined_life(at_rest);
   find_weakest(r);
   warn_of_loads(r);
   return r;

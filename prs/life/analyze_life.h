@@ -12,6 +12,7 @@
 #include "prs/life/static_limits.h"
 #include "prs/loads/analyze.h"
 #include "prs/model/preload.h"
+#include "prs/slip/slip_equilibrium.h"
 
 namespace prs {
 
@@ -44,7 +45,8 @@ struct FlankLife {
   /// Cubic mean over the revolutions of *both* senses [N]; of what the flanks carry at the screw,
   /// which differs from the force with preload alone.
   double mean_load = 0.0;
-  double life = 0.0;  ///< L10 with the real thread loads [revolutions of both senses].
+  double life = 0.0;          ///< L10 with the real thread loads [revolutions of both senses].
+  double life_at_rest = 0.0;  ///< The same with those of a screw at rest.
   PerInterface<ThreadLives> threads;
   PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest force [Pa].
   /// Peak pressure under the largest force at which the screw turns [Pa].
@@ -88,6 +90,7 @@ struct LifeResult {
   Life life;
   Contacts contacts;
   ModelOptions model;
+  ModelOptions::Loads loads = ModelOptions::Loads::at_rest;  ///< Those that fatigue stands on.
   std::optional<LemorCapacity> lemor;  ///< Absent where the case states the capacity.
   double dynamic_capacity = 0.0;
   Interval dynamic_capacity_range;
@@ -96,6 +99,9 @@ struct LifeResult {
   std::optional<PerInterface<double>> roller_shares;
   double reliability_factor = 1.0;  ///< a1
   double element_ratio = 0.0;       ///< gamma = d_r cos(alpha)/(2 c)
+
+  std::optional<PerPart<double>> temperature;    ///< Of the parts, by `heat` [K].
+  std::optional<HeatStatus> temperature_status;  ///< How the search for them ended.
 
   std::vector<LoadStep> steps;  ///< Steps of the history or the spectrum.
   std::optional<LoadHistory> history;
@@ -106,9 +112,10 @@ struct LifeResult {
   double mean_load = 0.0;                 ///< Cubic mean over all loads [N].
   double largest_force = 0.0;             ///< [N]
 
-  double catalogue_life = 0.0;     ///< (C_a/F_m)^3, one flank, equal shares.
-  double equal_shares_life = 0.0;  ///< Both flanks on their own, equal shares.
-  double system_life = 0.0;        ///< Both flanks on their own, real thread loads.
+  double catalogue_life = 0.0;         ///< (C_a/F_m)^3, one flank, equal shares.
+  double equal_shares_life = 0.0;      ///< Both flanks on their own, equal shares.
+  double system_life = 0.0;            ///< Both flanks on their own, real thread loads.
+  std::optional<double> life_at_rest;  ///< The same at rest, where those are of a running screw.
   std::optional<WeakestThread> weakest;
   PerDirection<std::optional<FlankLife>> flanks;
   /// Forces at which equal thread loads reach `kStaticPressureLimit` and the end of a flank [N].
@@ -142,8 +149,11 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
 /// `history` is given where the case has one. Throws CaseError where Lemor's factor is not known
 /// for the geometry, the loads need a thrust section that is not given, the screw never turns or
 /// never carries, or the geometry gives no contact.
+/// `oils`: in place of the lubricant at the temperature of the file, for running loads. With a
+/// block `heat` see prs/heat/warm_parts.h.
 LifeResult analyze_life(const Conditions& c, Contacts contacts,
-                        std::optional<LoadHistory> history = {});
+                        std::optional<LoadHistory> history = {},
+                        const std::optional<Oils>& oils = {});
 inline LifeResult analyze_life(const Case& c, std::optional<LoadHistory> history = {}) {
   return analyze_life(c, checked_contacts(c, Detail::complete), std::move(history));
 }

@@ -10,6 +10,7 @@
 #include "prs/loads/distribution_solver.h"
 #include "prs/loads/full_result.h"
 #include "prs/preload/preloaded_mechanism.h"
+#include "prs/slip/running.h"
 
 namespace prs {
 namespace {
@@ -80,18 +81,44 @@ SpatialLoad spatial_load(const Conditions& c) {
 }
 
 /// A load case of `life`, still without force.
-LoadCase load_case_of(const LifeModel& model, Direction d) {
+LoadCase load_case_of(const Conditions& c, Direction d) {
   LoadCase load;
   load.direction = d;
-  load.position = model.c.life->position;
-  load.spatial = spatial_load(model.c);
+  load.position = c.life->position;
+  load.spatial = spatial_load(c);
   return load;
+}
+LoadCase load_case_of(const LifeModel& model, Direction d) { return load_case_of(model.c, d); }
+
+/// The turn of the carrier over which loads are rated.
+SpatialLoad::Orbit turn_of(const LoadCase& load) {
+  SpatialLoad::Orbit turn = load.spatial.orbit.value_or(SpatialLoad::Orbit{});
+  turn.exponent = kLifeExponent;
+  return turn;
+}
+
+/// `ContactLoads::rated` over a turn under a force.
+std::vector<double> rated_over(const LifeModel& model, const Orbit& orbit, double force) {
+  const RatedContacts rated = model.rated();
+  std::vector<double> loads(rated.count(), 0.0);
+  for (const Interface i : kInterfaces) {
+    const double per_mean = std::cos(model.laws[i].normal_angle) / (force * model.equal_share());
+    for (std::size_t k = 0; k < rated.threads; ++k) {
+      double cubes = 0.0;
+      for (std::size_t j = 0; j < rated.rollers; ++j) {
+        const double own = orbit.loads[i].equivalent[j][k];
+        cubes += own * own * own;
+        loads[rated.roller(i) + j * rated.threads + k] = per_mean * own;
+      }
+      loads[rated.body(i) + k] = per_mean * std::cbrt(cubes / static_cast<double>(rated.rollers));
+    }
+  }
+  return loads;
 }
 
 ContactSolver full_solver(const LifeModel& model, Direction d) {
   const LoadCase load = load_case_of(model, d);
-  SpatialLoad::Orbit turn = load.spatial.orbit.value_or(SpatialLoad::Orbit{});
-  turn.exponent = kLifeExponent;
+  const SpatialLoad::Orbit turn = turn_of(load);
   const auto solver = std::make_shared<FullSolver>();
   return [&model, d, load, turn, solver](double force) {
     LoadCase at = load;
@@ -100,24 +127,15 @@ ContactSolver full_solver(const LifeModel& model, Direction d) {
     if (!orbit.converged()) return std::optional<ContactLoads>();
     const RatedContacts rated = model.rated();
     ContactLoads loads;
-    loads.rated.assign(rated.count(), 0.0);
+    loads.rated = rated_over(model, orbit, force);
     for (const Interface i : kInterfaces) {
       const OrbitLoads& turned = orbit.loads[i];
       loads.carrier_angle[i] = turned.carrier_angle;
       const double axial = std::cos(model.laws[i].normal_angle);
-      const double per_mean = axial / (force * model.equal_share());
       loads.largest[d][i].assign(rated.threads, 0.0);
-      for (std::size_t k = 0; k < rated.threads; ++k) {
-        double cubes = 0.0;
-        for (std::size_t j = 0; j < rated.rollers; ++j) {
-          const double own = turned.equivalent[j][k];
-          cubes += own * own * own;
-          loads.rated[rated.roller(i) + j * rated.threads + k] = per_mean * own;
+      for (std::size_t k = 0; k < rated.threads; ++k)
+        for (std::size_t j = 0; j < rated.rollers; ++j)
           loads.largest[d][i][k] = std::max(loads.largest[d][i][k], axial * turned.peak[j][k]);
-        }
-        loads.rated[rated.body(i) + k] =
-            per_mean * std::cbrt(cubes / static_cast<double>(rated.rollers));
-      }
     }
     return std::optional(std::move(loads));
   };
@@ -196,6 +214,48 @@ PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
                    : model.full()    ? full_solver(model, d)
                                      : sector_solver(model, d);
   return solvers;
+}
+
+LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenBy driven_by) {
+  LoadCase load = load_case_of(c, d);
+  // F_N omega l > 0: the screw drives.
+  load.speed = std::abs(c.operation->speed) * -sense(d) * std::copysign(1.0, lead) *
+               (driven_by == DrivenBy::screw ? 1.0 : -1.0);
+  return load;
+}
+
+std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(
+    const LifeModel& model, Direction d, DrivenBy driven_by) {
+  const auto models = std::make_shared<SlipModels>(
+      model.c, model.contacts, model.oils ? *model.oils : oils_in_operation(model.c));
+  const auto running = std::make_shared<RunningSolver>(model.c, model.contacts, *models);
+  const LoadCase load = driven_load_case(model.c, model.contacts.threads.screw.lead, d, driven_by);
+  return [&model, d, load, models, running](double force) -> std::optional<std::vector<double>> {
+    LoadCase at = load;
+    at.axial_force = force;
+    if (model.full()) {
+      const Orbit orbit = running->turned(at, turn_of(at));
+      if (!orbit.converged()) return std::nullopt;
+      return rated_over(model, orbit, force);
+    }
+    std::optional<SlipEquilibrium> slip;
+    const LoadCaseResult found = running->solve(at, Detail::numbers, slip);
+    if (!found.threads) return std::nullopt;
+    std::vector<double> rated;
+    if (model.preloaded()) {
+      for (const Direction flank : kDirections)
+        for (const Interface i : kInterfaces)
+          for (const double normal : flank == d ? (*found.threads)[i].normal_load
+                                                : found.other_flank->threads[i].normal_load)
+            rated.push_back(normal * std::cos(model.laws[i].normal_angle) / model.equal_share());
+      return rated;
+    }
+    for (const Interface i : kInterfaces)
+      for (const double normal : (*found.threads)[i].normal_load)
+        rated.push_back(normal * std::cos(model.laws[i].normal_angle) /
+                        (force * model.equal_share()));
+    return rated;
+  };
 }
 
 }  // namespace prs

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prs/model/case.h"
+#include "prs/slip/slip_equilibrium.h"
 #include "prs/threads/contact_laws.h"
 
 namespace prs {
@@ -60,7 +61,10 @@ struct LifeModel {
   const Conditions& c;
   const Contacts& contacts;
   PerInterface<ContactLaw> laws;
+  std::optional<Oils> oils = {};  ///< In place of the lubricant at the temperature of the file.
 
+  /// Whether fatigue stands on loads of the running screw.
+  bool running() const { return life_takes_running_loads(c); }
   bool solved() const { return c.life->share == LoadCase::Share::solved; }
   bool preloaded() const { return c.preload.has_value(); }
   bool full() const { return solved() && c.model.mechanism == ModelOptions::Mechanism::full; }
@@ -78,9 +82,20 @@ LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactS
 /// carrier that has none; empty where the model says no more than that it did not converge.
 std::string why_not_held(const LifeModel& model, Direction d, double force);
 
-/// A solver for each sense of the load that is wanted. Throws CaseError where the preload has no
-/// fit.
+/// A solver for each sense of the load that is wanted, at rest. Throws CaseError where the preload
+/// has no fit.
 PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
                                             const PerDirection<bool>& wanted);
+
+/// A load case of `life` of one sense, still without force, that the screw or the load drives at
+/// the magnitude of `operation.speed`.
+LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenBy driven_by);
+
+/// Loads of the running screw as `ContactLoads::rated`, under a force > 0 of one sense that the
+/// screw or the load drives at the magnitude of `operation.speed` [N]; nothing where there are
+/// none. Fatigue follows the normal loads: the share of a thread is n_t N cos(psi)/(F/N_r), which
+/// no longer sum to n_t.
+std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(
+    const LifeModel& model, Direction d, DrivenBy driven_by);
 
 }  // namespace prs

@@ -1,4 +1,5 @@
 #include "prs/life/life_record.h"
+#include "prs/loads/heat_record.h"
 
 #include <cmath>
 
@@ -24,6 +25,10 @@ struct WeakestLife {
   const LifeResult* life = nullptr;
 };
 
+struct LifeAtRest {
+  const LifeResult* life = nullptr;
+};
+
 struct Capacity {
   const LifeResult* life = nullptr;
 };
@@ -44,6 +49,8 @@ template <>
 Record<DirectionLife> record_of();
 template <>
 Record<WeakestLife> record_of();
+template <>
+Record<LifeAtRest> record_of();
 template <>
 Record<Capacity> record_of();
 template <>
@@ -189,6 +196,11 @@ constexpr Quantity<WeakestLife> kWeakestLife[] = {
      "axial, cubic mean over all revolutions", kPalmgrenMean},
 };
 
+constexpr Quantity<LifeAtRest> kLifeAtRest[] = {
+    {"system", of<[](const LifeAtRest& l) { return in_use(*l.life, *l.life->life_at_rest); }>,
+     "of the mechanism", "", "life of the mechanism on static loads"},
+};
+
 template <auto get>
 constexpr auto of_lemor = of<[](const Capacity& c) {
   return c.life->lemor ? std::optional(std::invoke(get, *c.life->lemor)) : std::nullopt;
@@ -292,6 +304,16 @@ constexpr Quantity<LifeResult> kLife[] = {
        return r.life.share == LoadCase::Share::equal ? "equal" : "solved";
      }>,
      "solved | equal: thread loads", "", "thread loads"},
+    {"thread_loads", of<&LifeResult::loads>,
+     "static | running: of a screw that turns, with friction; static safety is always static", "",
+     "loads that fatigue stands on"},
+    {"temperature_degC", of<[](const LifeResult& r) {
+       return r.temperature ? std::optional(celsius_of(*r.temperature)) : std::nullopt;
+     }>,
+     "of the parts under all loads: that at which the mean heat of the spectrum flows off, or the "
+     "mean of the duty cycle; with heat"},
+    {"temperature_status", of<&LifeResult::temperature_status>,
+     "converged | no_steady_state | iteration_limit; with heat"},
     {"reliability_factor", of<&LifeResult::reliability_factor>,
      "a1 of the reliability that is asked for", kReliability},
     {"modification_factor", of<[](const LifeResult& r) { return r.life.modification_factor; }>,
@@ -303,6 +325,12 @@ constexpr Quantity<LifeResult> kLife[] = {
      "counted from a history (rainflow)"},
     {"system", life_at<&LifeResult::system_life>, "of the mechanism, real thread loads", "",
      "life of the mechanism"},
+    {"static",
+     of<[](const LifeResult& r) {
+       return r.life_at_rest ? std::optional(LifeAtRest{&r}) : std::nullopt;
+     },
+        converged>,
+     "the same on the loads of a screw at rest; where thread_loads is running"},
     {"equal_shares", life_at<&LifeResult::equal_shares_life>,
      "of the mechanism, equal thread loads", "", "life with equal thread loads"},
     {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3", "",
@@ -368,6 +396,11 @@ template <>
 Record<WeakestLife> record_of() {
   return {"WeakestThread", "The thread that fails first, of those that turn under load.",
           kWeakestLife};
+}
+
+template <>
+Record<LifeAtRest> record_of() {
+  return {"LifeAtRest", "Lives on the loads of a screw at rest.", kLifeAtRest};
 }
 
 template <>

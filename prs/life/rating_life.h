@@ -18,6 +18,7 @@ inline constexpr double kWeibullSlope = 10.0 / 9.0;
 struct LoadStep {
   double axial_force = 0.0;
   double revolutions = 0.0;
+  double driven_by_load = 0.0;  ///< Those of them that the load drives.
 };
 
 /// L10 [revolutions] of what has the dynamic capacity C [N] under the load F [N]:

@@ -79,13 +79,18 @@ Mechanism checked_mechanism(Case& c) {
   return mechanism;
 }
 
-Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options,
+               const std::function<bool(const LoadCase&)>& leaves) {
   Result result = result_on(c, std::move(contacts), options.detail);
   const PerInterface<ContactLaw> laws = contact_laws(c, result.contacts);
   SolverPool pool(c, result.contacts, laws, options.solver);
   FullSolver own;
   FullSolver& full = options.full ? *options.full : own;
   for (const LoadCase& load_case : c.load_cases) {
+    if (leaves && leaves(load_case)) {
+      result.load_cases.emplace_back().load_case = load_case;
+      continue;
+    }
     if (load_case.share == LoadCase::Share::equal) {
       add(result, equal_share_result(load_case, result.contacts, laws), options.detail);
       continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <utility>
 
 #include "prs/loads/analysis_options.h"
@@ -22,7 +23,9 @@ Mechanism checked_mechanism(Case& c);
 /// prints nothing. The case must have passed `check_case` and the requirements of `solve`. A load
 /// case that does not converge is a result with its status. Throws CaseError where the geometry
 /// gives no contact and the case does not override it.
-Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
+/// Load cases of which `leaves` is true are left unsolved.
+Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options = {},
+               const std::function<bool(const LoadCase&)>& leaves = {});
 inline Result analyze(const Case& c, AnalysisOptions options = {}) {
   return analyze(c, checked_contacts(c, options.detail), options);
 }

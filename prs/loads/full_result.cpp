@@ -105,8 +105,14 @@ bool is_round(const Conditions& c, const SpatialLoad& load) {
 class AllRollers {
  public:
   AllRollers(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-             const PerInterface<ContactLaw>& laws, FullSolver& solver)
-      : load_case_(load_case), c_(c), contacts_(contacts), laws_(laws), solver_(solver) {
+             const PerInterface<ContactLaw>& laws, FullSolver& solver,
+             const std::vector<RollerPush>& push = {})
+      : load_case_(load_case),
+        c_(c),
+        contacts_(contacts),
+        laws_(laws),
+        solver_(solver),
+        push_(push) {
     if (c.model.bodies == ModelOptions::Bodies::influence)
       bodies_ = full_bodies(c, contacts, laws, model(load_case.spatial.carrier_angle));
   }
@@ -116,15 +122,20 @@ class AllRollers {
   FullModel model(double carrier_angle) const {
     LoadCase at = load_case_;
     at.spatial.carrier_angle = carrier_angle;
-    return full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_, at,
-                      c_.deviations);
+    FullModel model = full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_,
+                                 at, c_.deviations);
+    model.push = push_;
+    return model;
   }
   FullDistribution solved(const FullModel& model, Detail detail) const {
     return bodies_ ? solve(model, *bodies_, detail) : solver_.solve(model, detail);
   }
   Orbit turned(const SpatialLoad::Orbit& wanted) const {
-    return orbit([this](double carrier_angle) { return model(carrier_angle); },
-                 [this](const FullModel& model) { return solved(model, Detail::numbers); }, wanted,
+    return turned(wanted, [this](const FullModel& f) { return solved(f, Detail::numbers); });
+  }
+  Orbit turned(const SpatialLoad::Orbit& wanted,
+               const std::function<FullDistribution(const FullModel&)>& solver) const {
+    return orbit([this](double carrier_angle) { return model(carrier_angle); }, solver, wanted,
                  load_case_.spatial.carrier_angle,
                  {alike(c_.deviations), is_round(c_, load_case_.spatial)});
   }
@@ -135,6 +146,7 @@ class AllRollers {
   const Contacts& contacts_;
   const PerInterface<ContactLaw>& laws_;
   FullSolver& solver_;
+  std::vector<RollerPush> push_;
   std::optional<FullBodies> bodies_;
 };
 
@@ -185,8 +197,9 @@ void warn_of_openings(const FullDistribution& d, const Contacts& contacts,
 
 FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
                                    const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                   FullSolver& solver, Detail detail) {
-  const AllRollers all(load_case, c, contacts, laws, solver);
+                                   FullSolver& solver, Detail detail,
+                                   const std::vector<RollerPush>& push) {
+  const AllRollers all(load_case, c, contacts, laws, solver, push);
   return all.solved(all.model(load_case.spatial.carrier_angle), detail);
 }
 
@@ -196,16 +209,30 @@ Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts&
   return AllRollers(load_case, c, contacts, laws, solver).turned(wanted);
 }
 
+Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                 const PerInterface<ContactLaw>& laws,
+                 const std::function<FullDistribution(double)>& solved,
+                 const SpatialLoad::Orbit& wanted) {
+  FullSolver none;
+  return AllRollers(load_case, c, contacts, laws, none).turned(wanted, [&](const FullModel& f) {
+    return solved(f.load.carrier_angle);
+  });
+}
+
 std::string text(const Orbit::Failure& failure) {
   return fmt::format("{} (carrier at {:.4g} deg)", failure.why,
                      failure.carrier_angle * 180.0 / std::numbers::pi);
 }
 
+Warning no_orbit(const Orbit::Failure& failure) {
+  return {"", "no_orbit", fmt::format("the orbit is left out: {}", text(failure))};
+}
+
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, FullSolver& solver,
-                           Detail detail) {
+                           const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail,
+                           const std::vector<RollerPush>& push) {
   const SpatialLoad& load = load_case.spatial;
-  const AllRollers all(load_case, c, contacts, laws, solver);
+  const AllRollers all(load_case, c, contacts, laws, solver, push);
   const FullModel f = all.model(load.carrier_angle);
   FullDistribution d = all.solved(f, detail);
   LoadDistribution flattened;
@@ -227,13 +254,12 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     loads.threads_per_roller = f.threads();
     loads.rollers = roller_shares(loads, f, full.symmetric.largest_normal_load[i]);
   }
-  if (load.orbit) {
+  if (load.orbit && push.empty()) {
     Orbit turned = all.turned(*load.orbit);
     if (turned.converged())
       full.orbit = std::move(turned);
     else
-      warnings.push_back(
-          {"", "no_orbit", fmt::format("the orbit is left out: {}", text(*turned.failure))});
+      warnings.push_back(no_orbit(*turned.failure));
   }
   if (detail == Detail::complete && full.screw_end.compliance.size() == 0)
     warnings.push_back({"", "no_screw_end_stiffness",

@@ -25,20 +25,30 @@ struct FullLoads {
   std::optional<Orbit> orbit;
 };
 
-/// The answer to a load case on all rollers.
+/// The answer to a load case on all rollers. `push`: on each roller present, of bars and refined
+/// bodies; at this carrier angle only, so that an orbit is left out.
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail);
+                           const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail,
+                           const std::vector<RollerPush>& push = {});
 
 /// How a load case spreads over all rollers.
 FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
                                    const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                   FullSolver& solver, Detail detail);
+                                   FullSolver& solver, Detail detail,
+                                   const std::vector<RollerPush>& push = {});
+
+/// A turn of the carrier under a load case, each position answered by `solved`.
+Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                 const PerInterface<ContactLaw>& laws,
+                 const std::function<FullDistribution(double carrier_angle)>& solved,
+                 const SpatialLoad::Orbit& wanted);
 
 /// A turn of the carrier under a load case.
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                  const PerInterface<ContactLaw>& laws, FullSolver& solver,
                  const SpatialLoad::Orbit& wanted);
 
+Warning no_orbit(const Orbit::Failure& failure);
 /// Why a position of the carrier has no equilibrium, and which.
 std::string text(const Orbit::Failure& failure);
 

@@ -6,10 +6,6 @@
 namespace prs {
 
 const Analysis<Result>& contact_analysis();
-const Analysis<Result>& solve_analysis();
-
-/// `solve` with other means, and the warnings of the command.
-Result solved(const Case& c, const AnalysisOptions& options = {});
 
 bool all_converged(const Result& result);
 

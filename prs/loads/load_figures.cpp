@@ -449,6 +449,22 @@ bool has_several_threads(const Result& r) {
   });
 }
 
+/// Titles name the loads that figures stand on where a screw runs.
+Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
+  const auto runs = [](const LoadCaseResult& c) { return c.loads == ModelOptions::Loads::running; };
+  if (std::ranges::none_of(r.load_cases, runs)) return pictures;
+  const char* loads =
+      std::ranges::all_of(r.load_cases, runs) ? ", running loads" : ", static and running loads";
+  for (Picture& picture : pictures)
+    picture.make = [make = std::move(picture.make), loads](const FigureOptions& options) {
+      Figures figures = make(options);
+      for (Figure& figure : figures)
+        if (!figure.title.empty()) figure.title += loads;
+      return figures;
+    };
+  return pictures;
+}
+
 Pictures load_pictures(const Result& r) {
   const Picture::Drawn of_threads = drawn_if(has_several_threads(r));
   Pictures all{{"load_distribution", "a load case that converged, or equal shares",
@@ -472,6 +488,8 @@ Pictures load_pictures(const Result& r) {
 
 Pictures contact_pictures(const Result& r) { return with(contact_drawings(r), load_pictures(r)); }
 
-Pictures solve_pictures(const Result& r) { return with(load_pictures(r), contact_drawings(r)); }
+Pictures solve_pictures(const Result& r) {
+  return with(with_loads_in_titles(load_pictures(r), r), contact_drawings(r));
+}
 
 }  // namespace prs

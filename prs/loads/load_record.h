@@ -13,6 +13,12 @@
 namespace prs {
 
 template <>
+Record<FrictionForces> record_of();
+template <>
+Record<RunningLoads> record_of();
+template <>
+Record<RunningLoads::AtRest> record_of();
+template <>
 Record<InterfaceLoads> record_of();
 template <>
 Record<RollerShares> record_of();
@@ -25,6 +31,7 @@ Record<LoadCaseResult> record_of();
 
 /// How the solve of a case ended; equal shares need no solve and count as converged.
 inline std::string_view status_name(const LoadCaseResult& result) {
+  if (result.running) return name(result.running->status);
   return fe::name(result.solve ? result.solve->status : fe::NewtonStatus::converged);
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "fe/newton.h"
 #include "prs/loads/heat_result.h"
+#include "prs/loads/running_loads.h"
 #include "prs/loads/slip_result.h"
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
@@ -28,6 +31,9 @@ struct RollerShares {
 
 struct FullLoads;
 
+/// Share of a thread where there is no load.
+inline constexpr double kNoShare = std::numeric_limits<double>::quiet_NaN();
+
 /// Per-thread results of one interface of one roller; thread 1, next to the loaded end of the
 /// screw, stands first. Of a full mechanism roller after roller. SI units.
 struct InterfaceLoads {
@@ -35,8 +41,8 @@ struct InterfaceLoads {
   std::optional<RollerShares> rollers;
   std::optional<double> hertz_constant;  ///< As used in the solve [N/m^1.5].
   double normal_angle = 0.0;             ///< As used in the solve [rad].
-  std::vector<double> axial_load;        ///< [N]
-  std::vector<double> normal_load;       ///< axial / cos psi [N]
+  std::vector<double> axial_load;        ///< Of normal load and friction [N].
+  std::vector<double> normal_load;       ///< At rest axial / cos psi [N].
   std::vector<double> load_rate;         ///< l_v = axial load / (force/rollers), Abevi (3) [-]
   std::vector<double> approach;          ///< delta [m]
   std::vector<double> semi_major;        ///< Empty where the geometry gives no contact.
@@ -44,23 +50,48 @@ struct InterfaceLoads {
   std::vector<double> peak_pressure;     ///< [Pa]
   std::vector<double> max_shear_stress;  ///< Largest below the surface [Pa].
   std::vector<double> max_shear_depth;   ///< Where it acts, for the case depth [m].
+  // Of a running screw:
+  std::optional<FrictionForces> friction;
+  std::optional<double> running_over_static;  ///< Largest normal load over that at rest.
+};
+
+/// Threads of one flank of a roller.
+struct FlankThreads {
+  std::vector<double> normal_load;  ///< [N]
+  std::vector<double> axial_load;   ///< Of normal load and friction [N].
+  std::vector<double> power;        ///< That friction takes, with slip [W].
+};
+
+/// Under preload: the flank that the load does not name, of the same threads or of the other nut.
+struct OtherFlank {
+  PerInterface<FlankThreads> threads;
+  /// At rest: R_near and R_far of the roller under both flanks, or of one of each nut, that of the
+  /// named flank first; > 0 outwards [N].
+  std::vector<std::array<double, 2>> guide_force;
+  double rollers = 1.0;
+  bool of_second_roller = false;  ///< Of a double nut, whose nuts have rollers of their own.
 };
 
 /// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
 /// stiffness are absent.
 struct LoadCaseResult {
   LoadCase load_case;
+  ModelOptions::Loads loads = ModelOptions::Loads::at_rest;
   std::optional<fe::NewtonSummary> solve;
   std::optional<double> axial_displacement;             ///< [m], > 0 in the direction of the load.
   std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
+  std::optional<OtherFlank> other_flank;                ///< With preload.
   std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see full_result.h.
+  std::optional<RunningLoads> running;    ///< Where these are loads of the running screw.
   std::optional<SlipResult> slip;         ///< Where it was asked for and the loads are known.
   std::optional<HeatResult> heat;         ///< With `heat` the slip is that at its temperatures.
   std::vector<Warning> warnings;
 
-  bool converged() const { return !solve || solve->converged(); }
+  bool converged() const {
+    return (!solve || solve->converged()) && (!running || running->converged());
+  }
 };
 
 /// Everything that `analyze` computes from a case.

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "prs/model/load_case.h"
 #include "prs/model/part.h"
 #include "prs/threads/kinematics.h"
 
@@ -22,9 +25,11 @@ struct InterfaceSlip {
   std::vector<double> max_sliding_speed;     ///< Over the points [m/s]
   std::vector<double> film_thickness;        ///< Sandu's h_c [m] (2.39); empty without lubricant.
   std::vector<double> central_film;          ///< `contact::central_film` [m]; the same.
+  std::vector<double> film_factor;           ///< phi, `contact::film_factor`; the same.
   std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
   std::vector<double> boundary_share;        ///< Of the load on flanks that touch; with film_ratio.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
+  std::vector<double> flash_temperature;  ///< `contact::flash_temperature` [K]; empty without data.
   double along_major = 0.0;  ///< Share of the squared rolling speed along the major axis.
   std::vector<double> wear;  ///< Volume of both bodies over travel [m^3/m]; empty without `wear`.
 };
@@ -63,6 +68,14 @@ struct RollerForcesOf {
 };
 using RollerForces = RollerForcesOf<double>;
 
+/// A head of a roller in the carrier.
+struct RollerHead {
+  double guide_force = 0.0;      ///< R_h, of the guides on the roller, > 0 outwards [N].
+  double bearing_force = 0.0;    ///< F_h, of the bearing, that of the gears included [N].
+  std::optional<double> torque;  ///< M_h >= 0; with `bearing` [N m].
+  std::optional<double> eccentricity_ratio;  ///< e/c; with a film.
+};
+
 /// How the search for the slip ratio ended.
 enum class SlipStatus {
   not_computed,
@@ -78,11 +91,6 @@ constexpr std::string_view name(SlipStatus status) {
                                          "no_equilibrium", "jammed",    "iteration_limit"};
   return kNames[static_cast<std::size_t>(status)];
 }
-
-/// Whose power goes into the mechanism: force x speed x lead > 0 of a screw that drives its load.
-enum class DrivenBy { screw, load };
-
-constexpr std::string_view name(DrivenBy by) { return by == DrivenBy::screw ? "screw" : "load"; }
 
 struct ThreadOf {
   Interface interface = Interface::screw;
@@ -126,11 +134,16 @@ struct SlipResult {
   double torque_nut = 0.0;    ///< C_N, on the nut [N m] (3.31)
   RollerMoments moments;
   RollerForces forces;
+  /// Near and far end; of a full mechanism of each roller, missing ones without forces.
+  std::vector<std::array<RollerHead, 2>> heads;
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
   std::optional<double> viscosity;             ///< eta_0 in operation, mean oil [Pa s].
 
   ThreadOf hottest;                            ///< Thread with the largest power density.
-  std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases.
+  std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases, without preload.
+  /// Of a double nut: the rollers of the second one, by themselves. Powers, torques and efficiency
+  /// above are of both nuts, all else is of the first one.
+  std::shared_ptr<const SlipResult> second_nut;
 
   bool converged() const {
     return status == SlipStatus::converged || status == SlipStatus::imposed;

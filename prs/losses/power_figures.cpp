@@ -11,7 +11,7 @@
 
 #include "prs/loads/case_groups.h"
 #include "prs/loads/load_pictures.h"
-#include "prs/losses/heat_record.h"
+#include "prs/loads/heat_record.h"
 #include "prs/losses/slip_record.h"
 #include "prs/model/units.h"
 #include "prs/record/figure_parts.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "prs/heat/analyze_heat.h"
+#include "prs/loads/heat_record.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/warnings.h"
-#include "prs/losses/heat_record.h"
 #include "prs/losses/slip_pictures.h"
 #include "prs/losses/slip_record.h"
 #include "prs/model/void_inputs.h"
@@ -17,7 +17,8 @@ using Json = nlohmann::ordered_json;
 
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
-  add_preload_note(in.values, result.warnings);
+  if (!has_both_flanks(in.values, LoadCase::Share::solved))
+    add_preload_note(in.values, result.warnings);
   if (in.values.friction->of_film())
     if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
       result.warnings.push_back(std::move(*estimated));

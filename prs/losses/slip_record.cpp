@@ -23,8 +23,12 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"central_film_nm", filled<&InterfaceSlip::central_film>, "central film; needs a lubricant",
      "Nijenbanning, Venner, Moes 1994; with lubricant.film.direction: rolling Chittenden et al. "
      "1985"},
+    {"film_factor", filled<&InterfaceSlip::film_factor>,
+     "phi, the film over that of a full and cold inlet: starvation times shear heating, 1 without "
+     "lubricant.film; needs a lubricant",
+     "Gupta, Cheng, Zhu, Forster, Krauter 1992"},
     {"film_ratio", filled<&InterfaceSlip::film_ratio>,
-     "Lambda: central film over the composite roughness; needs lubricant and roughness"},
+     "Lambda: phi times central film over the composite roughness; needs lubricant and roughness"},
     {"boundary_share", filled<&InterfaceSlip::boundary_share>,
      "share (1 + Lambda)^-exponent of the load on flanks that touch, exponent 2 where the case has "
      "none; that of friction only if mixed",
@@ -35,6 +39,10 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"wear_mm3_per_km", filled<&InterfaceSlip::wear>,
      "volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear",
      "Archard 1953"},
+    {"flash_temperature_K", of<&InterfaceSlip::flash_temperature>,
+     "largest rise of the surfaces above their parts while they pass the contact; needs "
+     "conductivity, density and specific_heat of the materials",
+     "Greenwood 1991; Muzychka, Yovanovich 2001; Blok 1937"},
 };
 
 template <std::size_t source>
@@ -77,6 +85,40 @@ constexpr Quantity<RollerForces> kRollerForces[] = {
      "needs the rollers' density", "Sandu 2018, (3.33)"},
 };
 
+/// Heads, near and far: of one roller, or roller after roller.
+struct RollerHeads {
+  int threads_per_roller = 0;  ///< Heads of a roller, where all rollers stand.
+  std::vector<double> guide_force, bearing_force, torque, eccentricity_ratio;
+};
+
+std::optional<RollerHeads> heads_of(const SlipResult& slip) {
+  if (slip.heads.empty()) return std::nullopt;
+  RollerHeads all{slip.threads.screw.threads_per_roller > 0 ? 2 : 0, {}, {}, {}, {}};
+  const auto has = [&](auto member) {
+    return std::ranges::any_of(slip.heads,
+                               [&](const auto& ends) { return (ends[0].*member).has_value(); });
+  };
+  const bool torques = has(&RollerHead::torque), films = has(&RollerHead::eccentricity_ratio);
+  for (const std::array<RollerHead, 2>& ends : slip.heads)
+    for (const RollerHead& head : ends) {
+      all.guide_force.push_back(head.guide_force);
+      all.bearing_force.push_back(head.bearing_force);
+      if (torques) all.torque.push_back(head.torque.value_or(0.0));
+      if (films) all.eccentricity_ratio.push_back(head.eccentricity_ratio.value_or(0.0));
+    }
+  return all;
+}
+
+constexpr Quantity<RollerHeads> kRollerHeads[] = {
+    {"guide_force_N", of<&RollerHeads::guide_force>,
+     "of the guides on the roller, near and far end; > 0 outwards"},
+    {"bearing_force_N", of<&RollerHeads::bearing_force>,
+     "of the bearing, that of the gears and the carrier's drive included"},
+    {"torque_Nmm", of<&RollerHeads::torque>, "that resists; needs carrier.bearing"},
+    {"eccentricity_ratio", of<&RollerHeads::eccentricity_ratio>,
+     "e/c; needs a carrier.bearing with a film"},
+};
+
 constexpr Quantity<SlipEstimates> kSlipEstimates[] = {
     {"simple", of<&SlipEstimates::simple>, "contacts at the pitch points", "Sandu 2018, (2.21)",
      "slip ratio, estimate by contacts at the pitch points"},
@@ -112,7 +154,7 @@ template <Interface i>
 constexpr auto threads =
     found<[](const SlipResult& slip) -> const InterfaceSlip& { return slip.threads[i]; }>;
 
-constexpr Quantity<SlipResult> kSlip[] = {
+constexpr Quantity<SlipResult> kSlipResult[] = {
     {"converged", of<&SlipResult::converged>, "whether there is an answer"},
     {"status", of<&SlipResult::status>, "how the search for the slip ratio ended"},
     {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance", "", "", "", "",
@@ -151,16 +193,20 @@ constexpr Quantity<SlipResult> kSlip[] = {
      "torque on the nut"},
     {"viscosity_mPas", found<&SlipResult::viscosity>, "dynamic, in operation; needs a lubricant"},
     {"bearing_eccentricity_ratio", found<&SlipResult::bearing_eccentricity>,
-     "e/c of the roller heads in the carrier"},
+     "e/c of the roller heads in the carrier, the larger one"},
     {"slip_ratio_estimates", found<&SlipResult::estimates>, "by geometry alone"},
     {"share_percent", found<shares>, "of each source in the power that is lost"},
     {"roller_moments_Nmm", found<&SlipResult::moments>,
      "on one roller about its axis, by source; the mean of all in a full mechanism"},
     {"roller_forces_N", found<&SlipResult::forces>,
      "on one roller across its axis, by source; the mean of all in a full mechanism"},
+    {"heads", found<heads_of>, "of the rollers in the carrier, near and far end"},
     {"hottest_thread", found<hottest_thread>, "of the largest power density"},
     {"equal_shares", found<&SlipResult::equal_shares>,
      "what slip would be if all threads carried the same load"},
+    {"second_nut", found<[](const SlipResult& slip) { return slip.second_nut.get(); }>,
+     "rollers of the second nut of a double nut; powers, torques and efficiency here are of both "
+     "nuts, all else of the first"},
     {"screw", threads<Interface::screw>, "threads at the screw, of one roller or of all"},
     {"nut", threads<Interface::nut>, "threads at the nut, of one roller or of all"},
 };
@@ -207,6 +253,11 @@ Record<RollerForces> record_of() {
 }
 
 template <>
+Record<RollerHeads> record_of() {
+  return {"RollerHeads", "The heads of a roller in the carrier, or of each roller.", kRollerHeads};
+}
+
+template <>
 Record<SlipEstimates> record_of() {
   return {"SlipRatioEstimates", "Slip ratios by formulas of geometry alone.", kSlipEstimates};
 }
@@ -223,7 +274,7 @@ Record<EqualShareSlip> record_of() {
 
 template <>
 Record<SlipResult> record_of() {
-  return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", kSlip};
+  return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", kSlipResult};
 }
 
 }  // namespace prs

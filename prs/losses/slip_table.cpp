@@ -7,8 +7,8 @@
 #include <span>
 
 #include "prs/loads/case_table.h"
+#include "prs/loads/heat_record.h"
 #include "prs/loads/warnings.h"
-#include "prs/losses/heat_record.h"
 #include "prs/losses/slip_record.h"
 #include "prs/model/units.h"
 #include "prs/record/quantity_csv.h"
@@ -62,7 +62,10 @@ std::string title_line(const LoadCaseResult& result) {
   std::string load = fixed_with_unit(result.load_case.axial_force, "kN",
                                      force_decimals(result.load_case.axial_force));
   if (result.load_case.direction) load += fmt::format(", {}", name(*result.load_case.direction));
-  if (result.load_case.share == LoadCase::Share::equal) load += ", equal shares";
+  if (result.load_case.share == LoadCase::Share::equal)
+    load += ", equal shares";
+  else
+    load += fmt::format(", {} loads", name(result.loads));
   if (has_slip(result))
     load += fmt::format(", {:.6g} rpm", result.slip->speed * per_si::revolution_per_minute);
   constexpr std::size_t kSeparator = 2;

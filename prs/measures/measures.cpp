@@ -390,6 +390,11 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
   const double force = std::abs(load_case.axial_force), lead = contacts.mechanism.lead;
   if (!(force > 0.0)) return m;
   find_load_stiffness(c, contacts, measures, force, m);
+  if (options_of(c).system && result.axial_stiffness)
+    m.system_stiffness =
+        system_stiffness(*result.axial_stiffness, *options_of(c).system,
+                         {*contacts.mechanism.pitch_diameter.screw, c.structure->screw.bore},
+                         c.materials->screw, lead);
   if (detail == Detail::complete) find_yang_distribution(c, contacts, load_case, m);
   find_pressures(c, contacts, force, m);
   find_most_loaded(c, contacts, measures, result, m);

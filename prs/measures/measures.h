@@ -6,6 +6,7 @@
 
 #include "prs/life/static_limits.h"
 #include "prs/loads/result.h"
+#include "prs/measures/system_stiffness.h"
 #include "prs/model/case.h"
 #include "prs/model/part.h"
 #include "prs/threads/contacts.h"
@@ -61,6 +62,8 @@ struct Measures {
 struct LoadMeasures {
   // Stiffness of all threads of the mechanism side by side under equal shares, secant [N/m]
   PerInterface<std::optional<double>> hertz_stiffness;
+  /// With what the case says is in series with the mechanism, as solved at rest.
+  std::optional<SystemStiffness> system_stiffness;
   std::optional<double> thread_stiffness;  ///< Both Hertz contacts and teeth in series.
   // Yang's load distribution, for comparison with that of the model; Detail::complete
   std::vector<double> yang_load_rate;  ///< Thread 1 first; empty where it is not defined.

@@ -182,7 +182,8 @@ PageSection section(const MeasuresResult& r) {
   return {.in_cases = {{"measures",
                         {"solved_static_safety", "solved_static_safety_limit",
                          "thread_static_safety", "static_safety", "static_safety_limit",
-                         "buckling_safety", "speed_safety", "drive_torque_Nm"}}},
+                         "buckling_safety", "speed_safety", "drive_torque_Nm",
+                         "system_stiffness"}}},
           .in_document = {{"measures",
                            {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N",
                             "weight_kg", "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2",
@@ -194,7 +195,8 @@ PageSection section(const MeasuresResult& r) {
 constexpr std::string_view kResponses[] = {
     "measures.dynamic_capacity_N",  "measures.static_capacity_N",
     "measures.weight_kg",           "measures.force_density_kN_per_kg",
-    "measures.envelope_volume_cm3", "measures.thread_stiffness_N_per_um"};
+    "measures.envelope_volume_cm3", "measures.thread_stiffness_N_per_um",
+    "measures.system_stiffness.total_N_per_um"};
 
 }  // namespace
 

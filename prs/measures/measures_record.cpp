@@ -116,6 +116,32 @@ std::optional<double> largest_load_rate(const LoadMeasures& m) {
   return screw && nut ? std::optional(std::max(*screw, *nut)) : std::nullopt;
 }
 
+constexpr Quantity<SystemStiffness::Contribution> kContribution[] = {
+    {.key = "stiffness_N_per_um",
+     .value = of<&SystemStiffness::Contribution::stiffness>,
+     .meaning = "of this part alone"},
+    {.key = "percent",
+     .value = of<&SystemStiffness::Contribution::share>,
+     .meaning = "of the total compliance; all sum to 100",
+     .unit = unit_of("share_percent")},
+};
+
+constexpr Quantity<SystemStiffness::Contributions> kContributions[] = {
+    {"mechanism", of<&SystemStiffness::Contributions::mechanism>,
+     "threads and bodies, the secant stiffness of the load case at rest"},
+    {"shaft", of<&SystemStiffness::Contributions::shaft>, "stretch of the screw's shaft"},
+    {"wind_up", of<&SystemStiffness::Contributions::wind_up>,
+     "travel by which the shaft twists, without friction"},
+    {"support_bearing", of<&SystemStiffness::Contributions::support_bearing>,
+     "all bearings of the shaft together"},
+    {"housing", of<&SystemStiffness::Contributions::housing>, "what holds the nut"},
+};
+
+constexpr Quantity<SystemStiffness> kSystemStiffness[] = {
+    {"total_N_per_um", of<&SystemStiffness::total>, "of all in series"},
+    {"contributions", of<&SystemStiffness::contributions>, "by what gives way"},
+};
+
 constexpr Quantity<Measures> kMeasures[] = {
     {"velocity_ratio_mm_per_rad", of<&Measures::velocity_ratio>, "|l|/(2 pi)",
      "Jung 2017, (8.30), corrected", "travel per angle", kTransmissionGroup, "always"},
@@ -254,6 +280,12 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
      "`solve`'s whole screw: the models of the bodies have Hertz contacts without Yamamoto's "
      "teeth, "
      "whose deflection Hertz has in part and whose nut ring each contact widens alone"},
+    {"system_stiffness", of<&LoadMeasures::system_stiffness>,
+     "1/k = sum 1/k_i: mechanism, secant; shaft L/(E A) or x (L - x)/(L E A); wind-up "
+     "(l/(2 pi))^2 L_t/(G J); bearings; housing",
+     kGeometry, "the axis with its parts in series", kStiffnessGroup,
+     "needs measures.system; what it leaves out is rigid; without friction, the mechanism as "
+     "solved at rest"},
     {"yang_largest_load_rate_percent", of<&LoadMeasures::yang_largest_load_rate>,
      "largest axial thread load over F/N_r", "Yang, in Jung 2017, (4.1), (8.20), corrected",
      "largest load rate after Yang", kDistributionGroup,
@@ -375,6 +407,22 @@ std::vector<std::string> estimates_beside(const Computed& computed) {
 template <>
 Record<Measures> record_of() {
   return {"Measures", "Design measures of the mechanism that no load changes.", kMeasures};
+}
+
+template <>
+Record<SystemStiffness::Contribution> record_of() {
+  return {"StiffnessContribution", "A part of an axis and its share of what gives way.",
+          kContribution};
+}
+
+template <>
+Record<SystemStiffness::Contributions> record_of() {
+  return {"StiffnessContributions", "Parts of an axis in series.", kContributions};
+}
+
+template <>
+Record<SystemStiffness> record_of() {
+  return {"SystemStiffness", "Axial stiffness of an axis.", kSystemStiffness};
 }
 
 template <>

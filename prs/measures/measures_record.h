@@ -13,6 +13,12 @@ template <>
 Record<Measures> record_of();
 template <>
 Record<LoadMeasures> record_of();
+template <>
+Record<SystemStiffness> record_of();
+template <>
+Record<SystemStiffness::Contributions> record_of();
+template <>
+Record<SystemStiffness::Contribution> record_of();
 
 /// What is computed from the thread loads of a case.
 struct Computed {

@@ -64,7 +64,7 @@ std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys&
   for (const std::string_view group : groups_of<Owner>()) {
     std::string rows;
     for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
-      if (q.group != group || q.value.series) continue;
+      if (q.group != group || q.value.series || q.value.kind == Kind::record) continue;
       if (std::ranges::find(hidden, q.key) != hidden.end()) continue;
       std::vector<std::string> cells;
       bool any = false;
@@ -82,6 +82,45 @@ std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys&
   return text;
 }
 
+/// The parts of an axis that a case has, with their keys.
+std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> parts_of_axis(
+    const SystemStiffness& axis) {
+  const SystemStiffness::Contributions& c = axis.contributions;
+  const std::optional<SystemStiffness::Contribution>* parts[] = {
+      &c.mechanism, &c.shaft, &c.wind_up, &c.support_bearing, &c.housing};
+  std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> all;
+  for (std::size_t k = 0; k < std::size(parts); ++k)
+    if (*parts[k])
+      all.emplace_back(record_of<SystemStiffness::Contributions>().quantities[k].key, **parts[k]);
+  return all;
+}
+
+/// Stiffness of the axis and what its parts have of the compliance; all cases have the same parts.
+std::string axis_rows(std::span<const std::optional<LoadMeasures>> owners) {
+  std::vector<std::string> total;
+  std::vector<std::pair<std::string, std::vector<std::string>>> rows;
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    const bool known = owners[k] && owners[k]->system_stiffness;
+    total.push_back(known ? significant(shown(owners[k]->system_stiffness->total, "N/µm"))
+                          : std::string(kAbsent));
+    if (!known) continue;
+    for (const auto& [key, part] : parts_of_axis(*owners[k]->system_stiffness)) {
+      const auto row = std::ranges::find(rows, key, [](const auto& r) { return r.first; });
+      auto& cells = row == rows.end()
+                        ? rows.emplace_back(key, std::vector<std::string>(
+                                                     owners.size(), std::string(kAbsent)))
+                              .second
+                        : row->second;
+      cells[k] = significant(part.share * per_si::percent);
+    }
+  }
+  if (rows.empty()) return {};
+  std::string text = "\nThe axis\n" + kRows(with_table_unit("  all parts in series, N/µm"), total);
+  for (const auto& [key, cells] : rows)
+    text += kRows(fmt::format("  {}, % of the compliance", words_of(key)), cells);
+  return text;
+}
+
 /// The load cases [first, last) side by side.
 std::string load_table(const MeasuresResult& result, std::size_t first, std::size_t last,
                        const Keys& hidden) {
@@ -93,9 +132,9 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
   }
   const std::string text =
       kRows("Load case", names) + kRows(with_table_unit("  force, kN"), forces);
-  const std::string rows =
-      group_rows(std::span(result.load_measures).subspan(first, last - first), hidden);
-  return rows.empty() ? text : text + '\n' + rows;
+  const auto measures = std::span(result.load_measures).subspan(first, last - first);
+  const std::string rows = group_rows(measures, hidden);
+  return text + (rows.empty() ? "" : '\n' + rows) + axis_rows(measures);
 }
 
 /// A paragraph behind a word.
@@ -168,7 +207,19 @@ std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
   add_rows(csv, "", result.measures);
   for (std::size_t k = 0; k < result.load_measures.size(); ++k)
     if (result.load_measures[k])
-      add_rows(csv, result.analysis.load_cases[k].load_case.name, *result.load_measures[k]);
+    {
+      const std::string& name = result.analysis.load_cases[k].load_case.name;
+      const LoadMeasures& measures = *result.load_measures[k];
+      add_rows(csv, name, measures);
+      if (!measures.system_stiffness) continue;
+      csv.row(name, "system_stiffness.total_N_per_um", "N/µm",
+              shown(measures.system_stiffness->total, "N/µm"));
+      for (const auto& [key, part] : parts_of_axis(*measures.system_stiffness)) {
+        const std::string path = fmt::format("system_stiffness.contributions.{}", key);
+        csv.row(name, path + ".stiffness_N_per_um", "N/µm", shown(part.stiffness, "N/µm"));
+        csv.row(name, path + ".percent", "%", part.share * per_si::percent);
+      }
+    }
   return csv.take();
 }
 

@@ -12,6 +12,7 @@
 #include "prs/model/mechanism.h"
 #include "prs/model/model_options.h"
 #include "prs/model/structure.h"
+#include "prs/sector/roller_push.h"
 #include "prs/sector/sector_model.h"
 #include "prs/threads/contact_law.h"
 
@@ -64,6 +65,7 @@ struct FullModel {
   std::vector<Bearing> bearings;
   double axial_force = 0.0;  ///< F > 0 [N]
   SpatialLoad load;
+  std::vector<RollerPush> push;  ///< On each roller present, where the screw runs.
 
   double sense() const { return sector.sense; }
   /// What the contacts do not feel of the displacement along the load [m/N].

@@ -172,6 +172,12 @@ class Builder {
             {roller.nodes.back(),
              node,
              {section.axial, section.bending, section.shear, x[i] - x[i - 1]}});
+        if (!f_.push.empty()) {
+          const RollerPush& push = f_.push[s_.rollers.size()];
+          const double weight = (end ? push.of_heads : push.of_thread) * (x[i] - x[i - 1]);
+          for (const int at : {roller.nodes.back(), node})
+            s_.loads.push_back({at, Dof::v, 0.5 * weight});
+        }
       }
       if (!same) {
         roller.nodes.push_back(node);
@@ -242,19 +248,25 @@ class Builder {
     const bool screw = i == Interface::screw;
     const double sign = screw ? 1.0 : -1.0;
     const SpatialNode& body = at(screw ? s_.screw : s_.nut, r.contact_x[k]);
-    const double along = f_.sense() * f_.sector.cosine[i], across = f_.sector.sine[i];
     const double arm = f_.centre_distance - sign * f_.sector.roller_radius;
-    LinearForm w;
-    w.push_back({body.axial, Dof::u, sign * along});
-    add_along(w, body, Dof::theta, e, -sign * along * arm);
-    w.push_back({node, Dof::u, -sign * along});
-    w.push_back({node, Dof::theta, -along * f_.sector.roller_radius});
-    add_along(w, body, Dof::v, e, sign * across);
-    w.push_back({node, Dof::v, -sign * across});
-    if (body.wall >= 0) add_wall_motion(w, body, r.azimuth, along, across);
+    const auto row = [&](double along, double across) {
+      LinearForm w;
+      w.push_back({body.axial, Dof::u, sign * along});
+      add_along(w, body, Dof::theta, e, -sign * along * arm);
+      w.push_back({node, Dof::u, -sign * along});
+      w.push_back({node, Dof::theta, -along * f_.sector.roller_radius});
+      add_along(w, body, Dof::v, e, sign * across);
+      w.push_back({node, Dof::v, -sign * across});
+      if (body.wall >= 0) add_wall_motion(w, body, r.azimuth, along, across);
+      return w;
+    };
     s_.model.form_springs.push_back(
-        {std::move(w),
+        {row(f_.sense() * f_.sector.cosine[i], f_.sector.sine[i]),
          {f_.sector.hertz_constant[i], r.gaps[i][k], f_.sector.contact_compliance(i, k)}});
+    if (f_.push.empty()) return;
+    const RollerPush& push = f_.push[s_.rollers.size()];
+    for (const fe::Term& t : row(push.axial[i][k], push.radial[i][k]))
+      s_.loads.push_back({t.node, t.dof, -sign * t.coefficient});
   }
 
   /// The nut's contacts lie at an arm from where its wall has its u, and move outwards with it.

@@ -25,6 +25,8 @@ void check_thickness(const Case& c, Problems& problems);
 void check_full_mechanism(const Case& c, Problems& problems);
 
 void check_load_cases(const Case& c, Problems& problems);
+/// What `model: {loads: running}` needs of the case.
+void check_loads(const Case& c, Problems& problems);
 /// The roller's contacts, from the first at the position, must lie on the nut. `block` states it.
 void check_position(std::string_view block, double position, const Mechanism& m,
                     const Structure::Nut& nut, Problems& problems);
@@ -44,12 +46,19 @@ void check_carrier(const Carrier& carrier, Problems& problems);
 void check_preload(const Case& c, Problems& problems);
 void check_life(const Case& c, Problems& problems);
 void check_heat(const Case& c, Problems& problems);
+void check_measures(const MeasureOptions& m, Problems& problems);
 
 // What `slip` needs of the blocks that it reads.
 
+void require_preload(const Case& c, Problems& problems);
+/// What the temperatures of `preload` need where the case states `heat`.
+void require_warm_preload(const Case& c, Problems& problems);
+/// Of the law of friction and the bearings of the roller heads.
+void require_friction(const Conditions& c, Problems& problems);
 void require_slip(const Conditions& c, Problems& problems);
 /// What `slip` needs where the case states `heat`.
 void require_heat(const Case& c, Problems& problems);
+void require_expansion(const Case& c, Problems& problems);
 
 inline constexpr std::string_view kMaterialsExample =
     "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";

@@ -15,6 +15,7 @@ std::vector<Problem> check_case(const Case& c) {
   check_meshing(c.mechanism, problems);
   if (c.structure) check_structure(*c.structure, c.mechanism, problems);
   check_load_cases(c, problems);
+  check_loads(c, problems);
   check_thickness(c, problems);
   check_deviations(c, problems);
   check_full_mechanism(c, problems);
@@ -23,6 +24,7 @@ std::vector<Problem> check_case(const Case& c) {
   if (c.lubricant) check_lubricant(*c.lubricant, c.heat, problems);
   check_carrier(c.carrier, problems);
   if (c.heat) check_heat(c, problems);
+  if (c.measures) check_measures(*c.measures, problems);
   return std::move(problems).take();
 }
 
@@ -43,14 +45,27 @@ void require_load_cases(const Case& c, Command command, Problems& problems) {
                  name(command));
 }
 
+/// Only the losses of a preloaded screw are those of something without a load.
+void require_loads(const Case& c, Command command, Problems& problems) {
+  for (const LoadCase& load : c.load_cases)
+    if (load.axial_force == 0.0)
+      problems.add(load.input_path + ".axial_force",
+                   "got 0 N in case `{}`; expected a force > 0 for `{}`: without a load only `slip` "
+                   "runs, under preload; change it",
+                   load.name, name(command));
+}
+
 }  // namespace
 
 void need_solve(const Case& c, Problems& problems) {
   require_load_cases(c, Command::solve, problems);
+  require_loads(c, Command::solve, problems);
+  if (c.model.loads == ModelOptions::Loads::running) require_slip(c, problems);
 }
 
 void need_compare(const Case& c, Problems& problems) {
   require_load_cases(c, Command::compare, problems);
+  require_loads(c, Command::compare, problems);
   if (!c.load_cases.empty() && std::ranges::none_of(c.load_cases, &LoadCase::is_solved))
     problems.add("load_cases",
                  "got equal shares in each; expected one that the models solve; add a load case "
@@ -61,10 +76,15 @@ void need_slip(const Case& c, Problems& problems) {
   require_load_cases(c, Command::slip, problems);
   require_slip(c, problems);
   if (c.heat) require_heat(c, problems);
+  if (std::ranges::any_of(c.load_cases,
+                          [&](const LoadCase& load) { return has_both_flanks(c, load.share); }))
+    require_preload(c, problems);
 }
 
 void need_measures(const Case& c, Problems& problems) {
-  if (!c.load_cases.empty()) require_load_cases(c, Command::measures, problems);
+  if (c.load_cases.empty()) return;
+  require_load_cases(c, Command::measures, problems);
+  require_loads(c, Command::measures, problems);
 }
 
 std::vector<Problem> missing(const Case& c, Command command) {

@@ -100,7 +100,11 @@ void check_heat(const Case& c, Problems& problems) {
 }
 
 void require_heat(const Case& c, Problems& problems) {
-  if (!c.materials || std::ranges::none_of(c.load_cases, &LoadCase::is_solved)) return;
+  if (std::ranges::any_of(c.load_cases, &LoadCase::is_solved)) require_expansion(c, problems);
+}
+
+void require_expansion(const Case& c, Problems& problems) {
+  if (!c.materials) return;
   for (const Part part : kParts)
     if (!(*c.materials)[part].thermal_expansion)
       problems.add(

@@ -27,8 +27,12 @@ struct HistorySource {
   std::optional<double> interval;  ///< Between two samples [s], in place of `time`.
   std::optional<CsvColumn> position;
   std::optional<CsvColumn> speed;
-  double hysteresis = 0.0;  ///< Ranges up to this are no load cycles [N].
-  int bins = 32;            ///< Classes of the cycle matrix, along range and mean.
+  /// Who drives, of running loads. By travel: the position grows as the screw moves out at its
+  /// loaded end, so that force x change > 0 is driven by the load; a speed counts as in slip.
+  enum class DrivenBy { travel, screw, load };
+  std::optional<DrivenBy> driven_by;  ///< Absent: travel where position or speed tells it.
+  double hysteresis = 0.0;            ///< Ranges up to this are no load cycles [N].
+  int bins = 32;                      ///< Classes of the cycle matrix, along range and mean.
 
   bool operator==(const HistorySource&) const = default;
 };
@@ -37,10 +41,17 @@ struct HistorySource {
 struct SpectrumLoad {
   double force = 0.0;  ///< [N], > 0
   Direction direction = Direction::tension;
-  std::optional<double> revolutions;  ///< Revolutions of the screw against the nut.
-  std::optional<double> distance;     ///< Travel under the load [m].
-  std::optional<double> duration;     ///< Time at the operation's speed [s].
-  std::optional<double> share;        ///< Share of all revolutions.
+  std::optional<double> revolutions;     ///< Revolutions of the screw against the nut.
+  std::optional<double> distance;        ///< Travel under the load [m].
+  std::optional<double> duration;        ///< Time at the operation's speed [s].
+  std::optional<double> share;           ///< Share of all revolutions.
+  DrivenBy driven_by = DrivenBy::screw;  ///< Of running loads.
+};
+
+/// Which temperatures the parts have in `life` with a block `heat`.
+enum class LifeTemperatures {
+  heat,       ///< Those of the mean heat of the whole spectrum.
+  reference,  ///< The reference temperature of all parts.
 };
 
 /// Inputs of `prs life`. One of `history` and `spectrum` is given.
@@ -48,6 +59,7 @@ struct Life {
   std::optional<HistorySource> history;
   std::vector<SpectrumLoad> spectrum;
   LoadCase::Share share = LoadCase::Share::solved;
+  LifeTemperatures temperatures = LifeTemperatures::heat;
   std::optional<double> position;          ///< First roller contact on the nut [m].
   std::optional<double> dynamic_capacity;  ///< C_a of a catalogue [N], in place of Lemor's.
   std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].
@@ -56,6 +68,10 @@ struct Life {
   /// Full mechanism only: the load case whose side loads, misalignment and orbit hold for all
   /// forces.
   std::optional<std::string> load_case;
+  /// Whether the temperatures of the parts follow from a block `heat`.
+  bool takes_heat(bool has_heat) const {
+    return has_heat && share == LoadCase::Share::solved && temperatures == LifeTemperatures::heat;
+  }
   double fatigue_slope = 5.0;  ///< k of the equivalent load range: FKM, steel, normal stress.
 };
 

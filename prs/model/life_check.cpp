@@ -96,6 +96,19 @@ void require_load_case_of_life(const Case& c, Problems& problems) {
   }
 }
 
+/// What the losses need that give the temperatures of the parts.
+void require_warm_life(const Case& c, Problems& problems) {
+  constexpr std::string_view kWhy =
+      " for `life` at the temperatures of `heat`, or "
+      "`life: {temperatures: reference}`";
+  if (!c.friction)
+    problems.add_missing("friction", fmt::format("a law of friction{}", kWhy), "{model: jacod}");
+  if (!c.operation || c.operation->speed == 0.0)
+    problems.add_missing("operation", fmt::format("the speed{}", kWhy), "{speed: 400 rpm}");
+  require_friction(c, problems);
+  require_expansion(c, problems);
+}
+
 }  // namespace
 
 void check_life(const Case& c, Problems& problems) {
@@ -121,6 +134,8 @@ void need_life(const Case& c, Problems& problems) {
                  "missing; expected the parts around the threads for `life`; add `structure` with "
                  "`roller` and `nut`, or `share: equal` to `life`");
   if (!c.life) return;
+  if (life_takes_running_loads(c)) require_friction(c, problems);
+  if (c.life->takes_heat(c.heat.has_value())) require_warm_life(c, problems);
   require_load_case_of_life(c, problems);
   if (!c.preload) return;
   if (c.model.mechanism == ModelOptions::Mechanism::full &&
@@ -129,7 +144,7 @@ void need_life(const Case& c, Problems& problems) {
                  "got a preload with `mechanism: full`, whose flanks of the other sense are not in "
                  "the model; expected one of them; write `mechanism: sector`, or delete `preload`");
   else
-    need_preload(c, problems);
+    require_preload(c, problems);
 }
 
 }  // namespace prs

@@ -18,6 +18,11 @@ constexpr std::string_view name(Direction d) {
   return d == Direction::tension ? "tension" : "compression";
 }
 
+/// Whose power goes into the mechanism: force x speed x lead > 0 of a screw that drives its load.
+enum class DrivenBy { screw, load };
+
+constexpr std::string_view name(DrivenBy by) { return by == DrivenBy::screw ? "screw" : "load"; }
+
 /// What acts on a full mechanism besides the axial force, and how its parts stand.
 struct SpatialLoad {
   /// A side force [N] or a moment [N m] on the screw; at the loaded section where `at` is absent.

@@ -8,9 +8,11 @@
 namespace prs {
 namespace {
 
-void check_force(const LoadCase& load, Problems& problems) {
+/// Under preload the screw also runs without a load.
+void check_force(const LoadCase& load, bool preloaded, Problems& problems) {
   const double written = load.axial_force;
-  if (load.direction ? written > 0.0 : written != 0.0) return;
+  const bool may_be_zero = preloaded && load.is_solved();
+  if (load.direction ? written > 0.0 || (may_be_zero && written == 0.0) : written != 0.0) return;
   problems.add(load.input_path + ".axial_force", "got {} in case `{}`; expected a force {}; {}",
                newton(written), load.name, load.direction ? "> 0" : "other than 0",
                load.direction ? "`direction` gives its sense" : "give it a value");
@@ -75,13 +77,35 @@ void check_load_cases(const Case& c, Problems& problems) {
           load.input_path + ".name",
           "got `{}` a second time; expected names that differ, ranges expanded; rename this case",
           load.name);
-    check_force(load, problems);
+    check_force(load, c.preload && !c.preload->backlash, problems);
     if (load.share == LoadCase::Share::equal || !c.structure || !load.direction || !load.position)
       continue;
     if (!room->holds(*load.position))
       check_position(load.input_path, *load.position, c.mechanism, c.structure->nut, problems);
     check_thrust(*load.direction, load.name, c.structure->nut, problems);
   }
+}
+
+void check_loads(const Case& c, Problems& problems) {
+  if (c.model.loads != ModelOptions::Loads::running) return;
+  if (!c.friction)
+    problems.add_missing("friction", "a law of friction for `model: {loads: running}`",
+                         "{model: {coulomb: 0.1}}");
+  const auto check_share = [&](LoadCase::Share share, std::string path) {
+    if (share == LoadCase::Share::equal)
+      problems.add(std::move(path),
+                   "got `equal` with `model: {loads: running}`, whose loads are solved; expected "
+                   "`solved`; delete it, or write `loads: static`");
+  };
+  bool has_speed = !c.life || c.operation.has_value();
+  for (const LoadCase& load : c.load_cases) {
+    check_share(load.share, path_in(load, "share"));
+    has_speed = has_speed && (load.speed || c.operation);
+  }
+  if (c.life) check_share(c.life->share, "life.share");
+  if (!has_speed)
+    problems.add_missing("operation", "the speed for `model: {loads: running}`",
+                         "{speed: 400 rpm}");
 }
 
 }  // namespace prs

@@ -11,9 +11,11 @@ namespace prs {
 struct Material {
   double youngs_modulus = 0.0;    ///< E [Pa]
   double poisson_ratio = 0.0;     ///< nu
-  std::optional<double> density;  ///< [kg/m^3]; needed for weight and centrifugal force only.
+  std::optional<double> density;  ///< [kg/m^3]; of weight, centrifugal force, flash.
   /// [1/K]; needed where temperatures are given.
   std::optional<double> thermal_expansion = std::nullopt;
+  std::optional<double> conductivity = std::nullopt;   ///< [W/(m K)]; for flash temperatures.
+  std::optional<double> specific_heat = std::nullopt;  ///< [J/(kg K)]; the same.
 
   operator contact::Elasticity() const { return {youngs_modulus, poisson_ratio}; }
 };

@@ -28,6 +28,8 @@ struct ModelOptions {
   /// elements.
   enum class Bodies { bars, refined, influence };
   enum class Roller { flexible, rigid_bending };
+  /// Of slip and all that stands on it: a screw at rest, or one that turns with its friction.
+  enum class Loads { at_rest, running };
   /// Positions at which the two loaded flanks of a roller tooth meet screw and nut. Half a turn of
   /// a helical roller is half a pitch times its starts, so that with an odd number of starts the
   /// contacts lie opposite each other; those of ring-shaped teeth lie half a pitch apart.
@@ -50,6 +52,7 @@ struct ModelOptions {
   ContactPhase contact_phase = ContactPhase::equal;
   bool shear = false;  ///< Timoshenko's beams in screw, nut and rollers of a full mechanism.
   Bodies bodies = Bodies::bars;
+  std::optional<Loads> loads;  ///< Absent: at rest for `solve`, running for slip and life.
   Roller roller = Roller::flexible;
   bool roller_shear = false;  ///< Timoshenko instead of Euler-Bernoulli beams in the roller.
   std::optional<RollerContacts> roller_contacts;  ///< By the starts where absent; bars: opposite.
@@ -62,6 +65,10 @@ struct ModelOptions {
 constexpr std::string_view name(ModelOptions::Bodies bodies) {
   using enum ModelOptions::Bodies;
   return bodies == bars ? "bars" : bodies == refined ? "refined" : "influence";
+}
+
+constexpr std::string_view name(ModelOptions::Loads loads) {
+  return loads == ModelOptions::Loads::running ? "running" : "static";
 }
 
 /// The stated arrangement, else that of a helical roller.

@@ -122,6 +122,10 @@ void check_bodies(const Case& c, Problems& problems) {
     problems.add("model.roller",
                  "got `rigid_bending` with `bodies: influence`, whose rollers bend; expected "
                  "`flexible`; take `bodies: bars` or `refined` for rollers that stay straight");
+  if (model.bodies == influence && model.loads == ModelOptions::Loads::running)
+    problems.add("model.loads",
+                 "got `running` with `bodies: influence`, which takes no friction on its threads; "
+                 "expected `static`; take `bodies: bars` or `refined` for running loads");
   if (model.roller_shear)
     problems.add("model.roller_shear",
                  fmt::format("got `true` with `bodies: {}`, which has it anyway; expected it with "

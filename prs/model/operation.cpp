@@ -24,19 +24,22 @@ double density_of(const Lubricant& l) {
   return l.density.value_or(l.name ? data_of(*l.name).density : contact::kTypicalOilDensity);
 }
 
-/// Dynamic viscosity [Pa s] at a temperature.
-double viscosity_at(const Lubricant& l, double temperature) {
+/// The oil's own law.
+contact::WaltherLine line_of(const Lubricant& l) {
+  if (l.walther) return *l.walther;
   const double density = density_of(l);
-  if (l.walther) return density * contact::kinematic_viscosity(*l.walther, temperature);
   std::array<ViscosityPoint, 2> points;
   if (l.viscosity_at.empty() && l.name)
     points = viscosities_of(*l.name);
   else
     std::copy_n(l.viscosity_at.begin(), 2, points.begin());
   const auto& [first, second] = points;
-  const contact::WaltherLine line = contact::walther_line(
-      first.temperature, kinematic(first, density), second.temperature, kinematic(second, density));
-  return density * contact::kinematic_viscosity(line, temperature);
+  return contact::walther_line(first.temperature, kinematic(first, density), second.temperature,
+                               kinematic(second, density));
+}
+
+std::optional<double> stated_coefficient(const Lubricant& l) {
+  return l.film.inlet_heating ? l.film.inlet_heating->temperature_coefficient : std::nullopt;
 }
 
 contact::Lubricant with_viscosity(const Lubricant& l, double viscosity) {
@@ -46,7 +49,8 @@ contact::Lubricant with_viscosity(const Lubricant& l, double viscosity) {
   };
   return {.viscosity = viscosity,
           .pressure_viscosity = l.pressure_viscosity ? *l.pressure_viscosity : estimate(),
-          .eyring_stress = l.eyring_stress.value_or(kTypicalEyringStress)};
+          .eyring_stress = l.eyring_stress.value_or(kTypicalEyringStress),
+          .temperature_coefficient = stated_coefficient(l).value_or(0.0)};
 }
 
 }  // namespace
@@ -67,7 +71,12 @@ Lubricant with_data_of_name(Lubricant l) {
 }
 
 contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature) {
-  return with_viscosity(lubricant, viscosity_at(lubricant, temperature));
+  const contact::WaltherLine line = line_of(lubricant);
+  contact::Lubricant oil = with_viscosity(
+      lubricant, density_of(lubricant) * contact::kinematic_viscosity(line, temperature));
+  if (!stated_coefficient(lubricant))
+    oil.temperature_coefficient = contact::temperature_coefficient(line, temperature);
+  return oil;
 }
 
 contact::Lubricant in_operation(const Lubricant& lubricant) {

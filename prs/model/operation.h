@@ -37,6 +37,14 @@ struct Lubricant {
 
   struct Film {
     contact::FilmDirection direction = contact::FilmDirection::minor_axis;
+    std::optional<double> starvation;  ///< phi_s, film over that of a full inlet.
+    /// Reduction of the film by shear heating at the inlet.
+    struct InletHeating {
+      double conductivity = 0.0;  ///< k of the oil [W/(m K)]
+      /// beta = -(d eta/dT)/eta [1/K]; by default that of the oil's own law.
+      std::optional<double> temperature_coefficient;
+    };
+    std::optional<InletHeating> inlet_heating;
   };
   Film film;
 };
@@ -98,14 +106,38 @@ struct Operation {
   std::optional<double> slip_ratio;  ///< Imposed; else from the roller's equilibrium.
 };
 
+/// How the heads of the rollers rub in their bearings in the carrier.
+struct HeadFriction {
+  /// hydrodynamic: short bearings; coulomb: M = mu F d/2; mixed: both by the share of touching
+  /// surfaces, `contact::boundary_share`.
+  enum class Model { hydrodynamic, coulomb, mixed };
+  struct Mixed {
+    double boundary = 0.0;   ///< mu without film.
+    double roughness = 0.0;  ///< Composite Rq of pin and bore [m].
+    double exponent = 2.0;
+  };
+  Model model = Model::hydrodynamic;
+  double coefficient = 0.0;  ///< mu, coulomb only.
+  Mixed mixed = {};
+};
+
+/// The plain bearing of a roller's head in the carrier; one that rubs dry has a diameter alone.
+struct HeadBearing : contact::JournalBearing {
+  HeadFriction friction = {};
+
+  bool has_film() const { return friction.model != HeadFriction::Model::coulomb; }
+};
+
 /// What acts on the rollers besides the threads. Torques are resisting magnitudes [N m].
 struct Carrier {
   double roller_torque = 0.0;  ///< C_P/R, both heads of one roller.
   double screw_torque = 0.0;   ///< C_P/S
   double nut_torque = 0.0;     ///< C_P/N
   /// The two heads of a roller in the carrier; in place of `roller_torque`.
-  std::optional<contact::JournalBearing> bearing;
+  std::optional<HeadBearing> bearing;
   double gear_pressure_angle = std::numbers::pi / 9;  ///< alpha_g [rad]
+
+  bool is_oiled() const { return bearing && bearing->has_film(); }
 };
 
 }  // namespace prs

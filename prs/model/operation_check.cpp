@@ -120,7 +120,14 @@ void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Proble
                                     "has its viscosity; add `temperature: 60 degC`, for example",
                                     l.name ? data_of(*l.name).name : "the oil"));
   }
-  if (l.viscosity) return;
+  if (l.viscosity) {
+    const auto& heating = l.film.inlet_heating;
+    if (heating && !heating->temperature_coefficient)
+      problems.add("lubricant.film.inlet_heating.temperature_coefficient",
+                   "missing; expected it beside a `viscosity` that has no law of the temperature; "
+                   "add `temperature_coefficient: 0.035 1/K`, for example");
+    return;
+  }
   const bool kinematic = l.walther || std::ranges::any_of(points, [](const auto& p) {
                            return p.kinematic_viscosity.has_value();
                          });
@@ -150,13 +157,14 @@ void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Proble
 
 void check_carrier(const Carrier& carrier, Problems& problems) {
   if (!carrier.bearing) return;
-  const contact::JournalBearing& b = *carrier.bearing;
+  const HeadBearing& b = *carrier.bearing;
   if (carrier.roller_torque > 0.0)
     problems.add(
         "carrier.roller_torque",
         fmt::format("got {:.7g} N m together with `bearing`, from which it follows; expected one "
                     "of the two; delete the other",
                     carrier.roller_torque));
+  if (!b.has_film()) return;
   if (!(b.radial_clearance < 0.1 * b.diameter))
     problems.add("carrier.bearing.radial_clearance",
                  fmt::format("got {}; expected less than {}, a tenth of the diameter, so that the "
@@ -170,9 +178,7 @@ void check_carrier(const Carrier& carrier, Problems& problems) {
                              mm(b.length), mm(2.0 * b.diameter)));
 }
 
-void require_slip(const Conditions& c, Problems& problems) {
-  if (!c.friction)
-    problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
+void require_friction(const Conditions& c, Problems& problems) {
   const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
   if (c.friction && c.friction->of_film() && !c.lubricant)
     problems.add_missing(
@@ -182,10 +188,16 @@ void require_slip(const Conditions& c, Problems& problems) {
   if (mixed && !c.roughness)
     problems.add_missing("roughness", "the Rq of the flanks for `friction: {model: {mixed: ..}}`",
                          "0.4 um");
-  if (c.carrier.bearing && !c.lubricant)
+  if (c.carrier.is_oiled() && !c.lubricant)
     problems.add_missing("lubricant",
                          "the lubricant of `carrier.bearing`, whatever the law of friction",
                          kLubricantExample);
+}
+
+void require_slip(const Conditions& c, Problems& problems) {
+  if (!c.friction)
+    problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
+  require_friction(c, problems);
   for (const LoadCase& load : c.load_cases) {
     if (!load.speed && !c.operation) {
       problems.add_missing("operation", "the speed for `slip`", "{speed: 400 rpm}");

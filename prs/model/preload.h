@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "prs/model/load_case.h"
 #include "prs/model/mechanism.h"
 #include "prs/model/structure.h"
@@ -53,6 +55,8 @@ struct Preload {
   std::optional<Spacer> spacer;    ///< Double nut only.
   std::optional<double> distance;  ///< Last contact of the first nut to the second's first [m].
   LoadSweep load;
+  /// With `heat`: the load case at whose steady temperatures the curve holds; the first by default.
+  std::optional<std::string> load_case;
   std::optional<double> lost_motion_load;  ///< [N]; `kLostMotionShare` of the largest if absent.
 };
 

@@ -70,7 +70,27 @@ void check_preload(const Case& c, Problems& problems) {
     check_distance(p, s, m, problems);
 }
 
-void need_preload(const Case& c, Problems& problems) {
+void require_warm_preload(const Case& c, Problems& problems) {
+  if (!c.heat || !c.preload) return;
+  std::string names;
+  bool found = false;
+  for (const LoadCase& load : c.load_cases) {
+    if (!load.is_solved()) continue;
+    names += (names.empty() ? "" : ", ") + load.name;
+    found = found || !c.preload->load_case || load.name == *c.preload->load_case;
+  }
+  if (!found)
+    problems.add("preload.load_case",
+                 "{}; expected the load case whose steady temperatures the parts have with "
+                 "`heat`: {}; {}",
+                 c.preload->load_case ? "got " + *c.preload->load_case : "missing",
+                 names.empty() ? "the file has none that is solved" : names,
+                 names.empty() ? "add one, or delete `heat`" : "write one of them");
+  require_slip(c, problems);
+  require_expansion(c, problems);
+}
+
+void require_preload(const Case& c, Problems& problems) {
   if (!c.preload)
     problems.add_missing(
         "preload", "what takes out the play, and the loads, for `preload`",
@@ -92,6 +112,11 @@ void need_preload(const Case& c, Problems& problems) {
     problems.add("model.bodies",
                  "got influence; expected bars | refined: `preload` joins both sides in one "
                  "one-dimensional model; write `bodies: refined`");
+}
+
+void need_preload(const Case& c, Problems& problems) {
+  require_preload(c, problems);
+  require_warm_preload(c, problems);
 }
 
 }  // namespace prs

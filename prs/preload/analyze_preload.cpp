@@ -89,7 +89,8 @@ bool PreloadResult::converged() const {
              return point.solve.converged();
            });
   };
-  return at_rest.solve.converged() && all(curve) && (!without_preload || all(*without_preload));
+  return heat_status == HeatStatus::converged && at_rest.solve.converged() && all(curve) &&
+         (!without_preload || all(*without_preload));
 }
 
 PreloadResult analyze_preload(const Conditions& c, Contacts contacts) {
@@ -104,6 +105,10 @@ PreloadResult analyze_preload(const Conditions& c, Contacts contacts) {
   const Fit fit = preload_fit(c, result.contacts, sectors);
   PreloadedMechanism solvers(sectors, fit);
   result.at_rest = solvers[Direction::tension].at_rest();
+  result.reference_temperature = c.deviations.reference_temperature;
+  result.temperature = c.deviations.temperature;
+  result.reference_force =
+      c.deviations.temperature ? reference_preload(c, result.contacts) : result.force();
   if (!c.preload->backlash) result.interference = interference(sectors.tension, fit);
   for (const Direction d : kDirections) result.opening_force[d] = solvers[d].opening_force(d);
 
@@ -113,7 +118,8 @@ PreloadResult analyze_preload(const Conditions& c, Contacts contacts) {
   const std::vector<double> loads = loads_of(sweep);
   result.curve = curve_of(solvers, loads, result.lost_motion_load, "at ", result.warnings);
   if (!c.preload->backlash) {
-    PreloadedMechanism loose(sectors, Fit{});
+    PreloadedMechanism loose(
+        preload_sectors(c, result.contacts, laws, c.preload->position, Play::of_warm_parts), Fit{});
     result.without_preload =
         curve_of(loose, loads, result.lost_motion_load, "without preload at ", result.warnings);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prs/loads/analyze.h"
+#include "prs/loads/heat_result.h"
 #include "prs/preload/preload_solver.h"
 
 namespace prs {
@@ -23,7 +24,12 @@ struct PreloadResult {
   Preload preload;
   Contacts contacts;
   PerDirection<double> section;  ///< Where the first nut is held, by the sense of the load [m].
-  PreloadPoint at_rest;
+  PreloadPoint at_rest;          ///< At the temperatures of the case.
+  double reference_force = 0.0;  ///< Axial load of each side where the fit was made [N].
+  double reference_temperature = 0.0;              ///< There [K].
+  std::optional<PerPart<double>> temperature;      ///< Of the parts, where not that [K].
+  std::optional<std::string> load_case;            ///< From whose heat they follow.
+  HeatStatus heat_status = HeatStatus::converged;  ///< Of that heat.
   std::optional<double> interference;  ///< As `Preload::interference`; absent with play [m].
   /// External load at which the side that opposes it opens [N], > 0.
   PerDirection<std::optional<double>> opening_force;
@@ -32,7 +38,8 @@ struct PreloadResult {
   std::optional<PreloadCurve> without_preload;  ///< Neither preload nor play; absent with play.
   std::vector<Warning> warnings;
 
-  /// Axial load of each side at the screw without external load [N].
+  /// Axial load of each side at the screw without external load, at the temperatures of the case
+  /// [N].
   double force() const { return at_rest.sides.tension.axial_load.screw; }
   /// Largest peak pressure of a side [Pa]; absent where the geometry gives no contact.
   std::optional<double> peak_pressure(const SideLoads& loads) const;
@@ -43,6 +50,7 @@ struct PreloadResult {
 /// The case must have passed `check_case` and the requirements of `preload`. A load that does not
 /// converge is a point with its status. Throws CaseError where the geometry gives no contact and
 /// the case does not override it.
+/// With a block `heat` see prs/heat/warm_preload.h.
 PreloadResult analyze_preload(const Conditions& c, Contacts contacts);
 inline PreloadResult analyze_preload(const Case& c) {
   return analyze_preload(c, checked_contacts(c, Detail::complete));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "prs/loads/contact_record.h"
+#include "prs/loads/heat_record.h"
 #include "prs/record/record_table.h"
 
 namespace prs {
@@ -11,6 +12,11 @@ namespace {
 struct SideOf {
   const PreloadResult* result = nullptr;
   const SideLoads* loads = nullptr;
+};
+
+/// What a fit becomes at the temperatures of the parts.
+struct WarmOf {
+  const PreloadResult* result = nullptr;
 };
 
 struct CurveOf {
@@ -26,8 +32,16 @@ template <>
 Record<PerDirection<SideOf>> record_of();
 template <>
 Record<CurveOf> record_of();
+template <>
+Record<WarmOf> record_of();
 
 namespace {
+
+bool is_at_rest(const PreloadResult& r) { return r.at_rest.solve.converged(); }
+bool has_heat(const WarmOf& w) { return w.result->load_case.has_value(); }
+bool is_known(const WarmOf& w) {
+  return w.result->heat_status == HeatStatus::converged && is_at_rest(*w.result);
+}
 
 constexpr Quantity<SideOf> kSide[] = {
     {"axial_load_N", of<[](const SideOf& s) { return s.loads->axial_load.screw; }>,
@@ -87,7 +101,28 @@ constexpr Quantity<CurveOf> kCurve[] = {
      "one equilibrium per external load"},
 };
 
+constexpr Quantity<WarmOf> kWarm[] = {
+    {"load_case", of<[](const WarmOf& w) { return w.result->load_case; }>,
+     "whose steady temperatures these are, by `heat`"},
+    {"temperature_status", of<[](const WarmOf& w) { return w.result->heat_status; }, has_heat>,
+     "how the search for them ended"},
+    {"temperature_degC",
+     of<[](const WarmOf& w) { return celsius_of(*w.result->temperature); }, is_known>,
+     "of the parts"},
+    {"preload_force_N", of<[](const WarmOf& w) { return w.result->force(); }, is_known>,
+     "axial load of each side without external load"},
+    {"stiffness_at_zero_N_per_um",
+     of<[](const WarmOf& w) { return w.result->curve.stiffness_at_zero; }, is_known>,
+     "tangent without external load, reached from either sense"},
+    {"opening_force_N", of<[](const WarmOf& w) { return w.result->opening_force; }, is_known>,
+     "external load at which the side that opposes it opens"},
+    {"lost_motion_um", of<[](const WarmOf& w) { return w.result->curve.lost_motion; }, is_known>,
+     "displacement between the lost-motion load in tension and in compression"},
+};
+
 constexpr Quantity<PreloadResult> kPreload[] = {
+    {"thread_loads", of<[](const PreloadResult&) { return "static"; }>,
+     "static: of a screw at rest, without friction"},
     {"arrangement", of<[](const PreloadResult& r) {
        return r.preload.arrangement == Preload::Arrangement::single_nut ? "single_nut"
                                                                         : "double_nut";
@@ -97,11 +132,14 @@ constexpr Quantity<PreloadResult> kPreload[] = {
      "of the first roller contact on the nut"},
     {"held_at_mm", of<&PreloadResult::section>,
      "section at which the first nut is held, by the sense of the load"},
-    {"preload_force_N",
-     of<&PreloadResult::force, [](const PreloadResult& r) { return r.at_rest.solve.converged(); }>,
-     "axial load of each side without external load"},
+    {"reference_temperature_degC",
+     of<[](const PreloadResult& r) { return r.reference_temperature - kZeroCelsius; }>,
+     "of all parts where the fit is made"},
+    {"preload_force_N", of<&PreloadResult::reference_force, is_at_rest>,
+     "axial load of each side without external load, of the fit at the reference temperature"},
     {"interference_um", of<&PreloadResult::interference>,
-     "oversize of the rollers' pitch diameter, or of the spacer; absent with play"},
+     "oversize of the rollers' pitch diameter, or of the spacer, at the reference temperature; "
+     "absent with play"},
     {"backlash_um", of<[](const PreloadResult& r) { return r.preload.backlash; }>, "axial play"},
     {"opening_force_N", of<&PreloadResult::opening_force>,
      "external load at which the side that opposes it opens"},
@@ -109,6 +147,10 @@ constexpr Quantity<PreloadResult> kPreload[] = {
     {"", of<[](const PreloadResult& r) {
        return CurveOf{&r, &r.curve};
      }>},
+    {"at_temperature", of<[](const PreloadResult& r) {
+       return r.temperature ? std::optional(WarmOf{&r}) : std::nullopt;
+     }>,
+     "the same fit at the temperatures of the parts, of `deviations` or of `heat`"},
     {"without_preload", of<[](const PreloadResult& r) {
        return r.without_preload ? std::optional(CurveOf{&r, &*r.without_preload}) : std::nullopt;
      }>,
@@ -135,6 +177,11 @@ Record<PreloadPointOf> record_of() {
 template <>
 Record<CurveOf> record_of() {
   return {"WithoutPreload", "The same nut without preload.", kCurve};
+}
+
+template <>
+Record<WarmOf> record_of() {
+  return {"WarmPreload", "A fit at the temperatures of the parts.", kWarm};
 }
 
 template <>

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <utility>
 
+#include "prs/model/mechanism.h"
+#include "prs/sector/running_sector.h"
 #include "prs/sector/section_properties.h"
 
 namespace prs {
@@ -63,11 +66,20 @@ Side side_of(const Sector& s, int first_spring) {
   return side;
 }
 
+/// A flank whose nodes `number` maps to those of the whole.
+template <class Number>
+PreloadSector::Flank flank_of(const Sector& s, Number number) {
+  PreloadSector::Flank flank{std::make_shared<const Sector>(s), {}};
+  for (int node = 0; node < s.model.nodes; ++node) flank.node.push_back(number(node));
+  return flank;
+}
+
 PreloadSector single_nut(const PreloadParts& p, const Held& held) {
   Sector pulled = sector_of(p, p.structure, Direction::tension, held, p.preload.position);
   const Sector pushed = sector_of(p, p.structure, Direction::compression, held, p.preload.position);
 
   PreloadSector s;
+  s.flanks = {flank_of(pulled, std::identity{}), flank_of(pushed, std::identity{})};
   s.sides.tension = side_of(pulled, 0);
   s.sides.compression = side_of(pushed, static_cast<int>(pulled.model.springs.size()));
   s.screw_nodes = screw_nodes(pulled);
@@ -141,6 +153,7 @@ PreloadSector double_nut(const PreloadParts& p, const Held& held) {
 
   PreloadSector s;
   s.arrangement = Preload::Arrangement::double_nut;
+  s.flanks = {flank_of(second, number), flank_of(first, std::identity{})};
   s.sides.compression = side_of(first, 0);
   s.sides.tension = side_of(second, static_cast<int>(first.model.springs.size()));
   s.sides.tension.roller_nodes = numbered(s.sides.tension.roller_nodes);
@@ -161,13 +174,54 @@ PreloadSector double_nut(const PreloadParts& p, const Held& held) {
   return s;
 }
 
+/// See `build_preload_sector`.
+void add_expansion(PreloadSector& s, const PreloadParts& p) {
+  const Deviations& d = p.deviations;
+  const auto strain = [&](Part part) {
+    const double rise = (*d.temperature)[part] - d.reference_temperature;
+    return p.materials[part].thermal_expansion.value_or(0.0) * rise;
+  };
+  const auto growth = [&](Part part) {
+    return strain(part) * 0.5 * p.mechanism.pitch_diameter[part].value();
+  };
+  const double pitch = axial_pitch(p.mechanism);
+  const double middle = 0.5 * (p.mechanism.contacts_per_roller - 1) * pitch;
+  const bool shared = p.preload.arrangement == Preload::Arrangement::single_nut;
+  for (const Direction side : kDirections)
+    for (const Interface i : kInterfaces) {
+      const bool screw = i == Interface::screw;
+      const double ahead = screw ? 1.0 : -1.0, psi = p.laws[i].normal_angle;
+      const double stretch = ahead * (strain(body_of(i)) - strain(Part::roller));
+      const double closing = growth(Part::roller) + ahead * growth(body_of(i));
+      // The second nut of two follows the first one.
+      const double first = !shared && side == Direction::tension
+                               ? 2.0 * middle + *p.preload.distance - middle
+                               : -middle;
+      for (std::size_t k = 0; k < s.sides[side].springs[i].size(); ++k)
+        spring_of(s, s.sides[side].springs[i][k]).law.gap +=
+            -sense(side) * std::cos(psi) * stretch * (first + static_cast<double>(k) * pitch) -
+            std::sin(psi) * closing;
+      if (shared && side == Direction::tension) s.expansion += closing;
+      if (!shared)
+        s.expansion += std::tan(psi) * closing + sense(side) * stretch * (first + middle);
+    }
+}
+
 }  // namespace
 
-PreloadSector build_preload_sector(const PreloadParts& parts, Direction sense, double section) {
+PreloadSector build_preload_sector(const PreloadParts& given, Direction sense, double section,
+                                   Play play) {
   const Held held{sense, section};
+  Deviations cold = given.deviations;
+  const bool expands = cold.temperature && play == Play::of_cold_parts;
+  if (expands) cold.temperature.reset();
+  const PreloadParts parts{given.mechanism, given.structure, given.materials,
+                           given.options,   given.laws,      cold,
+                           given.preload};
   PreloadSector s = parts.preload.arrangement == Preload::Arrangement::single_nut
                         ? single_nut(parts, held)
                         : double_nut(parts, held);
+  if (expands) add_expansion(s, given);
   s.laws = parts.laws;
   s.rollers = parts.mechanism.rollers;
   s.roller_radius = 0.5 * *parts.mechanism.pitch_diameter.roller;
@@ -187,6 +241,17 @@ PreloadSector fitted(PreloadSector s, const Fit& fit) {
     }
   s.fit = fit;
   return s;
+}
+
+std::vector<fe::NodalLoad> push_loads(const PreloadSector& s,
+                                      const PerDirection<RollerPush>& push) {
+  std::vector<fe::NodalLoad> loads;
+  for (const Direction d : kDirections)
+    for (fe::NodalLoad load : push_loads(*s.flanks[d].sector, push[d])) {
+      load.node = s.flanks[d].node[static_cast<std::size_t>(load.node)];
+      loads.push_back(load);
+    }
+  return loads;
 }
 
 PreloadSector one_sided(PreloadSector s, Direction carrying) {

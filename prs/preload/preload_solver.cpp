@@ -77,11 +77,13 @@ class PreloadSolver::Branch {
         newton_(equations_),
         pull_(equations_.load_vector({{sector_.loaded_node, Dof::u, sense(Direction::tension)}})) {}
 
-  fe::NewtonSummary solve(double axial_force, double force_scale, fe::State& q) {
+  fe::NewtonSummary solve(double axial_force, double force_scale, fe::State& q,
+                          const std::vector<fe::NodalLoad>& further = {}) {
     fe::NewtonOptions options;
     options.force_scale = force_scale / sector_.rollers;
     options.length_scale = sector_.roller_radius;
-    return newton_.solve(axial_force / sector_.rollers * pull_, options, q);
+    return newton_.solve(axial_force / sector_.rollers * pull_ + equations_.load_vector(further),
+                         options, q);
   }
 
   /// Rigid bodies, each side compressed alike.
@@ -163,7 +165,7 @@ class PreloadSolver::Branch {
 };
 
 PreloadSolver::PreloadSolver(PreloadSector sector) : sector_(std::move(sector)) {
-  const double overlap = interference(sector_, sector_.fit);
+  const double overlap = interference(sector_, sector_.fit) + sector_.expansion;
   preloaded_ = overlap > 0.0;
   rest_.solve.status = fe::NewtonStatus::converged;
   if (!preloaded_) return;
@@ -192,26 +194,44 @@ double PreloadSolver::force_scale(double axial_force) const {
   return std::max(std::abs(axial_force), rest_.sides.tension.axial_load.screw);
 }
 
+void PreloadSolver::set_point(Branch& at_work, PreloadPoint& point) {
+  if (!point.solve.converged()) return;
+  point.axial_displacement =
+      at_work.displacement(last_state_) - (preloaded_ ? both().displacement(rest_state_) : 0.0);
+  point.tangent_stiffness = at_work.tangent_stiffness(last_state_);
+  for (const Direction d : kDirections) point.sides[d] = at_work.loads(last_state_, d);
+}
+
 PreloadPoint PreloadSolver::solve(double axial_force) {
-  if (axial_force == 0.0 || !rest_.solve.converged()) return rest_;
+  if (axial_force == 0.0 || !rest_.solve.converged()) {
+    last_ = preloaded_ ? &both() : nullptr;
+    last_state_ = rest_state_;
+    return rest_;
+  }
   const Direction sense = axial_force > 0.0 ? Direction::tension : Direction::compression;
   const double scale = force_scale(axial_force);
   PreloadPoint point;
   point.axial_force = axial_force;
-  Branch* at_work = &branch(sense);
-  fe::State q = at_work->start(axial_force, sense);
-  point.solve = at_work->solve(axial_force, scale, q);
+  last_ = &branch(sense);
+  last_state_ = last_->start(axial_force, sense);
+  point.solve = last_->solve(axial_force, scale, last_state_);
   // Also without preload a bent roller may reach the flanks behind it.
-  if (!point.solve.converged() || at_work->overlap(q, opposite(sense)) > 0.0) {
-    at_work = &both();
-    q = preloaded_ ? rest_state_ : at_work->start(axial_force, sense);
-    point.solve = at_work->solve(axial_force, scale, q);
+  if (!point.solve.converged() || last_->overlap(last_state_, opposite(sense)) > 0.0) {
+    last_ = &both();
+    last_state_ = preloaded_ ? rest_state_ : last_->start(axial_force, sense);
+    point.solve = last_->solve(axial_force, scale, last_state_);
   }
-  if (!point.solve.converged()) return point;
-  point.axial_displacement =
-      at_work->displacement(q) - (preloaded_ ? both().displacement(rest_state_) : 0.0);
-  point.tangent_stiffness = at_work->tangent_stiffness(q);
-  for (const Direction d : kDirections) point.sides[d] = at_work->loads(q, d);
+  set_point(*last_, point);
+  return point;
+}
+
+PreloadPoint PreloadSolver::go_on(double axial_force, const std::vector<fe::NodalLoad>& further) {
+  // Friction may close the other flank of a roller; a loose second roller has no place.
+  if (sector_.rollers_are_shared()) last_ = &both();
+  PreloadPoint point;
+  point.axial_force = axial_force;
+  point.solve = last_->solve(axial_force, force_scale(axial_force), last_state_, further);
+  set_point(*last_, point);
   return point;
 }
 
@@ -246,7 +266,16 @@ Fit afloat(const PreloadSector& s, double interference) {
         radial[i] += solver.at_rest().sides[d].axial_load[i] * std::tan(s.laws[i].normal_angle);
     return std::cbrt(radial.screw * radial.screw) - std::cbrt(radial.nut * radial.nut);
   };
-  return fit(root_between(imbalance, 0.0, interference));
+  // From where expansion alone, which opens or closes an interface, leaves nothing of its overlap.
+  const auto closed = [&](Interface i) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Direction d : kDirections)
+      for (const int k : s.sides[d].springs[i])
+        most = std::max(most, -s.model.springs[static_cast<std::size_t>(k)].law.gap);
+    return most / std::sin(s.laws[i].normal_angle);
+  };
+  return fit(
+      root_between(imbalance, -closed(Interface::screw), interference + closed(Interface::nut)));
 }
 
 Fit fit_of(const PreloadSector& s, double interference) {
@@ -274,6 +303,11 @@ Fit find_fit(const PreloadSector& sector, const Preload& preload) {
   };
   const double rigid = rigid_interference(sector, *preload.force);
   return fit_of(sector, root_above(surplus, 0.5 * rigid, kMostInterference));
+}
+
+Fit at_temperature(const PreloadSector& s, const Fit& fit) {
+  const double cold = interference(s, fit);
+  return s.rollers_are_shared() && cold + s.expansion > 0.0 ? afloat(s, cold) : fit;
 }
 
 double interference(const PreloadSector& sector, const Fit& fit) {

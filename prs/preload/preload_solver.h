@@ -43,6 +43,12 @@ class PreloadSolver {
   /// Equilibrium under an external load [N], > 0 in tension. Does not depend on earlier loads.
   PreloadPoint solve(double axial_force);
 
+  /// Equilibrium under further loads [N, N m] besides the external one, from the last solve on, the
+  /// same sides at work.
+  PreloadPoint go_on(double axial_force, const std::vector<fe::NodalLoad>& further);
+
+  const PreloadSector& sector() const { return sector_; }
+
   /// Magnitude of the smallest external load of a sense at which the last contact of the other side
   /// opens [N]. Absent without preload, where the side stays closed up to 1000 times the preload (a
   /// roller that bends more and more reaches the flanks behind it), and where a solve fails.
@@ -53,6 +59,8 @@ class PreloadSolver {
   Branch& both();
   Branch& branch(Direction carrying);
   double force_scale(double axial_force) const;
+  /// What the state of a branch says.
+  void set_point(Branch& at_work, PreloadPoint& point);
 
   PreloadSector sector_;
   bool preloaded_;
@@ -61,11 +69,16 @@ class PreloadSolver {
   PerDirection<std::optional<double>> opening_;
   fe::State rest_state_;
   PreloadPoint rest_;
+  Branch* last_ = nullptr;  ///< Of the last solve.
+  fe::State last_state_;
 };
 
 /// The fit that a preload asks for. The interference of a single nut is shared between screw and
 /// nut so that the rollers float: without external load their guides take no radial force.
 Fit find_fit(const PreloadSector& sector, const Preload& preload);
+
+/// The same fit once the parts have expanded: the rollers of a single nut float anew.
+Fit at_temperature(const PreloadSector& expanded, const Fit& fit);
 
 /// Interference of a fit, as defined for `Preload::interference` [m].
 double interference(const PreloadSector& sector, const Fit& fit);

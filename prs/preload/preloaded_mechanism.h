@@ -15,11 +15,21 @@ PerDirection<double> held_sections(const Structure::Thrust& thrust);
 
 /// Both senses of a case with a block `preload`, its first contact at a position on the nut [m].
 PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts,
-                               const PerInterface<ContactLaw>& laws, double position);
+                               const PerInterface<ContactLaw>& laws, double position,
+                               Play play = Play::of_cold_parts);
 
-/// The fit that the case asks for, with its first contact where `preload.position` has it. Throws
+/// The fit that the case asks for, with its first contact where `preload.position` has it, made at
+/// the reference temperature. The rollers float at the temperatures of the sectors. Throws
 /// CaseError where no fit within the threads gives the preload force.
 Fit preload_fit(const Conditions& c, const Contacts& contacts, const PreloadSectors& sectors);
+
+/// The case with the interference that its preload force asks for in place of the force, so that it
+/// is found once for many temperatures. Throws CaseError as `preload_fit`.
+Conditions with_interference(Conditions c, const Contacts& contacts);
+
+/// Axial load of each side without external load where the fit was made, at the reference
+/// temperature [N].
+double reference_preload(const Conditions& c, const Contacts& contacts);
 
 /// Equilibria of a fit under either sense of the load: one solver each, which differ in the section
 /// that holds the nut.

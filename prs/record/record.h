@@ -60,6 +60,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_um", "µm", 1e6},
     {"_nm", "nm", 1e9},
     {"_W", "W", 1.0},
+    {"_K", "K", 1.0},
     {"_N", "N", 1.0},
     {"_J", "J", 1.0},
     {"_h", "h", 1.0 / 3600.0},

@@ -7,7 +7,7 @@
 #include "modules/module.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/input/study_reader.h"
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/contact_record.h"
 #include "prs/loads/load_case_result.h"
@@ -151,6 +151,7 @@ constexpr Quantity<CommandNeeds> kNeeds[] = {
     {"ready", always<[](auto& command) { return command.unmet.empty(); }>},
     {"missing", unmet_paths<true>, "what to add"},
     {"wrong", unmet_paths<false>, "what to change"},
+    {"loads", of<&CommandNeeds::loads>, "static | running, of commands that have loads of threads"},
 };
 
 using Input = Within<CheckResult, input::EchoEntry>;
@@ -289,6 +290,25 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
       geometry.warnings.push_back(std::move(warning));
 }
 
+/// The loads of threads that a command takes.
+std::optional<ModelOptions::Loads> loads_of(const Case& c, Command command) {
+  const auto any = [&](bool (*runs)(const ModelOptions&, LoadCase::Share)) {
+    return std::ranges::any_of(c.load_cases,
+                               [&](const LoadCase& load) { return runs(c.model, load.share); });
+  };
+  bool running = false;
+  if (command == Command::solve)
+    running = any(solve_takes_running_loads);
+  else if (command == Command::slip)
+    running = any(slip_takes_running_loads);
+  else if (command == Command::life)
+    running = c.life && life_takes_running_loads(c);
+  else if (command != Command::contact && command != Command::compare &&
+           command != Command::preload && command != Command::measures)
+    return std::nullopt;
+  return running ? ModelOptions::Loads::running : ModelOptions::Loads::at_rest;
+}
+
 /// Reads and checks the study and the optimization of the source too.
 CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   if (in.study) input::read_study_input(source);
@@ -296,7 +316,8 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   const Case& c = in.values;
   CheckResult result{in.fields, input::assumptions(in.fields, source), {}, {}};
   for (const AnyAnalysis& analysis : analyses())
-    result.commands.push_back({analysis.command, input::unmet(in, analysis.command)});
+    result.commands.push_back(
+        {analysis.command, input::unmet(in, analysis.command), loads_of(c, analysis.command)});
   Result& geometry = result.geometry;
   geometry.contacts = find_contacts(c.mechanism, c.materials);
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);

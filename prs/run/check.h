@@ -14,6 +14,7 @@ namespace prs {
 struct CommandNeeds {
   Command command = Command::check;
   std::vector<Problem> unmet;
+  std::optional<ModelOptions::Loads> loads;  ///< Of a command that has loads of threads.
 };
 
 /// The resolved case, what follows from it, what is unusual, and what it is ready for.

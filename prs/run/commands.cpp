@@ -6,11 +6,12 @@
 
 #include "prs/compare/compare_analysis.h"
 #include "prs/input/resolved_input.h"
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/preload/preload_analysis.h"
+#include "prs/losses/preload_analysis.h"
 #include "prs/run/check.h"
 #include "prs/version.h"
 

@@ -1,7 +1,7 @@
 #include "prs/run/verdict.h"
 
 #include "prs/life/life_record.h"
-#include "prs/losses/heat_record.h"
+#include "prs/loads/heat_record.h"
 #include "prs/record/record_table.h"
 
 namespace prs {

@@ -61,6 +61,22 @@ LoadDistribution SectorSolver::solve(double axial_force) {
   return result;
 }
 
+fe::NewtonSummary SectorSolver::go_on(double axial_force,
+                                      const std::vector<fe::NodalLoad>& further, bool is_trial) {
+  constexpr int kMostOfTrial = 30;
+  const double sector_force = axial_force / sector_.rollers;
+  fe::NewtonOptions options = newton_options(axial_force);
+  std::function<bool()> held;
+  if (is_trial) {
+    options.max_iterations = kMostOfTrial;
+    held = [] { return false; };
+  }
+  fe::NewtonSummary summary = solver_.solve(
+      sector_force * unit_load_ + equations_.load_vector(further), options, state_, held);
+  add_offset_energy(summary, sector_.offset_compliance, sector_force);
+  return summary;
+}
+
 LoadDistribution SectorSolver::at(const fe::State& state, double axial_force) {
   LoadDistribution result;
   for (const Interface i : kInterfaces)

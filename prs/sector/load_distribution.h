@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,6 +34,17 @@ class SectorSolver {
   /// Equilibrium under the axial force on the whole mechanism [N], > 0. Starts from rigid bodies
   /// that share the load equally, so the answer does not depend on earlier loads.
   LoadDistribution solve(double axial_force);
+
+  /// Equilibrium under further loads [N, N m] besides the axial force, from the last state on.
+  /// `is_trial`: of loads that may have none, given up early.
+  fe::NewtonSummary go_on(double axial_force, const std::vector<fe::NodalLoad>& further,
+                          bool is_trial);
+
+  /// The same under a load that follows the state, see `fe::NewtonSolver::follow`.
+  bool follow(double axial_force,
+              const std::function<void(const fe::State&, Eigen::VectorXd&)>& load) {
+    return solver_.follow(load, newton_options(axial_force), state_);
+  }
 
   /// What a state says under the axial force, be it in equilibrium or not; `solve` is left empty.
   LoadDistribution at(const fe::State& state, double axial_force);

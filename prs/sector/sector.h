@@ -27,6 +27,11 @@ struct Sector : SectorModel {
 
 Sector build_sector(const SectorModel& model);
 
+/// Whether a length of the roller is one of its plain ends.
+inline bool is_head(const Sector& s, const fe::BeamElement& b) {
+  return b.first == s.roller_end_nodes.front() || b.second == s.roller_end_nodes.back();
+}
+
 /// Builds the sector from the arguments of `sector_model`.
 template <class... Parts>
 Sector build_sector(const Mechanism& mechanism, const Parts&... parts) {

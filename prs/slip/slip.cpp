@@ -11,6 +11,7 @@
 #include "prs/loads/load_case_result.h"
 #include "prs/model/block_checks.h"
 #include "prs/model/problems.h"
+#include "prs/slip/running.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"
 #include "prs/threads/contact_laws.h"
@@ -20,6 +21,9 @@ namespace {
 
 /// Coulomb's coefficient from which surfaces are taken to touch.
 constexpr double kTouchingFriction = 0.05;
+
+/// Flash temperature from which it is told [K].
+constexpr double kHotFlash = 50.0;
 
 /// Power densities that differ by less than this share differ by rounding: the first one counts.
 constexpr double kEqualPower = 1e-9;
@@ -70,12 +74,42 @@ void set_values(std::vector<double>& values, const LoadedThreads& threads, Value
     values.push_back(!k ? 0.0 : of_patch.empty() ? shared : of_patch[*k]);
 }
 
+/// Roller and body as their surfaces move through the contact, which the carrier holds.
+std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bodies,
+                                          const Kinematics& parts,
+                                          const KinematicGeometry& geometry,
+                                          const ContactFrameOf<double>& frame, Interface i) {
+  const ContactMotion motion = contact_motion(geometry, parts, i);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double sense = k == 0 ? -1.0 : 1.0;  // Sliding: of the body against the roller.
+    const auto along = [&](const contact::Vector3<double>& axis) {
+      return 0.5 * (dot(motion.rolling, axis) + sense * dot(motion.sliding, axis));
+    };
+    bodies[k].speed_major = along(frame.major_axis);
+    bodies[k].speed_minor = along(frame.minor_axis);
+  }
+  return bodies;
+}
+
+std::vector<std::vector<double> InterfaceSlip::*> all_values() {
+  return {&InterfaceSlip::power,
+          &InterfaceSlip::power_density,
+          &InterfaceSlip::friction_coefficient,
+          &InterfaceSlip::spin_torque,
+          &InterfaceSlip::sliding_speed,
+          &InterfaceSlip::max_sliding_speed,
+          &InterfaceSlip::film_thickness,
+          &InterfaceSlip::central_film,
+          &InterfaceSlip::film_factor,
+          &InterfaceSlip::film_ratio,
+          &InterfaceSlip::boundary_share,
+          &InterfaceSlip::dynamic_normal_load,
+          &InterfaceSlip::wear,
+          &InterfaceSlip::flash_temperature};
+}
+
 void clear_values(InterfaceSlip& slip) {
-  for (auto* values :
-       {&slip.power, &slip.power_density, &slip.friction_coefficient, &slip.spin_torque,
-        &slip.sliding_speed, &slip.max_sliding_speed, &slip.film_thickness, &slip.central_film,
-        &slip.film_ratio, &slip.boundary_share, &slip.dynamic_normal_load, &slip.wear})
-    values->clear();
+  for (const auto values : all_values()) (slip.*values).clear();
 }
 
 /// Values of an interface that are all empty so far.
@@ -83,9 +117,14 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
                         Interface i, const SlipDetail& detail) {
   const LoadedThreads& threads = model.threads[i];
   const PatchBalance& b = balance.patches[i];
-  const contact::PatchMotion& motion = balance.sliding[i];
+  const auto motion = [&](std::size_t k) -> const contact::PatchMotion& {
+    return balance.motion_of(i, threads.contacts[k]);
+  };
+  const auto sliding = [&](std::size_t k) {
+    return std::hypot(motion(k).sliding_major, motion(k).sliding_minor);
+  };
   slip.threads_per_roller = threads.threads_per_roller;
-  slip.along_major = motion.along_major;
+  slip.along_major = balance.sliding[i].along_major;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
     set_values(values, threads, value_of_patch);
   };
@@ -99,8 +138,7 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
     });
     add(slip.friction_coefficient, [&](std::size_t k) { return b.friction[k].mean_friction; });
     add(slip.spin_torque, [&](std::size_t k) { return b.normal_load[k] * b.friction[k].spin_arm; });
-    add(slip.sliding_speed,
-        [&](std::size_t) { return std::hypot(motion.sliding_major, motion.sliding_minor); });
+    add(slip.sliding_speed, sliding);
     add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
     add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
   }
@@ -111,19 +149,38 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
              travel;
     });
   }
+  if (model.heated[i] && detail.threads) {
+    add(slip.flash_temperature, [&](std::size_t k) {
+      const LoadedThreads::Contact& c = threads.contacts[k];
+      return contact::flash_temperature(
+          c.ellipse,
+          moving(*model.heated[i], balance.motion,
+                 c.other_flank ? model.other_flank->geometry : model.geometry, model.frame(i, c),
+                 i),
+          power(k));
+    });
+  }
   if (!model.oils.threads[i] || !detail.films) return;
   const contact::Lubricant& oil = *model.oils.threads[i];
-  const double rolling = motion.rolling_speed;
   add(slip.film_thickness, [&](std::size_t k) {
-    return contact::sandu_film(oil, threads.contacts[k].film, rolling).thickness;
+    return contact::sandu_film(oil, threads.contacts[k].film, motion(k).rolling_speed).thickness;
   });
   const auto central_film = [&](std::size_t k) {
-    return contact::central_film(oil, threads.contacts[k].film, rolling, motion.along_major);
+    return contact::central_film(oil, threads.contacts[k].film, motion(k).rolling_speed,
+                                 motion(k).along_major);
   };
   add(slip.central_film, central_film);
+  const auto film_factor = [&](std::size_t k) {
+    const LoadedThreads::Contact& c = threads.contacts[k];
+    return contact::film_factor(oil, c.film, c.ellipse.peak_pressure, motion(k).rolling_speed,
+                                sliding(k));
+  };
+  add(slip.film_factor, film_factor);
   const std::optional<double>& roughness = model.roughness[i];
   if (!roughness) return;
-  const auto film_ratio = [&](std::size_t k) { return central_film(k) / *roughness; };
+  const auto film_ratio = [&](std::size_t k) {
+    return film_factor(k) * central_film(k) / *roughness;
+  };
   add(slip.film_ratio, film_ratio);
   add(slip.boundary_share, [&](std::size_t k) {
     return contact::boundary_share(film_ratio(k), model.friction.mixed.exponent);
@@ -134,6 +191,13 @@ void for_each_thread(const PerInterface<InterfaceSlip>& threads, auto visit) {
   for (const Interface i : kInterfaces)
     for (std::size_t k = 0; k < threads[i].power.size(); ++k)
       visit(ThreadOf{i, static_cast<int>(k)}, threads[i].power[k], threads[i].power_density[k]);
+}
+
+void find_hottest(SlipResult& slip) {
+  double hottest = -1.0;
+  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
+    if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = thread;
+  });
 }
 
 EqualShareSlip summary_of(const SlipResult& equal) {
@@ -181,6 +245,22 @@ void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
                           "`friction: {model: {mixed: {boundary: 0.11}}}`"
                         : "take a friction coefficient of surfaces that touch"}
               .with(least, kFullFilm, {}, Warning::Worse::smaller));
+  }
+}
+
+void warn_of_flashes(const SlipResult& slip, std::vector<Warning>& warnings) {
+  for (const Interface i : kInterfaces) {
+    const std::vector<double>& flashes = slip.threads[i].flash_temperature;
+    const double hottest = flashes.empty() ? 0.0 : std::ranges::max(flashes);
+    if (hottest > kHotFlash)
+      warnings.push_back(
+          Warning{"friction", fmt::format("{}_flash_temperature", name(i)),
+                  fmt::format("the {} contacts flash {{value}} above their parts, more than "
+                              "{{limit}}: films there are thinner than computed, and scuffing is "
+                              "near",
+                              label(i)),
+                  "less speed or load, or an oil with less friction"}
+              .with(hottest, kHotFlash, text_unit::kelvin));
   }
 }
 
@@ -292,19 +372,50 @@ void require_admissible(const SlipModel& model) {
                               std::max(range.pure_sliding, range.ideal)));
 }
 
-/// Loads as slip takes them: solved ones, and equal shares by the geometry.
+bool runs(const Conditions& c, const LoadCase& load) {
+  return slip_takes_running_loads(c.model, load.share);
+}
+
+/// Loads at rest as slip takes them: solved ones, and equal shares by the geometry. Those of a
+/// running screw are still to be solved.
 Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions options) {
   const auto equal = [](const LoadCase& load) { return load.share == LoadCase::Share::equal; };
   if (std::ranges::all_of(c.load_cases, equal))
     return analyze_contacts(c, std::move(contacts), options.detail);
   require_contacts(c, contacts);
-  Result result = analyze(c, std::move(contacts), options);
+  Result result = analyze(c, std::move(contacts), options, [&](const LoadCase& load) {
+    return runs(c, load) || has_both_flanks(c, load.share);
+  });
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!equal(loaded.load_case)) continue;
     loaded = equal_share_result(loaded.load_case, result.contacts);
     if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
   }
   return result;
+}
+
+struct SlipOfSpeed {
+  SlipModel model;
+  SlipEquilibrium slip;
+};
+
+/// Slip of a load case at another speed: loads of a running screw are found anew, those at rest
+/// stay. None where there is no equilibrium.
+std::optional<SlipOfSpeed> slip_at_speed(const Conditions& c, const Contacts& contacts,
+                                         const SlipModels& models, const LoadCaseResult& loaded,
+                                         const LoadCase& at) {
+  std::optional<SlipEquilibrium> slip;
+  if (runs(c, loaded.load_case)) {
+    const LoadCaseResult found =
+        RunningSolver(c, contacts, models).solve(at, Detail::numbers, slip);
+    if (!found.threads) return std::nullopt;
+    return SlipOfSpeed{models.of(found), std::move(*slip)};
+  }
+  SlipModel model = models.of(loaded);
+  model.speed = *at.speed;
+  slip = find_slip_equilibrium(model);
+  if (!slip->ok()) return std::nullopt;
+  return SlipOfSpeed{std::move(model), std::move(*slip)};
 }
 
 ResidueCurve residue_curve(const SlipModel& model, double from, double to) {
@@ -380,8 +491,11 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   const SlipRange range = slip_range(model.geometry);
   const SlipBalance& b = found.balance;
   PerInterface<InterfaceSlip> memory = std::move(slip.threads);
+  std::vector<std::array<RollerHead, 2>> heads = std::move(slip.heads);
   slip = {};
   slip.threads = std::move(memory);
+  slip.heads = std::move(heads);
+  slip.heads.clear();
   for (const Interface i : kInterfaces) clear_values(slip.threads[i]);
   slip.status = found.status;
   slip.evaluations = found.evaluations;
@@ -413,12 +527,67 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
     slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
   if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
   slip.forces = b.forces;
-  if (model.has_bearing()) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
-  double hottest = -1.0;
-  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
-    if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = thread;
-  });
+  set_heads(slip.heads, model, b);
+  if (model.bearing_viscosity > 0.0) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
+  find_hottest(slip);
 }
+
+namespace {
+
+/// Threads of the flank that the load names stay in the lists, power of the other one goes to it.
+void part_flanks(LoadCaseResult& loaded) {
+  if (!loaded.other_flank || !loaded.slip->converged()) return;
+  SlipResult& slip = *loaded.slip;
+  for (const Interface i : kInterfaces) {
+    const auto count = static_cast<std::ptrdiff_t>((*loaded.threads)[i].normal_load.size());
+    std::vector<double>& power = loaded.other_flank->threads[i].power;
+    if (slip.second_nut) {
+      const bool first = loaded.load_case.direction == Direction::tension;
+      power = (first ? slip : *slip.second_nut).threads[i].power;
+      continue;
+    }
+    power.assign(slip.threads[i].power.begin() + count, slip.threads[i].power.end());
+    for (const auto values : all_values())
+      if (std::vector<double>& all = slip.threads[i].*values; !all.empty())
+        all.resize(static_cast<std::size_t>(count));
+  }
+  find_hottest(slip);
+}
+
+/// What both nuts do to the screw, powers and torques of the second one on top, under the force F_N
+/// of the load case.
+void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_model,
+                    double force) {
+  if (slip.converged() && second.converged()) {
+    slip.power.screw += second.power.screw;
+    slip.power.nut += second.power.nut;
+    slip.power.carrier_roller += second.power.carrier_roller;
+    slip.power.carrier_screw += second.power.carrier_screw;
+    slip.power.carrier_nut += second.power.carrier_nut;
+    slip.power_loss_input_output += second.power_loss_input_output;
+    slip.torque_screw += second.torque_screw;
+    slip.torque_nut += second.torque_nut;
+    const double advance = -first_model.geometry.lead / (2.0 * std::numbers::pi) * slip.speed;
+    const double turned = first_model.geometry.is_standard() ? slip.torque_screw : slip.torque_nut;
+    const PowerFlow flow{turned * turning_speed(first_model.geometry.type, slip.speed),
+                         force * advance};
+    slip.efficiency = flow.efficiency();
+    slip.driven_by =
+        force * slip.speed * first_model.geometry.lead < 0.0 ? DrivenBy::load : DrivenBy::screw;
+    slip.self_locking.reset();
+    slip.holding_torque.reset();
+    if (slip.driven_by == DrivenBy::load) {
+      slip.self_locking = !slip.efficiency;
+      slip.holding_torque = std::copysign(1.0, slip.speed) * slip.torque_screw;
+    }
+    slip.efficiency_fit.reset();
+  } else if (slip.converged()) {
+    slip.status = second.status;
+  }
+  slip.second_nut = std::make_shared<SlipResult>(std::move(second));
+}
+
+}  // namespace
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
                     const std::optional<Oils>& oils) {
@@ -428,19 +597,45 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
     if (std::optional<Warning> note = unknown_film_ratio(c))
       result.warnings.push_back(std::move(*note));
   const SlipModels models(c, result.contacts, oils ? *oils : oils_in_operation(c));
+  RunningSolver running(c, result.contacts, models);
+  std::optional<FlankSolver> flanks;
+  if (has_both_flanks(c, LoadCase::Share::solved)) flanks.emplace(c, result.contacts);
   for (LoadCaseResult& loaded : result.load_cases) {
+    std::optional<SlipEquilibrium> found;
+    if (runs(c, loaded.load_case) || has_both_flanks(c, loaded.load_case.share)) {
+      require_admissible(models.unloaded(loaded.load_case));
+      loaded = runs(c, loaded.load_case) ? running.solve(loaded.load_case, options.detail, found)
+                                         : flanks->solve(loaded.load_case);
+      if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
+    }
     if (!loaded.threads) continue;
-    const SlipModel model = models.of(loaded);
+    const std::vector<SlipModel> nuts = models.of_nuts(loaded);
+    const SlipModel& model = nuts.front();
     require_admissible(model);
-    loaded.slip = slip_result(model);
-    if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged()) {
+    loaded.slip.emplace();
+    set_slip_result(*loaded.slip, model, found ? *found : find_slip_equilibrium(model), {});
+    if (nuts.size() == 2) {
+      SlipResult second;
+      const std::optional<SlipEquilibrium>& known = running.second_nut();
+      set_slip_result(second, nuts[1], known ? *known : find_slip_equilibrium(nuts[1]), {});
+      add_second_nut(*loaded.slip, std::move(second), nuts[0],
+                     axial_force_on_nut(loaded.load_case));
+    }
+    part_flanks(loaded);
+    if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged() &&
+        !loaded.other_flank) {
       const SlipResult equal = slip_result(models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (options.detail != Detail::complete) continue;
     warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
+    if (loaded.running)
+      if (auto note = guides_without_play(c, {*loaded.threads->screw.running_over_static,
+                                              *loaded.threads->nut.running_over_static}))
+        loaded.warnings.push_back(std::move(*note));
     if (loaded.slip->converged()) {
       warn_of_film(model, *loaded.slip, loaded.warnings);
+      warn_of_flashes(*loaded.slip, loaded.warnings);
       if (auto note = unknown_heat_flow(c, result.contacts.mechanism, loaded.slip->power.total()))
         loaded.warnings.push_back(std::move(*note));
     }
@@ -459,30 +654,36 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
       return std::nullopt;
   if (!rolls(contacts.threads)) return std::nullopt;
   Oils oils = oils_in_operation(c);
-  const bool oiled = c.friction->of_film() || c.carrier.bearing;
+  const bool oiled = c.friction->of_film() || c.carrier.is_oiled();
   if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
-  const SlipModels models(c, contacts, std::move(oils));
-  SlipModel model = models.of(loaded);
-  model.imposed_slip_ratio.reset();
-  if (driven_by(model) == DrivenBy::screw) model.speed = -model.speed;
-  const SlipEquilibrium found = find_slip_equilibrium(model);
-  if (!found.ok()) return std::nullopt;
-  return power_flow(model, drive_torques(model, found.balance)).efficiency();
+  Conditions free = c;
+  if (free.operation) free.operation->slip_ratio.reset();
+  const SlipModels models(free, contacts, std::move(oils));
+  LoadCase driving = loaded.load_case;
+  const SlipModel as_stated = models.unloaded(driving);
+  driving.speed = driven_by(as_stated) == DrivenBy::screw ? -as_stated.speed : as_stated.speed;
+  const std::optional<SlipOfSpeed> found = slip_at_speed(free, contacts, models, loaded, driving);
+  if (!found) return std::nullopt;
+  return power_flow(found->model, drive_torques(found->model, found->slip.balance)).efficiency();
 }
 
 StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case) {
   constexpr int kDecades = 4, kPerDecade = 10;
   const LoadCaseResult& loaded = result.load_cases[load_case];
-  const SlipModels models(c, result.contacts, oils_of(c, loaded));
-  SlipModel model = models.of(loaded);
-  const double speed = model.speed;
+  Conditions warm = c;
+  if (loaded.heat) warm.deviations.temperature = loaded.heat->temperature;
+  const SlipModels models(warm, result.contacts, oils_of(c, loaded));
+  LoadCase at = loaded.load_case;
+  const double speed = models.unloaded(at).speed;
   StribeckCurve curve;
   for (int k = 0; k <= kDecades * kPerDecade; ++k) {
     // From a thousandth to ten times the speed.
-    model.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
-    const SlipResult slip = slip_result(model);
-    if (!slip.converged()) continue;
-    curve.speed.push_back(std::abs(model.speed));
+    at.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
+    const auto found = slip_at_speed(warm, result.contacts, models, loaded, at);
+    if (!found) continue;
+    SlipResult slip;
+    set_slip_result(slip, found->model, found->slip, {});
+    curve.speed.push_back(std::abs(*at.speed));
     curve.power.push_back(slip.power.total());
     curve.efficiency.push_back(slip.efficiency);
     for (const Interface i : kInterfaces) {

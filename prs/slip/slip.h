@@ -81,8 +81,8 @@ struct SlipPictures {
   PerInterface<PatchField> most_loaded_thread;  ///< At the result's slip ratio.
 };
 
-/// What friction does from a thousandth to ten times the speed of a load case, the loads and the
-/// oil as they are; speeds without an equilibrium are left out.
+/// What friction does from a thousandth to ten times the speed of a load case, loads at rest and the
+/// oil as they are, loads of a running screw found anew; speeds without an equilibrium are left out.
 struct StribeckCurve {
   std::vector<double> speed;                      ///< Magnitude [rad/s], ascending.
   std::vector<double> power;                      ///< Lost in the whole mechanism [W]

@@ -1,5 +1,6 @@
 #include "prs/slip/slip_equilibrium.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,36 +13,115 @@ using simd::Dual, simd::value;
 
 double sign(double x) { return std::copysign(1.0, x); }
 
+template <class Number>
+struct RollerHeadOf {
+  Number guide_force{}, bearing_force{};
+  contact::JournalBearingStateOf<Number> state{};
+};
+
+/// How the other flank of an interface slides, where there is one.
+template <class Number>
+contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i,
+                                             const Number& slip_ratio) {
+  if (!model.other_flank) return {};
+  const auto& [geometry, frames] = *model.other_flank;
+  return patch_motion(frames[i],
+                      contact_motion(geometry, kinematics(geometry, model.speed, slip_ratio), i));
+}
+
 /// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
 /// one has no normal load.
 template <class Number, class Take>
 InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
                                          const contact::PatchMotionOf<Number>& sliding,
+                                         const contact::PatchMotionOf<Number>& other,
                                          bool& possible, Take take) {
   const LoadedThreads& threads = model.threads[i];
   InterfaceForces<Number> sum;
   for (std::size_t k = 0; k < threads.patches.size() && possible; ++k) {
-    const contact::PatchFrictionOf<Number> friction = threads.patches[k].friction(sliding);
+    const LoadedThreads::Contact& contact = threads.contacts[k];
+    const contact::PatchFrictionOf<Number> friction =
+        threads.patches[k].friction(contact.other_flank ? other : sliding);
+    const ContactFrameOf<double>& frame = model.frame(i, contact);
     const PatchForces<Number> at =
-        patch_forces(model.frames[i], friction, threads.contacts[k].axial_load, threads.alike);
-    possible = is_possible(at.normal_load);
+        contact.normal_load
+            ? forces_of(frame, friction, turned_normal<Number, double>(frame, friction),
+                        Number(*contact.normal_load), threads.alike)
+            : patch_forces(frame, friction, contact.axial_load, threads.alike);
+    possible = is_possible(at.normal_load) && value(at.on_roller.force.z) * frame.normal.z <= 0.0;
     sum.force = sum.force + at.on_roller.force;
     sum.spin_torque += at.on_roller.spin_torque;
+    if (contact.other_flank) {
+      const auto &here = model.other_flank->geometry.points[i], &there = model.geometry.points[i];
+      sum.couple +=
+          (here.x - there.x) * at.on_roller.force.y - (here.y - there.y) * at.on_roller.force.x;
+    }
     take(k, friction, at);
   }
   return sum;
+}
+
+/// Forces and friction of the heads of one roller whose guides push it with these forces.
+template <class Number>
+std::array<RollerHeadOf<Number>, 2> heads_of(const SlipModel& model,
+                                             const RollerForcesOf<Number>& f, const Number& speed,
+                                             const std::optional<std::array<double, 2>>& guides) {
+  std::array<RollerHeadOf<Number>, 2> heads;
+  for (std::size_t h = 0; h < 2; ++h) {
+    RollerHeadOf<Number>& head = heads[h];
+    head.guide_force = guides ? Number((*guides)[h]) : -0.5 * f.contacts_x;
+    if (!guides || !model.guides.carry_centrifugal) head.guide_force -= 0.5 * f.centrifugal;
+    head.bearing_force =
+        simd::length(Number(head.guide_force - 0.5 * f.gears_x), Number(0.5 * f.carrier_y));
+    if (model.has_bearing())
+      head.state = head_state<Number, double>(model, speed, head.bearing_force);
+  }
+  return heads;
+}
+
+/// Calls visit(heads) for each roller whose heads are known by themselves.
+template <class Number, class Visit>
+void for_each_roller(const SlipModel& model, const RollerForcesOf<Number>& f, const Number& speed,
+                     Visit visit) {
+  if (model.guides.of_roller.empty()) visit(heads_of<Number>(model, f, speed, {}));
+  for (const auto& guides : model.guides.of_roller)
+    visit(heads_of<Number>(model, f, speed, guides));
+}
+
+/// See `balance_carrier`: the mean torque of all rollers.
+template <class Number>
+contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model,
+                                                  const RollerForcesOf<Number>& f,
+                                                  const Number& speed) {
+  if (model.guides.of_roller.empty()) return equal_heads<Number, double>(model, f, speed);
+  contact::JournalBearingStateOf<Number> mean{Number(0.0), Number(0.0)};
+  for_each_roller(model, f, speed, [&](const auto& heads) {
+    for (const auto& head : heads) {
+      if (mean.eccentricity_ratio < head.state.eccentricity_ratio)
+        mean.eccentricity_ratio = head.state.eccentricity_ratio;
+      mean.torque += head.state.torque / static_cast<double>(model.guides.of_roller.size());
+    }
+  });
+  return mean;
+}
+
+template <class Number>
+auto heads_in(const SlipModel& model) {
+  return [&model](const RollerModelOf<double>&, const RollerForcesOf<Number>& f,
+                  const Number& speed) { return both_heads(model, f, speed); };
 }
 
 /// R_z with its slope along the slip ratio; none where a contact jams.
 std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double slip_ratio) {
   using Number = Dual<double>;
   bool possible = true;
-  const RollerBalanceOf<Number> found =
-      roller_balance(model, Number(slip_ratio, 1.0),
-                     [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
-                       return interface_forces(model, i, sliding, possible,
-                                               [](std::size_t, const auto&, const auto&) {});
-                     });
+  const RollerBalanceOf<Number> found = roller_balance(
+      model, Number(slip_ratio, 1.0),
+      [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
+        return interface_forces(model, i, sliding, other_sliding(model, i, Number(slip_ratio, 1.0)),
+                                possible, [](std::size_t, const auto&, const auto&) {});
+      },
+      heads_in<Number>(model));
   if (!possible) return std::nullopt;
   return found.moments.residue() / residue_unit(model);
 }
@@ -50,14 +130,16 @@ std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double sl
 
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
   bool possible = true;
-  b.RollerBalance::operator=(
-      roller_balance(model, slip_ratio, [&](Interface i, const contact::PatchMotion& sliding) {
+  b.RollerBalance::operator=(roller_balance(
+      model, slip_ratio,
+      [&](Interface i, const contact::PatchMotion& sliding) {
         PatchBalance& at = b.patches[i];
         const LoadedThreads& threads = model.threads[i];
         at.friction.resize(threads.patches.size());
         at.normal_load.resize(threads.patches.size());
         at.power = 0.0;
-        return interface_forces(model, i, sliding, possible,
+        b.other_sliding[i] = other_sliding(model, i, slip_ratio);
+        return interface_forces(model, i, sliding, b.other_sliding[i], possible,
                                 [&](std::size_t k, const contact::PatchFriction& friction,
                                     const PatchForces<double>& forces) {
                                   at.friction[k] = friction;
@@ -65,20 +147,22 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
                                   at.power +=
                                       threads.alike * forces.normal_load * friction.power_per_load;
                                 });
-      }));
+      },
+      heads_in<double>(model)));
   return possible;
 }
 
 double residue_unit(const SlipModel& m) {
-  return m.geometry.centre_distance * std::abs(m.axial_force) / m.rollers;
+  const double force = m.carried.value_or(std::abs(m.axial_force));
+  return m.geometry.centre_distance * (force > 0.0 ? force : 1.0) / m.rollers;
 }
 
 double relative_residue(const SlipModel& m, const SlipBalance& b) {
   return b.moments.residue() / residue_unit(m);
 }
 
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
-  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio);
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<double>& near) {
+  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio, near);
   SlipEquilibrium found;
   while (!search.done()) {
     if (search.wants_slope()) {
@@ -94,13 +178,52 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
   }
   found.status = search.status();
   found.evaluations = search.evaluations();
+  found.slope = search.slope();
+  if (near && found.status == SlipStatus::no_equilibrium) return find_slip_equilibrium(model);
   return found;
+}
+
+std::optional<double> next_slip_ratio(const SlipModel& model, SlipEquilibrium& slip) {
+  constexpr double kSmall = 1e-3;
+  const double at = slip.balance.motion.slip_ratio;
+  if (!balance_at(model, at, slip.balance)) return std::nullopt;
+  if (slip.status == SlipStatus::imposed) return at;
+  const double step = -relative_residue(model, slip.balance) / slip.slope;
+  const bool small = std::abs(step) <= kSmall * std::abs(at - slip_range(model.geometry).ideal);
+  return small ? std::optional(at + step) : std::nullopt;
+}
+
+void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
+               const SlipBalance& b) {
+  std::vector<std::array<RollerHead, 2>> present;
+  for_each_roller(model, b.forces, b.motion.roller_to_carrier, [&](const auto& of_roller) {
+    std::array<RollerHead, 2>& added = present.emplace_back();
+    for (std::size_t h = 0; h < 2; ++h) {
+      const auto& head = of_roller[h];
+      added[h] = {head.guide_force, head.bearing_force, {}, {}};
+      if (model.has_bearing()) added[h].torque = head.state.torque;
+      if (model.bearing_viscosity > 0.0)
+        added[h].eccentricity_ratio = head.state.eccentricity_ratio;
+    }
+  });
+  heads = present;
+  if (model.threads.screw.threads_per_roller == 0) return;
+  const std::vector<int>& missing = model.guides.missing;
+  heads.clear();
+  std::size_t next = 0;
+  const auto rollers = static_cast<int>(model.rollers) + static_cast<int>(missing.size());
+  for (int r = 1; r <= rollers; ++r)
+    if (std::ranges::find(missing, r) != missing.end())
+      heads.emplace_back();
+    else
+      heads.push_back(present[present.size() == 1 ? 0 : next++]);
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {
   // What acts on a roller, taken about the screw's axis, acts back on screw and nut.
   const auto about_axis = [&](Interface i) {
-    return moment_z(m.geometry.points[i], 0.0, b.interfaces[i].force) + b.interfaces[i].spin_torque;
+    return moment_z(m.geometry.points[i], 0.0, b.interfaces[i].force) + b.interfaces[i].couple +
+           b.interfaces[i].spin_torque;
   };
   const double c = m.geometry.centre_distance;
   const double roller_gear = roller_gear_radius(m.geometry);

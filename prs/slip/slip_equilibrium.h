@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "contact/film.h"
+#include "contact/flash_temperature.h"
 #include "contact/journal_bearing.h"
 #include "contact/lubricant.h"
 #include "contact/patch.h"
@@ -18,9 +20,11 @@ namespace prs {
 /// The loaded threads of one interface, of one roller or of all. They share contact point and
 /// directions, as all rollers have one speed of orbit and spin; each patch has a load of its own.
 struct LoadedThreads {
-  /// A patch under its static load.
+  /// A patch under its static load, or that of the running screw.
   struct Contact {
-    double axial_load = 0.0;  ///< F_i, > 0 [N]
+    double axial_load = 0.0;                 ///< F_i, > 0; not used with a normal load [N]
+    std::optional<double> normal_load = {};  ///< N_i where the running screw has it [N].
+    bool other_flank = false;                ///< See `SlipModel::other_flank`.
     contact::HertzContact ellipse;
     contact::FilmContact film;
     contact::FrictionLaw friction;
@@ -39,6 +43,14 @@ struct Oils {
   std::optional<contact::Lubricant> carrier;  ///< In the bearings of the roller heads.
 };
 
+/// R_near and R_far of each roller present whose beam is known, the forces of its guides, > 0
+/// outwards [N].
+struct GuideForces {
+  std::vector<std::array<double, 2>> of_roller;  ///< None: half of what the balance asks for each.
+  std::vector<int> missing;                      ///< Rollers that are not there, from 1.
+  bool carry_centrifugal = false;                ///< Whether that of the roller is in them.
+};
+
 /// One roller between screw, nut, gears and carrier, loaded and turning (Sandu 2018, section 3.2,
 /// with a load of its own for each thread). Of a full mechanism the mean of all rollers present:
 /// the carrier gives all one speed of orbit and the gears one spin, so that the balance is that of
@@ -46,14 +58,33 @@ struct Oils {
 struct SlipModel : RollerModelOf<double> {
   double axial_force = 0.0;  ///< F_N, signed, of the whole mechanism [N]
   PerInterface<LoadedThreads> threads;
+  /// Where preload closes both flanks of the threads: points and directions of those that do not
+  /// face the load.
+  struct OtherFlank {
+    KinematicGeometry geometry;
+    PerInterface<ContactFrameOf<double>> frames;
+  };
+  std::optional<OtherFlank> other_flank;
+  /// With preload: axial load that both flanks carry at the screw, in place of `axial_force` where
+  /// a measure is needed [N].
+  std::optional<double> carried;
   Oils oils;
+
+  GuideForces guides;
 
   // What results say of it.
   Friction friction;
   contact::FilmDirection film_direction = contact::FilmDirection::minor_axis;
+  contact::FilmThinning film_thinning;
+  /// Roller and the other body; where their heat properties are known.
+  PerInterface<std::optional<std::array<contact::HeatedBody, 2>>> heated;
   std::optional<Wear> wear;
   PerInterface<std::optional<double>> roughness;  ///< Composite Rq [m].
   std::optional<double> imposed_slip_ratio;
+
+  const ContactFrameOf<double>& frame(Interface i, const LoadedThreads::Contact& c) const {
+    return c.other_flank ? other_flank->frames[i] : frames[i];
+  }
 };
 
 /// Friction at the patches of one interface of one roller.
@@ -66,6 +97,11 @@ struct PatchBalance {
 /// What acts on one roller, and what its patches have to do with it.
 struct SlipBalance : RollerBalance {
   PerInterface<PatchBalance> patches;
+  PerInterface<contact::PatchMotion> other_sliding;  ///< On `SlipModel::other_flank`.
+
+  const contact::PatchMotion& motion_of(Interface i, const LoadedThreads::Contact& c) const {
+    return c.other_flank ? other_sliding[i] : sliding[i];
+  }
 };
 
 /// Balances all but the moment about the roller's axis, whose residue is left in `moments` (Sandu
@@ -78,7 +114,8 @@ struct SlipBalance : RollerBalance {
 /// where numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
 
-/// c |F_N|/N_R [N m], the unit of `relative_residue`.
+/// c |F_N|/N_R [N m], under preload with what both flanks carry: the unit of `relative_residue`. Of
+/// an open nut c/N_R times 1 N.
 double residue_unit(const SlipModel& model);
 
 /// R_z, the moment left on a roller over c |F_N|/N_R [-] (Sandu 2018, (3.39) to (3.43)).
@@ -90,13 +127,24 @@ struct SlipEquilibrium {
   SlipStatus status = SlipStatus::not_computed;
   int evaluations = 0;  ///< Of the balance, with slopes or without.
   SlipBalance balance;  ///< At the root.
+  double slope = 0.0;   ///< Of the relative residue along the slip ratio, near the root.
 
   bool ok() const { return status == SlipStatus::converged || status == SlipStatus::imposed; }
 };
 
 /// By `SlipSearch`, to 1e-14 or better. Where no friction acts, every slip ratio balances and the
 /// ideal one is returned. An imposed one is taken as it is.
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model);
+/// `near`: a slip ratio that may be near.
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model,
+                                      const std::optional<double>& near = {});
+
+/// Goes on from an equilibrium under loads that have hardly changed: the balance at its slip ratio,
+/// to which a step by the slope then leads. None where that is no small step.
+std::optional<double> next_slip_ratio(const SlipModel& model, SlipEquilibrium& slip);
+
+/// Near and far end: of a full mechanism of each roller, those that are missing without forces.
+void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
+               const SlipBalance& balance);
 
 /// Torques on screw and nut that keep them turning (Sandu 2018, (3.30), (3.31)) [N m].
 struct DriveTorques {

@@ -17,6 +17,14 @@ struct ContactFrameOf {
   contact::Vector3<Real> minor_axis{};  ///< t_2 = n x t_1
 };
 
+/// Friction of a roller's head in its bearing beside that of a full film; see `HeadFriction`.
+template <class Real>
+struct HeadFrictionOf {
+  Real touches{};       ///< 1: mixed or coulomb; 0: hydrodynamic.
+  Real friction_arm{};  ///< mu d/2 [m]
+  Real roughness{}, exponent{};
+};
+
 /// One roller and what acts on it besides the friction of its threads. SI units.
 template <class Real>
 struct RollerModelOf {
@@ -28,12 +36,13 @@ struct RollerModelOf {
   Real screw_torque{};
   Real nut_torque{};
   Real roller_torque{};
-  contact::JournalBearingOf<Real> bearing{};  ///< Where it has a length, not `roller_torque`.
-  Real bearing_viscosity{};                   ///< [Pa s]
-  Real gear_tangent{};                        ///< Of the pressure angle.
-  Real roller_mass{};                         ///< [kg]
+  contact::JournalBearingOf<Real> bearing{};  ///< Where it has a diameter, not `roller_torque`.
+  Real bearing_viscosity{};                   ///< 0 without oil [Pa s]
+  HeadFrictionOf<Real> head_friction{};
+  Real gear_tangent{};  ///< Of the pressure angle.
+  Real roller_mass{};   ///< [kg]
 
-  simd::Lanes<Real> has_bearing() const { return bearing.length > Real(0.0); }
+  simd::Lanes<Real> has_bearing() const { return bearing.diameter > Real(0.0); }
 };
 
 /// Forces and moment of the threads of an interface on one roller.
@@ -41,6 +50,8 @@ template <class Number>
 struct InterfaceForces {
   contact::Vector3<Number> force{};
   Number spin_torque{};
+  /// Moment about z of forces that act beside the interface's point, about that point.
+  Number couple = Number(simd::ValueOf<Number>(0.0));
 };
 
 /// Everything that acts on one roller at one slip ratio.
@@ -88,20 +99,36 @@ struct PatchForces {
   InterfaceForces<Number> on_roller{};
 };
 
-/// m = n - T/N (3.5); the axial load gives the dynamic normal one (3.11), (3.12). `alike`: threads
-/// that the patch stands for.
+/// Direction of the force on the roller, m = n - T/N (3.5).
+template <class Number, class Real>
+contact::Vector3<Number> turned_normal(const ContactFrameOf<Real>& frame,
+                                       const contact::PatchFrictionOf<Number>& friction) {
+  const auto &n = frame.normal, &t_1 = frame.major_axis, &t_2 = frame.minor_axis;
+  const Number &f_1 = friction.traction_major, &f_2 = friction.traction_minor;
+  return {n.x - f_1 * t_1.x - f_2 * t_2.x, n.y - f_1 * t_1.y - f_2 * t_2.y,
+          n.z - f_1 * t_1.z - f_2 * t_2.z};
+}
+
+/// Of the normal load of each of the threads `alike` that the patch stands for.
+template <class Number, class Real>
+PatchForces<Number> forces_of(const ContactFrameOf<Real>& frame,
+                              const contact::PatchFrictionOf<Number>& friction,
+                              const contact::Vector3<Number>& m, const Number& normal_load,
+                              const Real& alike) {
+  const Number all = normal_load * alike;
+  return {normal_load,
+          {{-(all * m.x), -(all * m.y), -(all * m.z)}, all * friction.spin_arm * frame.normal.z}};
+}
+
+/// The axial load gives the dynamic normal one (3.11), (3.12).
 template <class Number, class Real>
 PatchForces<Number> patch_forces(const ContactFrameOf<Real>& frame,
                                  const contact::PatchFrictionOf<Number>& friction,
                                  const Real& axial_load, const Real& alike) {
   using simd::copysign;
-  const auto &n = frame.normal, &t_1 = frame.major_axis, &t_2 = frame.minor_axis;
-  const Number &f_1 = friction.traction_major, &f_2 = friction.traction_minor;
-  const contact::Vector3<Number> m{n.x - f_1 * t_1.x - f_2 * t_2.x, n.y - f_1 * t_1.y - f_2 * t_2.y,
-                                   n.z - f_1 * t_1.z - f_2 * t_2.z};
-  const Number normal_load = axial_load / (m.z * copysign(Real(1.0), n.z));
-  const Number all = normal_load * alike;
-  return {normal_load, {{-(all * m.x), -(all * m.y), -(all * m.z)}, all * friction.spin_arm * n.z}};
+  const contact::Vector3<Number> m = turned_normal<Number, Real>(frame, friction);
+  return forces_of(frame, friction, m,
+                   Number(axial_load / (m.z * copysign(Real(1.0), frame.normal.z))), alike);
 }
 
 /// Whether a normal load exists: friction can push a contact open, and numbers overflow.
@@ -141,23 +168,56 @@ RollerForcesOf<Number> forces_with(const RollerModelOf<Real>& m, const RollerBal
   return f;
 }
 
-/// The bearing's torque depends on its load and, a little, its load on the torque.
+/// M_h and the eccentricity of a head at a speed under the load F_h,
+///
+///     M_h = (1 - s) M_hydrodynamic + s mu F_h d/2,
+///     s = (1 + radial_clearance (1 - eccentricity)/roughness)^-exponent,
+///
+/// s = 0 of a full film and s = 1 without oil.
 template <class Number, class Real>
-void balance_carrier(const RollerModelOf<Real>& m, RollerBalanceOf<Number>& b) {
-  using simd::abs, simd::any, simd::copysign, simd::length, simd::select, simd::value;
+contact::JournalBearingStateOf<Number> head_state(const RollerModelOf<Real>& m, const Number& speed,
+                                                  const Number& load) {
+  using simd::any, simd::select;
+  const HeadFrictionOf<Real>& h = m.head_friction;
+  const auto oiled = m.bearing_viscosity > Real(0.0), touches = h.touches > Real(0.0);
+  const Number none(Real(0.0));
+  contact::JournalBearingStateOf<Number> film{none, none};
+  if (any(oiled)) film = contact::short_bearing(m.bearing, m.bearing_viscosity, speed, load);
+  if (!any(touches)) return film;
+  const Number dry = h.friction_arm * load;
+  const Number ratio = m.bearing.radial_clearance * (1.0 - film.eccentricity_ratio) / h.roughness;
+  const Number share = contact::boundary_share(ratio, h.exponent);
+  const Number mixed = (1.0 - share) * film.torque + share * dry;
+  return {select(oiled, film.eccentricity_ratio, none),
+          select(touches, select(oiled, mixed, dry), film.torque)};
+}
+
+/// Both heads of a roller, each under half of the carrier's force.
+template <class Number, class Real>
+contact::JournalBearingStateOf<Number> equal_heads(const RollerModelOf<Real>& m,
+                                                   const RollerForcesOf<Number>& f,
+                                                   const Number& speed) {
+  const Number load(0.5 * simd::length(f.carrier_x, f.carrier_y));
+  const auto state = head_state(m, speed, load);
+  return {state.eccentricity_ratio, 2.0 * state.torque};
+}
+
+/// The bearings' torque depends on their loads and, a little, the loads on the torque.
+/// `heads(m, forces, speed)`: torque of both heads and the larger eccentricity.
+template <class Number, class Real, class Heads>
+void balance_carrier(const RollerModelOf<Real>& m, RollerBalanceOf<Number>& b, Heads heads) {
+  using simd::abs, simd::any, simd::copysign, simd::select, simd::value;
   const Real sense = copysign(Real(1.0), m.speed);
   Number torque(m.roller_torque);
   auto active = m.has_bearing();
   for (int i = 0; i < 30 && any(active); ++i) {
     const RollerForcesOf<Number> f = forces_with(m, b, Number(sense * torque));
-    const contact::JournalBearingStateOf<Number> state =
-        contact::short_bearing(m.bearing, m.bearing_viscosity, b.motion.roller_to_carrier,
-                               Number(0.5 * length(f.carrier_x, f.carrier_y)));
+    const contact::JournalBearingStateOf<Number> state = heads(m, f, b.motion.roller_to_carrier);
     const Real before = value(torque);
     b.bearing.eccentricity_ratio =
         select(active, state.eccentricity_ratio, b.bearing.eccentricity_ratio);
     b.bearing.torque = select(active, state.torque, b.bearing.torque);
-    torque = select(active, 2.0 * state.torque, torque);  // two heads
+    torque = select(active, state.torque, torque);
     active = active && abs(value(torque) - before) > 1e-15 * value(torque);
   }
   b.carrier_roller_torque = sense * torque;
@@ -172,10 +232,10 @@ Number moment_z(const contact::Vector2<Real>& point, const Real& axis_x,
 }
 
 /// Balances all but the moment about the roller's axis, see `balance_at`. `forces_at(i, sliding)`:
-/// `InterfaceForces` of the threads of an interface.
-template <class Number, class Real, class Forces>
+/// `InterfaceForces` of the threads of an interface. `heads`: see `balance_carrier`.
+template <class Number, class Real, class Forces, class Heads>
 RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Number& slip_ratio,
-                                       Forces forces_at) {
+                                       Forces forces_at, Heads heads) {
   using simd::select;
   RollerBalanceOf<Number> b;
   b.motion = kinematics(m.geometry, m.speed, slip_ratio);
@@ -184,11 +244,12 @@ RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Numbe
     b.sliding[i] = patch_motion(m.frames[i], contact_motion(m.geometry, b.motion, i));
     b.interfaces[i] = forces_at(i, b.sliding[i]);
     b.moments.contacts +=
-        moment_z(m.geometry.points[i], m.geometry.centre_distance, b.interfaces[i].force);
+        moment_z(m.geometry.points[i], m.geometry.centre_distance, b.interfaces[i].force) +
+        b.interfaces[i].couple;
     b.moments.spin += b.interfaces[i].spin_torque;
   }
   b.bearing = {Number(Real(0.0)), Number(Real(0.0))};
-  balance_carrier(m, b);
+  balance_carrier(m, b, heads);
   b.moments.carrier = b.carrier_roller_torque;
   b.moments.gears = select(m.geometry.is_standard(), Real(1.0), Real(-1.0)) *
                     roller_gear_radius(m.geometry) * b.forces.gears_y;

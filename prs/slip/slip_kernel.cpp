@@ -125,7 +125,8 @@ class Screws {
               patch_forces(numbers_.roller.frames[i], found.friction[i], c.axial_load, c.alike);
           found.normal_load[i] = forces.normal_load;
           return forces.on_roller;
-        });
+        },
+        equal_heads<Number, Real>);
     return found;
   }
 

@@ -1,15 +1,29 @@
 #include "prs/slip/slip_model.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "prs/loads/full_result.h"
 #include "prs/sector/bodies.h"
+#include "prs/threads/contact_laws.h"
 
 namespace prs {
 namespace {
 
+/// The faces that a force closes; the sign of a force of 0 is that of its direction.
 contact::InterfaceGeometry touching(const contact::InterfaceGeometry& i1_j2, double force) {
-  return force > 0.0 ? i1_j2 : contact::on_other_faces(i1_j2);
+  return std::signbit(force) ? contact::on_other_faces(i1_j2) : i1_j2;
+}
+
+PerInterface<ContactFrameOf<double>> frames_of(const Contacts& contacts, double force) {
+  PerInterface<ContactFrameOf<double>> frames;
+  for (const Interface i : kInterfaces) {
+    const contact::InterfaceGeometry g = touching(contacts.interfaces[i].geometry, force);
+    frames[i] = {g.point.normal, g.major_axis, g.minor_axis};
+  }
+  return frames;
 }
 
 KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
@@ -38,6 +52,19 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
   return *density * roller_body(m, roller).volume;
 }
 
+/// Roller and body; none where conductivity, density or specific heat of one is not known.
+std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials& materials,
+                                                                Part body) {
+  std::array<contact::HeatedBody, 2> bodies;
+  const Part parts[] = {Part::roller, body};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Material& m = materials[parts[k]];
+    if (!m.conductivity || !m.density || !m.specific_heat) return std::nullopt;
+    bodies[k] = {*m.conductivity, *m.density, *m.specific_heat};
+  }
+  return bodies;
+}
+
 contact::FrictionLaw friction_of(const SlipModel& model, Interface i,
                                  const contact::FilmContact& film) {
   const Friction& friction = model.friction;
@@ -54,18 +81,25 @@ contact::FrictionLaw friction_of(const SlipModel& model, Interface i,
   return contact::coulomb_friction(friction.coefficient);
 }
 
-/// A patch under its static load.
+/// A patch under a normal load.
 LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
-                                  Interface i, double axial_load) {
-  const double static_load = axial_load / std::abs(model.frames[i].normal.z);
+                                  Interface i, double axial_load, double normal_load) {
   const contact::PrincipalValues& relative = contact.geometry.relative;
-  const contact::FilmContact film{.normal_load = static_load,
+  const contact::FilmContact film{.normal_load = normal_load,
                                   .curvature = relative.second,
                                   .contact_modulus = contact.contact_modulus,
                                   .curvature_ratio = relative.first / relative.second,
-                                  .direction = model.film_direction};
-  return {axial_load, contact::at_load(contact.hertz, static_load), film,
-          friction_of(model, i, film)};
+                                  .direction = model.film_direction,
+                                  .thinning = model.film_thinning};
+  return {axial_load, std::nullopt,
+          false,      contact::at_load(contact.hertz, normal_load),
+          film,       friction_of(model, i, film)};
+}
+
+/// Under its static load.
+LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
+                                  Interface i, double axial_load) {
+  return contact_of(model, contact, i, axial_load, axial_load / std::abs(model.frames[i].normal.z));
 }
 
 }  // namespace
@@ -118,13 +152,29 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.screw_torque = c.carrier.screw_torque;
   m.nut_torque = c.carrier.nut_torque;
   m.roller_torque = c.carrier.roller_torque;
-  m.bearing = c.carrier.bearing.value_or(contact::JournalBearing{});
+  m.bearing = c.carrier.bearing.value_or(HeadBearing{});
+  m.head_friction = {};
   m.oils = oils;
-  m.bearing_viscosity = oils.carrier ? oils.carrier->viscosity : 0.0;
+  m.bearing_viscosity = 0.0;
+  if (const auto& bearing = c.carrier.bearing) {
+    const HeadFriction& f = bearing->friction;
+    if (c.carrier.is_oiled()) m.bearing_viscosity = oils.carrier->viscosity;
+    if (f.model == HeadFriction::Model::coulomb)
+      m.head_friction = {1.0, 0.5 * f.coefficient * bearing->diameter};
+    if (f.model == HeadFriction::Model::mixed)
+      m.head_friction = {1.0, 0.5 * f.mixed.boundary * bearing->diameter, f.mixed.roughness,
+                         f.mixed.exponent};
+  }
   m.gear_tangent = std::tan(c.carrier.gear_pressure_angle);
   m.roller_mass = roller_mass(c, mechanism);
   m.friction = *c.friction;
   m.film_direction = c.lubricant ? c.lubricant->film.direction : contact::FilmDirection::minor_axis;
+  if (c.lubricant) {
+    const Lubricant::Film& film = c.lubricant->film;
+    m.film_thinning = {film.starvation.value_or(1.0),
+                       film.inlet_heating ? film.inlet_heating->conductivity : 0.0};
+  }
+  for (const Interface i : kInterfaces) m.heated[i] = heated_bodies(*c.materials, body_of(i));
   m.wear = c.wear;
   for (const Interface i : kInterfaces) m.roughness[i] = composite_roughness(c, i);
   m.imposed_slip_ratio = c.operation ? c.operation->slip_ratio : std::nullopt;
@@ -132,10 +182,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
 
 void set_geometry(SlipModel& m, const Contacts& contacts) {
   m.geometry = kinematic_geometry(contacts, m.axial_force);
-  for (const Interface i : kInterfaces) {
-    const contact::InterfaceGeometry g = touching(contacts.interfaces[i].geometry, m.axial_force);
-    m.frames[i] = {g.point.normal, g.major_axis, g.minor_axis};
-  }
+  m.frames = frames_of(contacts, m.axial_force);
 }
 
 void set_equal_contacts(SlipModel& m, const Contacts& contacts) {
@@ -151,20 +198,113 @@ void set_equal_contacts(SlipModel& m, const Contacts& contacts) {
 SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
   if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
   SlipModel model = unloaded(loaded.load_case, oils);
+  const auto flank = static_cast<std::size_t>(contacts_.mechanism.contacts_per_roller);
+  if (loaded.other_flank)
+    model.other_flank = {kinematic_geometry(contacts_, -model.axial_force),
+                         frames_of(contacts_, -model.axial_force)};
   for (const Interface i : kInterfaces) {
     LoadedThreads& threads = model.threads[i];
     const int row = (*loaded.threads)[i].threads_per_roller;
     threads.threads_per_roller = row;
     if (row > 0) threads.alike = 1.0 / model.rollers;
-    for (const double load : (*loaded.threads)[i].axial_load) {
-      threads.patch_of_thread.push_back(std::nullopt);
-      if (load <= 0.0) continue;
-      threads.patch_of_thread.back() = threads.contacts.size();
-      threads.contacts.push_back(contact_of(model, contacts_.interfaces[i], i, load));
-    }
+    const auto add = [&](const std::vector<double>& axial, const std::vector<double>& normal) {
+      for (std::size_t k = 0; k < normal.size(); ++k) {
+        const bool other = loaded.other_flank && threads.patch_of_thread.size() >= flank;
+        threads.patch_of_thread.push_back(std::nullopt);
+        if (normal[k] <= 0.0) continue;
+        threads.patch_of_thread.back() = threads.contacts.size();
+        const InterfaceContact& contact = contacts_.interfaces[i];
+        LoadedThreads::Contact& added = threads.contacts.emplace_back(
+            loaded.running ? contact_of(model, contact, i, axial[k], normal[k])
+                           : contact_of(model, contact, i, axial[k]));
+        added.other_flank = other;
+        // Sector and geometry agree on the normal, but where the file states another one.
+        if (loaded.running && !conditions_.contact.normal_angle[i]) added.normal_load = normal[k];
+        if (loaded.other_flank && i == Interface::screw)
+          model.carried = model.carried.value_or(0.0) + model.rollers * axial[k];
+      }
+    };
+    add((*loaded.threads)[i].axial_load, (*loaded.threads)[i].normal_load);
+    if (loaded.other_flank)
+      add(loaded.other_flank->threads[i].axial_load, loaded.other_flank->threads[i].normal_load);
   }
+  model.guides = guides_of(loaded);
   add_patches(model);
   return model;
+}
+
+GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
+  GuideForces guides;
+  const bool full = loaded.full != nullptr;
+  if (full) guides.missing = conditions_.deviations.missing_rollers;
+  if (loaded.running) {
+    guides.of_roller = loaded.running->guide_force;
+    guides.carry_centrifugal = true;
+  } else if (loaded.other_flank) {
+    guides.of_roller = loaded.other_flank->guide_force;
+  } else if (conditions_.model.roller == ModelOptions::Roller::rigid_bending) {
+    return guides;
+  } else if (full) {
+    for (int r = 0; r < contacts_.mechanism.rollers; ++r)
+      if (std::ranges::find(guides.missing, r + 1) == guides.missing.end())
+        guides.of_roller.push_back({loaded.full->rings[0].rollers[static_cast<std::size_t>(r)],
+                                    loaded.full->rings[1].rollers[static_cast<std::size_t>(r)]});
+  } else {
+    std::optional<RollerGuides>& known = roller_guides_[*loaded.load_case.direction];
+    if (!known)
+      known.emplace(build_sector(sector_model(
+          contacts_.mechanism, *conditions_.structure, *conditions_.materials, conditions_.model,
+          contact_laws(conditions_, contacts_), *loaded.load_case.direction,
+          *loaded.load_case.position, conditions_.deviations)));
+    const std::vector<double> none(loaded.threads->screw.normal_load.size(), 0.0);
+    guides.of_roller.push_back(
+        known->forces({loaded.threads->screw.normal_load, loaded.threads->nut.normal_load},
+                      {{none, none}, {none, none}}));
+  }
+  return guides;
+}
+
+std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded, const Oils& oils) const {
+  std::vector<SlipModel> models;
+  if (!loaded.other_flank || !loaded.other_flank->of_second_roller) {
+    models.push_back(of(loaded, oils));
+    return models;
+  }
+  const auto threads = static_cast<std::ptrdiff_t>(contacts_.mechanism.contacts_per_roller);
+  const Direction named = *loaded.load_case.direction;
+  for (const Direction d : {Direction::compression, Direction::tension}) {
+    const std::ptrdiff_t row = d == named ? 0 : 1;
+    LoadCaseResult nut;
+    nut.load_case = loaded.load_case;
+    nut.load_case.direction = d;
+    nut.threads.emplace();
+    for (const Interface i : kInterfaces) {
+      const FlankThreads& other = loaded.other_flank->threads[i];
+      const auto part = [&](const std::vector<double>& first, const std::vector<double>& second) {
+        std::vector<double> all = first;
+        all.insert(all.end(), second.begin(), second.end());
+        return std::vector<double>(all.begin() + row * threads, all.begin() + (row + 1) * threads);
+      };
+      const InterfaceLoads& loads = (*loaded.threads)[i];
+      (*nut.threads)[i].normal_load = part(loads.normal_load, other.normal_load);
+      (*nut.threads)[i].axial_load = part(loads.axial_load, other.axial_load);
+    }
+    const std::vector<double>& axial = nut.threads->screw.axial_load;
+    nut.load_case.axial_force =
+        contacts_.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0);
+    const auto guide = static_cast<std::size_t>(row);
+    if (loaded.running) {
+      nut.running.emplace();
+      if (loaded.running->guide_force.size() > guide)
+        nut.running->guide_force = {loaded.running->guide_force[guide]};
+    } else {
+      nut.other_flank.emplace();
+      if (loaded.other_flank->guide_force.size() > guide)
+        nut.other_flank->guide_force = {loaded.other_flank->guide_force[guide]};
+    }
+    models.push_back(of(nut, oils));
+  }
+  return models;
 }
 
 SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils& oils) const {

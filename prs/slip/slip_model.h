@@ -2,11 +2,13 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "contact/lubricant.h"
 #include "contact/patch.h"
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
+#include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_equilibrium.h"
 
 namespace prs {
@@ -53,20 +55,33 @@ class SlipModels {
   /// shares one for all.
   SlipModel of(const LoadCaseResult& loaded) const { return of(loaded, oils_); }
   SlipModel of(const LoadCaseResult& loaded, const Oils& oils) const;
+  /// The same, of each nut of a double nut by itself: first nut, second nut. They carry
+  /// compression and tension, the second one with patches of its own.
+  std::vector<SlipModel> of_nuts(const LoadCaseResult& loaded) const {
+    return of_nuts(loaded, oils_);
+  }
+  std::vector<SlipModel> of_nuts(const LoadCaseResult& loaded, const Oils& oils) const;
   /// One patch that stands for all threads of an interface (Sandu 2018).
   SlipModel equal_shares(const LoadCase& load_case) const { return equal_shares(load_case, oils_); }
   SlipModel equal_shares(const LoadCase& load_case, const Oils& oils) const;
 
+  /// Without threads.
+  SlipModel unloaded(const LoadCase& load_case) const { return unloaded(load_case, oils_); }
+
+  const Oils& oils() const { return oils_; }
   const contact::PatchGrid& grid() const { return *grid_; }
 
  private:
   SlipModel unloaded(const LoadCase& load_case, const Oils& oils) const;
   void add_patches(SlipModel& model) const;
+  GuideForces guides_of(const LoadCaseResult& loaded) const;
 
   Conditions conditions_;
   const Contacts& contacts_;
   std::shared_ptr<const contact::PatchGrid> grid_;
   Oils oils_;
+  /// Of the roller of a sector at rest, made when first asked for: not for two threads at once.
+  mutable PerDirection<std::optional<RollerGuides>> roller_guides_;
 };
 
 }  // namespace prs

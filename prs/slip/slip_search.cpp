@@ -25,13 +25,23 @@ constexpr double kLastStep = 1e-4;
 
 }  // namespace
 
-SlipSearch::SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed)
+SlipSearch::SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed,
+                       const std::optional<double>& near)
     : imposed_(imposed),
       sense_(std::copysign(1.0, speed)),
       ideal_(range.ideal),
       way_(range.pure_sliding - range.ideal),
       far_(std::numeric_limits<double>::quiet_NaN()) {
   if (imposed) end_as(SlipStatus::imposed);
+  if (imposed || !near || *near == ideal_) return;
+  t_ = last_step_ = (*near - ideal_) / way_;
+  set_end(t_);
+}
+
+void SlipSearch::set_end(double residue_at_ideal) {
+  const double pure_sliding = ideal_ + way_;
+  at_ideal_ = residue_at_ideal;
+  end_ = residue_at_ideal > 0.0 ? 1.0 : (1.0 - pure_sliding - ideal_) / way_;
 }
 
 double SlipSearch::slip_ratio() const { return imposed_ ? *imposed_ : ideal_ + t_ * way_; }
@@ -69,14 +79,12 @@ void SlipSearch::evaluate_next_at(double t) {
 
 void SlipSearch::step() {
   double newton = t_ - residue_ / slope_;
-  if (evaluations_ == 1) {
+  if (evaluations_ == 1 && t_ == 0.0) {
     if (std::abs(residue_) <= kNoMoment) return end_as(SlipStatus::converged);
     // Where friction alone resists, the moment has the sense of the speed at t = 0 and the root
     // lies at t > 0 (3.45); a carrier that is dragged along can push it to t < 0, at most to where
     // the carrier turns with the driving part.
-    const double pure_sliding = ideal_ + way_;
-    at_ideal_ = residue_;
-    end_ = residue_ > 0.0 ? 1.0 : (1.0 - pure_sliding - ideal_) / way_;
+    set_end(residue_);
     if (!(newton / end_ > 0.0 && newton / end_ <= 1.0)) newton = std::copysign(kFirstStep, end_);
     return evaluate_next_at(newton);
   }

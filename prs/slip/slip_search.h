@@ -19,10 +19,14 @@ class SlipSearch {
  public:
   SlipSearch() = default;
   /// `imposed`: one evaluation there is all.
-  SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed = {});
+  /// `near`: a slip ratio near the root, on the same side of the ideal one, to start from.
+  SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed = {},
+             const std::optional<double>& near = {});
 
   bool done() const { return status_ != SlipStatus{}; }
   SlipStatus status() const { return status_; }
+  /// Slope of the residue along the slip ratio, where it was last asked for.
+  double slope() const { return slope_ / (sense_ * way_); }
   int evaluations() const { return evaluations_; }
 
   double slip_ratio() const;
@@ -37,6 +41,7 @@ class SlipSearch {
  private:
   void end_as(SlipStatus status);
   void step();
+  void set_end(double residue_at_ideal);
   void evaluate_next_at(double t);
 
   SlipStatus status_{};

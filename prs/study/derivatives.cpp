@@ -9,11 +9,13 @@
 #include <limits>
 #include <memory>
 
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/units.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/problems.h"
 #include "prs/sector/load_distribution.h"
+#include "prs/slip/running.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/response.h"
 #include "prs/threads/contact_laws.h"
@@ -64,20 +66,28 @@ struct Model {
   std::vector<std::optional<LoadCaseResult>> solved;
 };
 
-std::string without_equilibrium(const LoadCase& load) {
+std::string without_equilibrium(const LoadCase& load, Command command) {
   return fmt::format(
-      "got {}, which does not converge; expected a load case that `prs solve` answers; its "
+      "got {}, which does not converge; expected a load case that `prs {}` answers; its "
       "derivatives do not exist",
-      load.name);
+      load.name, name(command));
 }
 
-/// A load case on all rollers.
-LoadCaseResult solved_by_all(const Case& given, const LoadCase& load) {
+/// A load case by the whole chain.
+LoadCaseResult solved_anew(const Case& given, Command command, const LoadCase& load) {
   Case one = given;
   one.load_cases = {load};
-  LoadCaseResult result = std::move(analyze(one).load_cases.front());
-  if (!result.converged()) throw CaseError(load.input_path, without_equilibrium(load));
-  return result;
+  Result all = command == Command::slip ? analyze_heat(one) : analyze_loads(one);
+  LoadCaseResult& result = all.load_cases.front();
+  if (!result.converged() || (result.slip && !result.slip->converged()))
+    throw CaseError(load.input_path, without_equilibrium(load, command));
+  return std::move(result);
+}
+
+/// Whether a load case is solved at each step of the differences: all rollers, and what runs.
+bool is_solved_anew(const Case& c, Command command, const LoadCase& load) {
+  return command == Command::slip || c.model.mechanism == ModelOptions::Mechanism::full ||
+         solve_takes_running_loads(c.model, load.share);
 }
 
 /// The load cases that responses need stand at their index, all others are left out.
@@ -93,16 +103,16 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
                   [](const LoadCase& load) { return load.share != LoadCase::Share::equal; });
   model.solvers.resize(model.load_cases.size());
   model.solved.resize(model.load_cases.size());
-  if (command != Command::solve) return model;
+  if (command == Command::contact) return model;
   model.laws = contact_laws(c, model.contacts);
   for (const ResultNumber& number : numbers) {
     if (!number.load_case || *number.load_case >= c.load_cases.size()) continue;
     const LoadCase& load = c.load_cases[*number.load_case];
     std::unique_ptr<SectorSolver>& solver = model.solvers[*number.load_case];
-    if (solver || load.share == LoadCase::Share::equal) continue;
-    if (c.model.mechanism == ModelOptions::Mechanism::full) {
+    if (solver || (load.share == LoadCase::Share::equal && command == Command::solve)) continue;
+    if (is_solved_anew(given, command, load)) {
       std::optional<LoadCaseResult>& solved = model.solved[*number.load_case];
-      if (!solved) solved = solved_by_all(given, load);
+      if (!solved) solved = solved_anew(given, command, load);
       continue;
     }
     solver = std::make_unique<SectorSolver>(
@@ -161,7 +171,7 @@ class BaseCase {
       if (!model_.solvers[k]) continue;
       const LoadCase& load = model_.load_cases[k];
       if (!model_.solvers[k]->solve(load.axial_force).solve.converged())
-        throw CaseError(load.input_path, without_equilibrium(load));
+        throw CaseError(load.input_path, without_equilibrium(load, study.command));
       states_[k] = model_.solvers[k]->state();
     }
   }
@@ -302,11 +312,12 @@ FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base,
 }
 
 void require_model(const Study& study, const Case& c) {
-  if (study.command != Command::contact && study.command != Command::solve)
+  if (study.command != Command::contact && study.command != Command::solve &&
+      study.command != Command::slip)
     throw CaseError("study.command",
-                    "got another command than `contact` or `solve`; expected one of them with "
-                    "`plan: derivatives`; write `command: solve`");
-  if (study.command == Command::solve && c.model.bodies == ModelOptions::Bodies::influence)
+                    "got another command than `contact`, `solve` or `slip`; expected one of them "
+                    "with `plan: derivatives`; write `command: solve`");
+  if (study.command != Command::contact && c.model.bodies == ModelOptions::Bodies::influence)
     throw CaseError("model.bodies",
                     "got influence; expected `bars` or `refined` with `plan: derivatives`; write "
                     "`bodies: refined`");

@@ -38,11 +38,12 @@ struct CaseDerivatives {
 /// again. What depends on x without an equilibrium (set-up of the sector, contact points to
 /// rounding, ellipses) is differentiated by central differences of sixth order at two step widths;
 /// their difference is the reported error. A derivative that does not converge, as across the face
-/// of a flange, is absent with a reason. A full mechanism is solved at each step of these
-/// differences; what is 0 there has steps of a usual size.
+/// of a flange, is absent with a reason. All rollers, running loads and slip are solved at each
+/// step of these differences; what is 0 there has steps of a usual size.
 ///
-/// For `contact` and `solve` with bars or the refined model. Throws InputError and UnknownResponse
-/// as DesignEngine does, and CaseError where the command or the model has no derivatives.
+/// For `contact`, and for `solve` and `slip` with bars or the refined model. Throws InputError and
+/// UnknownResponse as DesignEngine does, and CaseError where the command or the model has no
+/// derivatives.
 CaseDerivatives case_derivatives(const input::StudyInput& input);
 
 }  // namespace prs

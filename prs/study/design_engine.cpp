@@ -10,18 +10,20 @@
 #include <numeric>
 
 #include "prs/heat/analyze_heat.h"
+#include "prs/heat/warm_parts.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
-#include "prs/life/analyze_life.h"
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/slip_record.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/measures/analyze_measures.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/model/problems.h"
+#include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
@@ -36,7 +38,7 @@ Result analyze_for(Command command, const Conditions& c, Contacts contacts,
                    AnalysisOptions options) {
   if (command == Command::contact) return analyze_contacts(c, std::move(contacts), options.detail);
   return command == Command::slip ? analyze_heat(c, std::move(contacts), options)
-                                  : analyze(c, std::move(contacts), options);
+                                  : analyze_loads(c, std::move(contacts), options);
 }
 
 /// That of a duty, or of the first load case, which did not converge.
@@ -261,7 +263,7 @@ struct DesignEngine::Parts {
   /// Lives, of which `use` is told where there are any.
   template <class Use>
   DesignStatus with_lives(const Case& c, Use use) const {
-    const LifeResult result = analyze_life(c, history_of(c));
+    const LifeResult result = analyze_warm_life(c, history_of(c));
     if (!result.converged()) return {"not_converged", *result.failure};
     use(result);
     return {};
@@ -455,6 +457,8 @@ struct DesignEngine::Parts {
 
   /// False where no batch takes the design.
   bool add_to_batch(std::size_t row, Case& c, Worker& worker) const {
+    if (study.command == Command::solve && c.model.loads == ModelOptions::Loads::running)
+      return false;
     const bool slips = study.command == Command::slip;
     if (in_columns &&
         (slips ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases))) {

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "prs/life/life_analysis.h"
 #include "prs/life/life_record.h"
 #include "prs/loads/contact_record.h"
+#include "prs/loads/heat_record.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
-#include "prs/losses/heat_record.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/measures/measures_record.h"
 #include "prs/record/record.h"
@@ -118,6 +119,8 @@ constexpr std::pair<std::string_view, OnDemand> kOnDemand[] = {
     {"tangent_stiffness_N_per_um", OnDemand::tangent_stiffness},
     {"film_thickness_nm", OnDemand::films},
     {"central_film_nm", OnDemand::films},
+    {"film_factor", OnDemand::films},
+    {"film_factor", OnDemand::films},
     {"film_ratio", OnDemand::films},
     {"boundary_share", OnDemand::films}};
 

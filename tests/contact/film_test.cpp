@@ -185,5 +185,35 @@ TEST(Film, IsGoneWithoutRolling) {
   EXPECT_EQ(sliding_factor(kGrease, kContact, sandu_film(kGrease, kContact, 0.0), 0.0), 0.0);
 }
 
+/// Oil that the shear at the inlet warms.
+FilmContact warmed(double starvation, double conductivity) {
+  FilmContact contact = kContact;
+  contact.thinning = {starvation, conductivity};
+  return contact;
+}
+
+TEST(FilmFactor, IsOneOfAFullColdInlet) {
+  EXPECT_EQ(film_factor(kGrease, kContact, 2e9, 1.0, 0.3), 1.0);
+  EXPECT_EQ(film_factor(kGrease, warmed(0.7, 0.0), 2e9, 1.0, 0.3), 0.7);
+  EXPECT_EQ(film_factor(kGrease, warmed(0.7, 0.14), 2e9, 0.0, 0.0), 0.7);  // at rest
+}
+
+/// L = 0.04 0.1665 0.5^2/0.14 = 0.0118929, S = 0.6, p_0/E' = 1e9/230.77e9 by hand:
+/// (1 - 13.2 0.00433332 0.155572)/(1 + 0.213 (1 + 2.23 0.654410) 0.0586711).
+TEST(FilmFactor, FollowsItsFormula) {
+  Lubricant oil = kGrease;
+  oil.temperature_coefficient = 0.04;
+  const double loading = 0.04 * 0.1665 * 0.25 / 0.14;
+  const double expected =
+      (1.0 - 13.2 * 1e9 / 230.77e9 * std::pow(loading, 0.42)) /
+      (1.0 + 0.213 * (1.0 + 2.23 * std::pow(0.6, 0.83)) * std::pow(loading, 0.64));
+  EXPECT_NEAR(film_factor(oil, warmed(1.0, 0.14), 1e9, 1.0, 0.3), expected, 1e-14);
+  EXPECT_NEAR(film_factor(oil, warmed(0.5, 0.14), 1e9, 1.0, 0.3), 0.5 * expected, 1e-14);
+  // The numerator is kept above 0.05.
+  const double hot = 0.04 * 0.1665 * 50.0 * 50.0 / 0.14;
+  EXPECT_NEAR(film_factor(oil, warmed(1.0, 0.14), 3e9, 100.0, 0.0),
+              0.05 / (1.0 + 0.213 * std::pow(hot, 0.64)), 1e-14);
+}
+
 }  // namespace
 }  // namespace contact

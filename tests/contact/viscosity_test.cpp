@@ -78,5 +78,16 @@ TEST(PressureViscosity, OfParaffinicOilsLiesUpTo30PercentBelowTheHandbook) {
     }
 }
 
+TEST(Walther, TemperatureCoefficientIsTheSlopeOfItsLine) {
+  const WaltherLine line = walther_line(313.15, 100e-6, 373.15, 11.2e-6);
+  for (const double t : {293.15, 333.15, 393.15}) {
+    const double h = 1e-3;
+    const double slope =
+        (std::log(kinematic_viscosity(line, t + h)) - std::log(kinematic_viscosity(line, t - h))) /
+        (2.0 * h);
+    EXPECT_NEAR(temperature_coefficient(line, t), -slope, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace contact

@@ -31,7 +31,11 @@ PRS_MEMBERS(GroovedShape, groove, start, end, ridge, ridges, far, plain_end, col
             radii)
 PRS_MEMBERS(MeshDensity, patch, growth, largest, step, plain_flank, split, depth)
 PRS_MEMBERS(FlexibilityOptions, mesh, largest_wave, tolerance, neighbour_cells, unilateral)
-PRS_MEMBERS(Material, modulus, poisson_ratio, density, expansion)
+/// Without what matrices do not depend on and flash temperatures do.
+inline auto members(const Material& value) {
+  const auto& [modulus, poisson_ratio, density, expansion, conductivity, specific_heat] = value;
+  return std::tie(modulus, poisson_ratio, density, expansion);
+}
 PRS_MEMBERS(Guidance, kind, stiffness)
 PRS_MEMBERS(Teeth, groove, far, material, types, opposite, first, step, contacts, options)
 

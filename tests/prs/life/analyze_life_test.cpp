@@ -12,7 +12,7 @@
 #include <random>
 
 #include "prs/input/reader.h"
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/problems.h"

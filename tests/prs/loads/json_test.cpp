@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "prs/loads/load_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/record/delivery.h"
 #include "tests/support/sample_result.h"
 

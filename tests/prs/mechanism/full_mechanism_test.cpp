@@ -12,7 +12,7 @@
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
-#include "prs/loads/load_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/mechanism/orbit.h"
 #include "prs/mechanism/rigid_motions.h"
 #include "prs/sector/load_distribution.h"

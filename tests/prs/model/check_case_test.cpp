@@ -281,7 +281,7 @@ TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
   c.load_cases.pop_back();
   c.friction = Friction{Friction::Model::coulomb, 0.1};
   c.operation = Operation{40.0, {}};
-  c.carrier.bearing = contact::JournalBearing{0.004, 0.005, 15e-6};
+  c.carrier.bearing = HeadBearing{{0.004, 0.005, 15e-6}};
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant");
   c.lubricant.emplace().viscosity = 0.1;
   EXPECT_EQ(paths(missing(c, Command::slip)), "");
@@ -289,7 +289,7 @@ TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
 
 TEST(CheckCase, BearingsAreThinFilmsAndShort) {
   Case c = abevi_case();
-  contact::JournalBearing& b = c.carrier.bearing.emplace();
+  HeadBearing& b = c.carrier.bearing.emplace();
   b = {0.010, 0.005, 0.499e-3};
   EXPECT_EQ(paths(check_case(c)), "");
   b = {0.0101, 0.005, 0.501e-3};

@@ -682,7 +682,7 @@ TEST(Slip, FullFitLiesBetweenHamrockDowsonAndSandu) {
 /// A bearing on the roller heads takes part in the balance: both powers still agree.
 TEST(Slip, AJournalBearingKeepsTheEnergyBalance) {
   Case c = test::sandu_reference();
-  c.carrier.bearing = contact::JournalBearing{6e-3, 6e-3, 0.1e-3};
+  c.carrier.bearing = HeadBearing{{6e-3, 6e-3, 0.1e-3}};
   c.materials->roller.density = 7810.0;
   const SlipResult s = slip_of(c);
   ASSERT_EQ(s.status, SlipStatus::converged);
@@ -776,7 +776,7 @@ Case full_case() {
 TEST(SlipOfAllRollers, IsThatOfTheSectorWhereAllAreAlike) {
   Case sector = full_case();
   sector.carrier.roller_torque = 0.0;
-  sector.carrier.bearing = contact::JournalBearing{5e-3, 5e-3, 0.1e-3};
+  sector.carrier.bearing = HeadBearing{{5e-3, 5e-3, 0.1e-3}};
   sector.materials->roller.density = 7810.0;
   sector.wear = Wear{1e-17};
   sector.roughness = PerPart<double>{0.2e-6, 0.2e-6, 0.2e-6};
@@ -858,6 +858,110 @@ TEST(SlipPictures, ShowTheRootAndTheResultsFields) {
     EXPECT_NEAR(mean, s.threads[i].friction_coefficient[0], 1e-12);
     EXPECT_EQ(f.along_major.size(), f.sliding_minor.size());
   }
+}
+
+/// Sandu's reference with an oil that warms at the inlet.
+Case with_inlet_heating(Case c) {
+  c.lubricant->film.inlet_heating = Lubricant::Film::InletHeating{0.14, 0.04};
+  return c;
+}
+
+TEST(Film, FullColdInletIsThatWithoutFactor) {
+  Case c = test::with_mixed_friction(test::sandu_reference(), 0.11, 2.0);
+  const SlipResult before = slip_of(c);
+  c.lubricant->film.starvation = 1.0;
+  const SlipResult after = slip_of(c);
+  EXPECT_EQ(after.slip_ratio, before.slip_ratio);
+  EXPECT_EQ(after.power.total(), before.power.total());
+  EXPECT_EQ(after.threads.screw.film_factor, std::vector<double>(28, 1.0));
+}
+
+/// phi thins the film over roughness and in the law of friction, not the two films themselves.
+TEST(Film, FactorThinsTheFilmOverRoughness) {
+  Case c = test::with_mixed_friction(test::sandu_reference(), 0.11, 2.0);
+  c.operation->slip_ratio = 0.3;
+  const SlipResult full = slip_of(c);
+  c.lubricant->film.starvation = 0.7;
+  const SlipResult starved = slip_of(c), warm = slip_of(with_inlet_heating(c));
+  for (const Interface i : kInterfaces) {
+    const InterfaceSlip &f = full.threads[i], &s = starved.threads[i], &w = warm.threads[i];
+    EXPECT_EQ(s.central_film, f.central_film);
+    EXPECT_EQ(s.film_thickness, f.film_thickness);
+    EXPECT_NEAR(s.film_ratio[0] / f.film_ratio[0], 0.7, 1e-14);
+    EXPECT_LT(w.film_factor[0], 0.7);
+    EXPECT_NEAR(w.film_ratio[0] / f.film_ratio[0], w.film_factor[0], 1e-14);
+    EXPECT_NEAR(w.boundary_share[0], std::pow(1.0 + w.film_ratio[0], -2.0), 1e-14);
+    EXPECT_GT(s.boundary_share[0], f.boundary_share[0]);
+  }
+}
+
+/// Jacod's friction of a film that is thinner by phi: H_c -> phi H_c, that is K/phi.
+TEST(Film, ThinnerFilmRubsMore) {
+  Case c = test::sandu_reference();
+  c.operation->slip_ratio = 0.3;
+  const double full = slip_of(c).threads.screw.friction_coefficient[0];
+  c.lubricant->film.starvation = 0.5;
+  EXPECT_GT(slip_of(c).threads.screw.friction_coefficient[0], full);
+}
+
+/// Newton's method on the slope of the moment finds the root that the values alone have.
+TEST(Film, InletHeatingLeavesABalance) {
+  const Case c = with_inlet_heating(test::with_mixed_friction(test::sandu_reference(), 0.11, 2.0));
+  const SlipResult s = slip_of(c);
+  ASSERT_EQ(s.status, SlipStatus::converged);
+  EXPECT_LT(s.evaluations, 12);
+  EXPECT_NEAR(s.power_loss_input_output / s.power.total(), 1.0, 1e-8);
+  EXPECT_NEAR(*s.relative_residue, 0.0, 1e-13);
+}
+
+TEST(Film, CoefficientOfTheOilIsThatOfItsLaw) {
+  Case c = with_inlet_heating(test::sandu_reference());
+  Lubricant& oil = *c.lubricant;
+  oil.viscosity.reset();
+  oil.walther = contact::walther_line(313.15, 100e-6, 373.15, 11.2e-6);
+  oil.density = 870.0;
+  oil.temperature = 333.15;
+  oil.film.inlet_heating->temperature_coefficient.reset();
+  EXPECT_EQ(in_operation(oil).temperature_coefficient,
+            contact::temperature_coefficient(*oil.walther, 333.15));
+  oil.film.inlet_heating->temperature_coefficient = 0.05;
+  EXPECT_EQ(in_operation(oil).temperature_coefficient, 0.05);
+}
+
+TEST(Flash, NeedsThreePropertiesOfBothBodies) {
+  Case c = test::sandu_reference();
+  EXPECT_TRUE(slip_of(c).threads.screw.flash_temperature.empty());
+  for (const Part p : {Part::roller, Part::screw}) {
+    Material& m = (*c.materials)[p];
+    m.density = 7810.0;
+    m.conductivity = 45.0;
+    m.specific_heat = 460.0;
+  }
+  const SlipResult s = slip_of(c);
+  ASSERT_EQ(s.threads.screw.flash_temperature.size(), 28u);
+  EXPECT_GT(s.threads.screw.flash_temperature[0], 0.0);
+  EXPECT_TRUE(s.threads.nut.flash_temperature.empty());
+}
+
+TEST(Flash, WarnsAboveFiftyKelvin) {
+  Case c = test::with_coulomb(test::sandu_reference(), 0.1);
+  for (const Part p : kParts) {
+    Material& m = (*c.materials)[p];
+    m.density = 7810.0;
+    m.conductivity = 45.0;
+    m.specific_heat = 460.0;
+  }
+  const auto told = [](const Case& of) {
+    return std::ranges::any_of(analyze_slip(of).load_cases[0].warnings, [](const Warning& w) {
+      return w.code == "screw_flash_temperature";
+    });
+  };
+  const double flash = slip_of(c).threads.screw.flash_temperature[0];
+  EXPECT_EQ(told(c), flash > 50.0);
+  c.operation->speed *= 400.0;
+  EXPECT_TRUE(told(c));
+  c.operation->speed *= 1e-5;
+  EXPECT_FALSE(told(c));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "prs/study/design_engine.h"
-#include "prs/loads/load_analysis.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_json.h"
 #include "prs/measures/analyze_measures.h"

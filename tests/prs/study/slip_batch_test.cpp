@@ -33,7 +33,7 @@ Case random_design(std::mt19937_64& random, int patch_points) {
   if (uniform(0.0, 1.0) < 0.3) c.roughness = PerPart<double>{0.3e-6, 0.4e-6, 0.2e-6};
   if (uniform(0.0, 1.0) < 0.3) {
     const double d = uniform(0.1, 0.3) * *c.mechanism.pitch_diameter.screw;
-    c.carrier.bearing = contact::JournalBearing{uniform(0.3, 1.0) * d, d, 2e-3 * d};
+    c.carrier.bearing = HeadBearing{{uniform(0.3, 1.0) * d, d, 2e-3 * d}};
   }
   if (uniform(0.0, 1.0) < 0.3) c.lubricant->film.direction = contact::FilmDirection::rolling;
   if (uniform(0.0, 1.0) < 0.2) c.wear = Wear{1e-17};

@@ -1,5 +1,5 @@
 #include "prs/threads/thread_clearance.h"
-#include "prs/loads/load_analysis.h"
+#include "prs/losses/solve_analysis.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

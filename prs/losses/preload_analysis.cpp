@@ -1,10 +1,11 @@
-#include "prs/preload/preload_analysis.h"
+#include "prs/losses/preload_analysis.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "prs/heat/warm_parts.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_json.h"
 #include "prs/loads/warnings.h"
@@ -88,7 +89,7 @@ Figures preload_curves(const PreloadResult& r) {
 constexpr std::size_t kMostRows = 24;
 constexpr double kSmallLoad = 1.0;  ///< Shown in newtons below it [N].
 
-std::string line(const std::string& what, const std::string& value) {
+std::string preload_line(const std::string& what, const std::string& value) {
   return hanging("  " + what, 49, value);
 }
 
@@ -106,18 +107,22 @@ std::string summary(const PreloadResult& r) {
   std::string text = single ? "Single nut, tension and compression flanks of the same threads\n"
                             : "Double nut: the first carries compression, the second tension\n";
   if (r.preload.backlash)
-    text += line("axial play", fixed_with_unit(r.preload.backlash, "µm", 3));
+    text += preload_line("axial play", fixed_with_unit(r.preload.backlash, "µm", 3));
   else
-    text += line("preload", fixed_with_unit(r.force(), "kN", 3)) +
-            line(single ? "oversize of the rollers' pitch diameter" : "oversize of the spacer",
-                 fixed_with_unit(r.interference, "µm", 3)) +
-            line("a side opens at", both(r.opening_force, "kN", 3)) +
-            line("stiffness at zero load", both(r.curve.stiffness_at_zero, "N/µm", 1));
+    text +=
+        preload_line("preload", fixed_with_unit(r.reference_force, "kN", 3)) +
+        (r.temperature
+             ? preload_line("at the temperatures of the parts", fixed_with_unit(r.force(), "kN", 3))
+             : "") +
+        preload_line(single ? "oversize of the rollers' pitch diameter" : "oversize of the spacer",
+                     fixed_with_unit(r.interference, "µm", 3)) +
+        preload_line("a side opens at", both(r.opening_force, "kN", 3)) +
+        preload_line("stiffness at zero load", both(r.curve.stiffness_at_zero, "N/µm", 1));
   const std::string load =
       r.lost_motion_load < kSmallLoad
           ? fmt::format("{:.3g} {}", shown(r.lost_motion_load, "N"), table_unit("N").text)
           : fixed_with_unit(r.lost_motion_load, "kN", 3);
-  text += line(
+  text += preload_line(
       fmt::format("lost motion between -{} and +{}", load, load),
       fixed_with_unit(r.curve.lost_motion, "µm", 3) +
           (r.without_preload ? fmt::format(" (without preload {})",
@@ -126,7 +131,7 @@ std::string summary(const PreloadResult& r) {
   return text;
 }
 
-constexpr TableRows kRows{0, 14};
+constexpr TableRows kCurveRows{0, 14};
 
 /// What follows the force.
 std::vector<std::string> cells(const PreloadPoint& point, const PreloadPoint* loose) {
@@ -154,7 +159,8 @@ std::string row(const PreloadResult& r, std::size_t k) {
   if (!point.solve.converged())
     return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", force,
                        fe::name(point.solve.status), point.solve.relative_residual);
-  return kRows(force, cells(point, r.without_preload ? &r.without_preload->points[k] : nullptr));
+  return kCurveRows(force,
+                    cells(point, r.without_preload ? &r.without_preload->points[k] : nullptr));
 }
 
 }  // namespace
@@ -164,12 +170,12 @@ std::string preload_table(const PreloadResult& r) {
     return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n",
                        fe::name(r.at_rest.solve.status), r.at_rest.solve.relative_residual);
   std::string text = summary(r) + '\n';
-  text += kRows("", {"force", "displacement", "tangent", "tension side", "compr. side",
-                     "max. normal", "without"});
+  text += kCurveRows("", {"force", "displacement", "tangent", "tension side", "compr. side",
+                          "max. normal", "without"});
   std::vector<std::string> units;
   for (const char* unit : {"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"})
     units.push_back(with_table_unit(unit));
-  text += kRows("", units);
+  text += kCurveRows("", units);
   const std::size_t count = r.curve.points.size();
   const std::size_t step = (count + kMostRows - 1) / kMostRows;
   for (std::size_t k = 0; k < count; ++k)
@@ -231,7 +237,7 @@ const Analysis<PreloadResult>& preload_analysis() {
       .help = "Preload: curve through zero, lost motion, opening loads",
       .file = "preload.json",
       .run = [](const input::Source&,
-                const input::CaseInput& in) { return analyze_preload(in.values); },
+                const input::CaseInput& in) { return analyze_warm_preload(in.values); },
       .places = places,
       .put =
           [](nlohmann::ordered_json& document, const PreloadResult& r) {

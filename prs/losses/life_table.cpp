@@ -1,4 +1,4 @@
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 
 #include <fmt/format.h>
 
@@ -17,30 +17,30 @@
 namespace prs {
 namespace {
 
-std::string line(const std::string& what, const std::string& value) {
+std::string life_line(const std::string& what, const std::string& value) {
   return hanging("  " + what, 41, value);
 }
 
 /// Four digits with the unit of tables.
-std::string quantity(std::optional<double> si, std::string_view unit) {
+std::string in_unit(std::optional<double> si, std::string_view unit) {
   if (!si) return std::string(kAbsent);
   return fmt::format("{} {}", significant(shown(*si, unit)), table_unit(unit).text);
 }
 
-std::string kilonewtons(std::optional<double> force) { return quantity(force, "kN"); }
+std::string kilonewtons(std::optional<double> force) { return in_unit(force, "kN"); }
 
 std::string cell(std::optional<double> value, double factor = 1.0) {
   return significant(value ? std::optional(*value * factor) : std::nullopt);
 }
 
-constexpr TableRows kRows{40, 15};
+constexpr TableRows kLifeRows{40, 15};
 
 std::string life_row(const LifeResult& r, const std::string& what, double revolutions) {
   const LifeInUse life = in_use(r, revolutions);
   std::vector<std::string> cells{cell(life.revolutions, 1e-6), cell(life.hours),
                                  cell(life.travel, table_unit("km").factor)};
   if (r.revolutions_known) cells.push_back(cell(life.passes));
-  return kRows("  " + what, cells);
+  return kLifeRows("  " + what, cells);
 }
 
 /// Whether the rated life is another than L10.
@@ -66,7 +66,7 @@ std::string lives(const LifeResult& r, bool all) {
   const double headline = given ? r.catalogue_life : r.system_life;
   std::vector<std::string> heads{"million rev.", "hours", with_table_unit("km")};
   if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
-  std::string text = kRows("  Life L10", heads);
+  std::string text = kLifeRows("  Life L10", heads);
   const std::string_view system =
       solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
   text += life_row(r, given ? "stated C_a, (C_a/F_m)^3" : std::string(system), headline);
@@ -96,14 +96,14 @@ std::string by_direction(const LifeResult& r, std::optional<double> FlankLife::*
 std::string capacities(const LifeResult& r, bool all) {
   std::string text;
   const Interval& range = r.dynamic_capacity_range;
-  text +=
-      line("dynamic capacity C_a",
-           r.lemor ? fmt::format("{} ({} to {} by which diameters f_c takes)",
-                                 kilonewtons(r.dynamic_capacity),
-                                 significant(shown(range.least, "kN")), kilonewtons(range.greatest))
-                   : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
+  text += life_line(
+      "dynamic capacity C_a",
+      r.lemor ? fmt::format("{} ({} to {} by which diameters f_c takes)",
+                            kilonewtons(r.dynamic_capacity), significant(shown(range.least, "kN")),
+                            kilonewtons(range.greatest))
+              : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
   if (r.lemor && r.contacts.mechanism.type == Mechanism::Type::standard)
-    text += line(
+    text += life_line(
         "  by a maker's 23 standard screws",
         fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
                     significant(shown(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN")),
@@ -111,53 +111,58 @@ std::string capacities(const LifeResult& r, bool all) {
                     kCapacityOverMakers.least, kCapacityOverMakers.greatest));
   if (r.lemor && std::isfinite(r.system_life)) {
     const auto [least, greatest] = in_use(r, r.system_life).revolutions_range;
-    text +=
-        line("life of the mechanism in that range",
-             fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
+    text += life_line(
+        "life of the mechanism in that range",
+        fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
   }
   if (is_rated(r))
-    text +=
-        line("rated life over L10",
-             fmt::format("{:.4g} (a1 {:.4g} at {}, modification factor {:.4g})", r.rated_over_l10(),
-                         r.reliability_factor, reliability(r), r.life.modification_factor));
-  text += line("mean load F_m", kilonewtons(r.mean_load));
-  text += line("largest force", kilonewtons(r.largest_force));
+    text += life_line(
+        "rated life over L10",
+        fmt::format("{:.4g} (a1 {:.4g} at {}, modification factor {:.4g})", r.rated_over_l10(),
+                    r.reliability_factor, reliability(r), r.life.modification_factor));
+  text += life_line("mean load F_m", kilonewtons(r.mean_load));
+  text += life_line("largest force", kilonewtons(r.largest_force));
   if (r.life.static_capacity)
-    text += line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
+    text += life_line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
   if (r.equal_shares_static_capacity) {
-    text += line("force that gives " + quantity(kStaticPressureLimit, "GPa"),
-                 by_direction(r, &FlankLife::static_capacity));
-    if (all) text += line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
-    text +=
-        line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
-    if (all) text += line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
+    text += life_line("force that gives " + in_unit(kStaticPressureLimit, "GPa"),
+                      by_direction(r, &FlankLife::static_capacity));
+    if (all)
+      text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
+    text += life_line("force with ellipses at a flank's edge",
+                      by_direction(r, &FlankLife::flank_edge_load));
+    if (all)
+      text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
   }
-  text += line("static safety",
-               r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
-                                               in_table_units(describe(*r.static_safety_limit())))
-                                 : std::string(kAbsent));
+  text +=
+      life_line("static safety",
+                r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
+                                                in_table_units(describe(*r.static_safety_limit())))
+                                  : std::string(kAbsent));
   return text;
 }
 
 std::string loads(const LifeResult& r) {
   std::string text;
   if (r.revolutions_known)
-    text += line("revolutions, travel",
-                 fmt::format("{}, {}", cell(r.revolutions),
-                             quantity(r.revolutions * std::abs(r.contacts.mechanism.lead), "m")));
-  if (r.duration) text += line("duration", fmt::format("{} h", cell(*r.duration, 1.0 / 3600.0)));
+    text +=
+        life_line("revolutions, travel",
+                  fmt::format("{}, {}", cell(r.revolutions),
+                              in_unit(r.revolutions * std::abs(r.contacts.mechanism.lead), "m")));
+  if (r.duration)
+    text += life_line("duration", fmt::format("{} h", cell(*r.duration, 1.0 / 3600.0)));
   for (const Direction d : kDirections)
     if (const auto& f = r.flanks[d])
-      text += line(
+      text += life_line(
           fmt::format("{}", name(d)),
           fmt::format("{:.1f} % of the revolutions, up to {} and {}",
                       100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
-                      quantity(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "GPa")));
+                      in_unit(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "GPa")));
   if (r.cycles)
-    text += line("load cycles (rainflow)",
-                 fmt::format("{:.1f}, equivalent range {} at slope {:g}, up to {}",
-                             count(r.cycles->cycles), kilonewtons(r.cycles->equivalent_range),
-                             r.life.fatigue_slope, kilonewtons(r.cycles->matrix.range_to)));
+    text += life_line("load cycles (rainflow)",
+                      fmt::format("{:.1f}, equivalent range {} at slope {:g}, up to {}",
+                                  count(r.cycles->cycles), kilonewtons(r.cycles->equivalent_range),
+                                  r.life.fatigue_slope, kilonewtons(r.cycles->matrix.range_to)));
   return text;
 }
 

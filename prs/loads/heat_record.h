@@ -19,6 +19,8 @@ struct InterfaceNumbers {
   double screw = 0.0, nut = 0.0;
 };
 
+inline constexpr double kZeroCelsius = 273.15;  // [K]
+
 /// Temperatures in degC.
 PartNumbers celsius_of(const PerPart<double>& kelvin);
 PartSeries celsius_of(const PerPart<std::vector<double>>& kelvin);

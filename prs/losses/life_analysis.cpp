@@ -1,15 +1,15 @@
-#include "prs/life/life_analysis.h"
+#include "prs/losses/life_analysis.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "prs/heat/warm_parts.h"
 #include "prs/input/force_history.h"
 #include "prs/life/life_record.h"
 #include "prs/loads/load_json.h"
 #include "prs/model/units.h"
-#include "prs/model/void_inputs.h"
 #include "prs/record/figure_parts.h"
 
 namespace prs {
@@ -238,7 +238,7 @@ PageSection section(const LifeResult& r) {
   return page;
 }
 
-constexpr std::string_view kResponses[] = {
+constexpr std::string_view kLifeResponses[] = {
     "life.system.l10_revolutions", "life.catalogue.l10_revolutions",
     "life.weakest_thread.equivalent_load_N", "life.capacity.dynamic_capacity_N",
     "life.static_safety"};
@@ -249,7 +249,7 @@ LifeResult life_of(const input::Source& source, const input::CaseInput& in) {
   std::optional<LoadHistory> history;
   if (in.values.life->history)
     history = input::read_force_history(*in.values.life->history, source);
-  return analyze_life(in.values, std::move(history));
+  return analyze_warm_life(in.values, std::move(history));
 }
 
 const Analysis<LifeResult>& life_analysis() {
@@ -258,12 +258,8 @@ const Analysis<LifeResult>& life_analysis() {
       .command = Command::life,
       .help = "Life under a load history or spectrum, static safety",
       .file = "life.json",
-      .run =
-          [](const input::Source& source, const input::CaseInput& in) {
-            LifeResult result = life_of(source, in);
-            add_heat_note(in.values, result.warnings);
-            return result;
-          },
+      .run = [](const input::Source& source,
+                const input::CaseInput& in) { return life_of(source, in); },
       .places = places,
       .put =
           [](nlohmann::ordered_json& document, const LifeResult& r) {
@@ -282,7 +278,7 @@ const Analysis<LifeResult>& life_analysis() {
       .converged = [](const LifeResult& r) { return r.converged(); },
       .place = {"Life", 1},
       .section = section,
-      .responses = kResponses};
+      .responses = kLifeResponses};
   return analysis;
 }
 

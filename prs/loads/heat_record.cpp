@@ -1,11 +1,9 @@
-#include "prs/losses/heat_record.h"
+#include "prs/loads/heat_record.h"
 
 #include "prs/record/record_table.h"
 
 namespace prs {
 namespace {
-
-constexpr double kZeroCelsius = 273.15;
 
 constexpr Quantity<PartNumbers> kPartNumbers[] = {
     {"screw", of<&PartNumbers::screw>, "of the screw"},

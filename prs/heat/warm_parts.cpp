@@ -1,0 +1,153 @@
+#include "prs/heat/warm_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "prs/heat/analyze_heat.h"
+#include "prs/heat/case_losses.h"
+#include "prs/heat/duty_cycle.h"
+#include "prs/life/contact_loads.h"
+#include "prs/life/load_history.h"
+
+namespace prs {
+namespace {
+
+/// Forces of one sense up to this number are solved one by one; of more, heat is interpolated over
+/// the force through that many of Chebyshev's extreme points.
+constexpr std::size_t kForces = 12;
+
+/// Loads whose heat is the same function of the force.
+struct Kind {
+  Direction direction = Direction::tension;
+  DrivenBy driven_by = DrivenBy::screw;
+
+  auto operator<=>(const Kind&) const = default;
+};
+
+/// Shares of time by the force.
+using Shares = std::map<double, double>;
+
+/// The same mean of every polynomial through the points, on few forces.
+Shares on_points(const Shares& shares) {
+  if (shares.size() <= kForces) return shares;
+  const double least = shares.begin()->first, greatest = shares.rbegin()->first;
+  std::vector<double> force(kForces), weight(kForces);
+  for (std::size_t n = 0; n < kForces; ++n) {
+    const double along = std::cos(std::numbers::pi * static_cast<double>(n) / (kForces - 1));
+    force[n] = 0.5 * (least + greatest) - 0.5 * (greatest - least) * along;
+    weight[n] = (n % 2 == 0 ? 1.0 : -1.0) * (n == 0 || n + 1 == kForces ? 0.5 : 1.0);
+  }
+  force.front() = least, force.back() = greatest;
+  Shares found;
+  for (const auto& [f, share] : shares) {
+    // Lagrange's polynomials in barycentric form.
+    const auto at = std::ranges::find(force, f);
+    double sum = 0.0;
+    for (std::size_t n = 0; n < kForces; ++n) sum += weight[n] / (f - force[n]);
+    for (std::size_t n = 0; n < kForces; ++n) {
+      const double basis =
+          at != force.end() ? (*at == force[n] ? 1.0 : 0.0) : weight[n] / (f - force[n]) / sum;
+      found[force[n]] += share * basis;
+    }
+  }
+  return found;
+}
+
+/// The loads of a spectrum and their shares of time. With a clock, a history's rests have theirs.
+std::vector<TimedLoad> timed_loads(const Conditions& c, double lead,
+                                   const std::optional<LoadHistory>& history) {
+  const double speed = std::abs(c.operation->speed);
+  const std::vector<LoadStep> steps = load_steps(*c.life, history, lead, speed);
+  std::vector<double> time(steps.size());
+  double total = 0.0;
+  const std::optional<double> clock = history ? duration(*history) : std::nullopt;
+  for (std::size_t k = 0; k < steps.size(); ++k) time[k] = steps[k].revolutions;
+  if (clock) time = moving_times(*history, lead, speed);
+  for (const double t : time) total += t;
+  if (clock) total = *clock;
+
+  std::map<Kind, Shares> kinds;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const LoadStep& step = steps[k];
+    if (!(time[k] > 0.0) || (step.axial_force == 0.0 && !c.preload)) continue;
+    const Direction d = step.axial_force < 0.0 ? Direction::compression : Direction::tension;
+    const double by_load = step.revolutions > 0.0 ? step.driven_by_load / step.revolutions : 0.0;
+    for (const auto& [by, part] :
+         {std::pair(DrivenBy::screw, 1.0 - by_load), std::pair(DrivenBy::load, by_load)})
+      if (part > 0.0) kinds[{d, by}][std::abs(step.axial_force)] += part * time[k] / total;
+  }
+  std::vector<TimedLoad> loads;
+  for (const auto& [kind, shares] : kinds)
+    for (const auto& [force, share] : on_points(shares)) {
+      LoadCase load = driven_load_case(c, lead, kind.direction, kind.driven_by);
+      load.axial_force = force;
+      loads.push_back({std::move(load), share});
+    }
+  return loads;
+}
+
+/// The case with its parts, and what films they have, at these temperatures.
+Conditions warm(const Conditions& c, const PerPart<double>& temperature) {
+  Conditions at = c;
+  at.deviations.temperature = temperature;
+  return at;
+}
+
+}  // namespace
+
+PreloadResult analyze_warm_preload(const Conditions& c, Contacts contacts) {
+  if (!c.heat) return analyze_preload(c, std::move(contacts));
+  require_rolling(c, contacts);
+  const auto named = std::ranges::find_if(c.load_cases, [&](const LoadCase& load) {
+    return !c.preload->load_case || load.name == *c.preload->load_case;
+  });
+  const TimedLoad all_the_time[] = {{*named}};
+  const SteadyHeat heat = steady_heat_of(c, contacts, all_the_time);
+  PreloadResult result = analyze_preload(
+      warm(c, per_part(heat.converged() ? heat.temperature : OfParts::Constant(c.heat->ambient))),
+      std::move(contacts));
+  result.load_case = named->name;
+  result.heat_status = heat.status;
+  if (!heat.converged()) result.warnings.push_back(no_steady_state(heat.status, heat.reason));
+  return result;
+}
+
+LifeResult analyze_warm_life(const Conditions& c, Contacts contacts,
+                             std::optional<LoadHistory> history) {
+  if (!c.life->takes_heat(c.heat.has_value()))
+    return analyze_life(c, std::move(contacts), std::move(history));
+  require_rolling(c, contacts);
+  HeatStatus status = HeatStatus::converged;
+  std::string reason;
+  PerPart<double> temperature;
+  std::vector<Warning> warnings;
+  if (c.heat->duty.empty()) {
+    const SteadyHeat heat =
+        steady_heat_of(c, contacts, timed_loads(c, contacts.mechanism.lead, history));
+    status = heat.status, reason = heat.reason;
+    temperature = per_part(heat.temperature);
+  } else {
+    const HeatCycle cycle = periodic_heat_cycle(c, contacts, warnings);
+    status = cycle.status, reason = cycle.reason;
+    temperature = cycle.mean;
+  }
+  if (status != HeatStatus::converged) {
+    temperature = per_part(OfParts::Constant(c.heat->ambient));
+    warnings.push_back(no_steady_state(status, reason));
+  }
+  const Oils oils = warm_oils(c, oil_temperatures(of_parts(temperature)));
+  LifeResult result =
+      analyze_life(warm(c, temperature), std::move(contacts), std::move(history), oils);
+  result.temperature_status = status;
+  if (status == HeatStatus::converged)
+    result.temperature = temperature;
+  else if (!result.failure)
+    result.failure = std::string(name(status)) + ": " + reason;
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  return result;
+}
+
+}  // namespace prs

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "prs/loads/analysis_options.h"
+#include "prs/loads/load_json.h"
+
+namespace prs {
+
+/// Loads of a screw at rest or, where `model.loads` asks for it, of one that runs.
+const Analysis<Result>& solve_analysis();
+
+/// `solve` with other means, and the warnings of the command.
+Result solved(const Case& c, const AnalysisOptions& options = {});
+
+}  // namespace prs

@@ -1,0 +1,104 @@
+#include "prs/sector/roller_guides.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace prs {
+namespace {
+
+using fe::Dof;
+
+/// The roller of a sector as a beam over (v, theta) of its nodes, which follow each other.
+class RollerBeam {
+ public:
+  explicit RollerBeam(const Sector& s)
+      : first_(s.roller_end_nodes.front()), size_(2 * (s.roller_end_nodes.back() - first_ + 1)) {
+    Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size_, size_);
+    for (const fe::BeamElement& b : s.model.beams) {
+      const Eigen::Matrix<double, 6, 6> of = fe::stiffness_matrix(b.beam);
+      const int from[] = {1, 2, 4, 5};
+      const int to[] = {at(b.first, Dof::v), at(b.first, Dof::theta), at(b.second, Dof::v),
+                        at(b.second, Dof::theta)};
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) k(to[i], to[j]) += of(from[i], from[j]);
+    }
+    // A guide that does not give carries the shape with it.
+    shapes_ = Eigen::MatrixXd::Zero(size_, 2);
+    Eigen::MatrixXd loads = shapes_;
+    std::vector<bool> held(static_cast<std::size_t>(size_), false);
+    const auto end_of = [&](int node) {
+      return node == s.roller_end_nodes[0] || node == s.roller_end_nodes[1] ? 0 : 1;
+    };
+    const auto is_roller = [&](int node) { return node >= first_ && at(node, Dof::v) < size_; };
+    for (const fe::FixedSupport& support : s.model.fixed_supports)
+      if (is_roller(support.node)) {
+        const int v = at(support.node, support.dof);
+        held[static_cast<std::size_t>(v)] = true;
+        shapes_(v, end_of(support.node)) = 1.0;
+      }
+    for (const fe::ElasticSupport& support : s.model.elastic_supports) {
+      const int v = at(support.node, support.dof);
+      k(v, v) += support.stiffness;
+      loads(v, end_of(support.node)) += support.stiffness;
+    }
+    loads -= k * shapes_;
+    std::vector<int> free;
+    for (int i = 0; i < size_; ++i)
+      if (!held[static_cast<std::size_t>(i)]) free.push_back(i);
+    const Eigen::MatrixXd found =
+        Eigen::MatrixXd(k(free, free)).ldlt().solve(Eigen::MatrixXd(loads(free, Eigen::all)));
+    for (std::size_t i = 0; i < free.size(); ++i)
+      shapes_.row(free[i]) = found.row(static_cast<Eigen::Index>(i));
+  }
+
+  double shape(int end, int node, Dof dof) const { return shapes_(at(node, dof), end); }
+
+ private:
+  int at(int node, Dof dof) const { return 2 * (node - first_) + (dof == Dof::v ? 0 : 1); }
+
+  int first_, size_;
+  Eigen::MatrixXd shapes_;  ///< A column for each end.
+};
+
+}  // namespace
+
+RollerGuides::RollerGuides(const Sector& s) : sense_(s.sense), cosine_(s.cosine), sine_(s.sine) {
+  const RollerBeam beam(s);
+  for (int h = 0; h < 2; ++h) {
+    End& end = ends_[static_cast<std::size_t>(h)];
+    for (const Interface i : kInterfaces)
+      for (int k = 0; k < s.contacts(); ++k) {
+        const fe::SpringElement& spring = s.model.springs[static_cast<std::size_t>(s.spring(i, k))];
+        const fe::RigidArm& at = i == Interface::screw ? spring.to : spring.from;
+        end.threads[i].push_back(
+            {beam.shape(h, at.node, Dof::v), -at.dy * beam.shape(h, at.node, Dof::theta)});
+      }
+    for (const fe::BeamElement& b : s.model.beams) {
+      double& integral = is_head(s, b) ? end.of_heads : end.of_thread;
+      integral +=
+          0.5 * b.beam.length * (beam.shape(h, b.first, Dof::v) + beam.shape(h, b.second, Dof::v));
+    }
+  }
+}
+
+std::array<double, 2> RollerGuides::forces(const PerInterface<std::vector<double>>& normal_load,
+                                           const RollerPush& push) const {
+  std::array<double, 2> r{};
+  for (std::size_t h = 0; h < 2; ++h) {
+    const End& end = ends_[h];
+    r[h] = -(end.of_thread * push.of_thread + end.of_heads * push.of_heads);
+    for (const Interface i : kInterfaces) {
+      // The screw pushes outwards, the nut inwards.
+      const double side = i == Interface::screw ? 1.0 : -1.0;
+      for (std::size_t k = 0; k < end.threads[i].size(); ++k) {
+        const At& phi = end.threads[i][k];
+        const double x = side * sense_ * cosine_[i] * normal_load[i][k] + push.axial[i][k];
+        const double y = side * sine_[i] * normal_load[i][k] + push.radial[i][k];
+        r[h] -= y * phi.across + x * phi.along;
+      }
+    }
+  }
+  return r;
+}
+
+}  // namespace prs

@@ -1,0 +1,722 @@
+#include "prs/slip/running.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "prs/loads/analyze.h"
+#include "prs/loads/full_result.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/sector/bodies.h"
+#include "prs/sector/running_sector.h"
+#include "prs/sector/section_properties.h"
+#include "prs/slip/slip.h"
+
+namespace prs {
+namespace {
+
+/// Change of a thread's load over a round, relative to the largest load, at which to stop.
+constexpr double kTolerance = 1e-10;
+constexpr int kMostRounds = 100;
+/// Of the slip ratio that a last step may be away from the one that balances.
+constexpr double kSlipMissed = 1e-13;
+/// Share of a round's change down to which friction in proportion to the loads is followed.
+constexpr double kShare = 0.02;
+
+/// Anderson's acceleration of x = g(x) (Walker and Ni, SIAM J. Numer. Anal. 49, 2011, 1715): the
+/// combination of the last steps for which g(x) - x vanishes as nearly as possible.
+class Anderson {
+ public:
+  Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& g) {
+    constexpr Eigen::Index kDepth = 3;
+    const Eigen::VectorXd residual = g - x;
+    if (last_g_.size() > 0) {
+      const Eigen::Index kept = std::min(changes_.cols(), kDepth - 1);
+      const auto append = [kept](Eigen::MatrixXd& to, const Eigen::VectorXd& column) {
+        Eigen::MatrixXd all(column.size(), kept + 1);
+        all << to.rightCols(kept), column;
+        to = std::move(all);
+      };
+      append(changes_, residual - last_residual_);
+      append(steps_, g - last_g_);
+    } else {
+      changes_ = steps_ = Eigen::MatrixXd(x.size(), 0);
+    }
+    last_residual_ = residual;
+    last_g_ = g;
+    if (changes_.cols() == 0) return g;
+    return g - steps_ * changes_.colPivHouseholderQr().solve(residual);
+  }
+
+ private:
+  Eigen::MatrixXd changes_, steps_;
+  Eigen::VectorXd last_residual_, last_g_;
+};
+
+/// What the bodies answer to a push.
+struct Answer {
+  fe::NewtonStatus status = fe::NewtonStatus::iteration_limit;
+  PerInterface<std::vector<double>> normal_load;   ///< As in `InterfaceLoads` [N].
+  std::vector<std::array<double, 2>> guide_force;  ///< See `RunningLoads`.
+};
+
+/// Where the rollers stand among all threads; under preload rows are the flank that the load names
+/// and the other one.
+struct Rollers {
+  std::vector<std::size_t> present{0};
+  std::size_t threads = 0;
+  enum class Rows { rollers, flanks, nuts } rows = Rows::rollers;
+
+  bool of_flanks() const { return rows != Rows::rollers; }
+};
+
+/// What slips alike: rollers of one nut, whose threads stand from `first` on among all.
+struct Slipping {
+  SlipModel model;
+  std::size_t first = 0;
+};
+
+double largest(const std::vector<double>& values) { return std::ranges::max(values); }
+
+RunningStatus status_of(fe::NewtonStatus status) {
+  return status == fe::NewtonStatus::mechanism ? RunningStatus::mechanism
+                                               : RunningStatus::no_equilibrium;
+}
+
+RollerPush no_push(std::size_t threads) {
+  const std::vector<double> none(threads, 0.0);
+  return {{none, none}, {none, none}};
+}
+
+/// The fixed point of loads and friction for one load case.
+class FixedPoint {
+ public:
+  using Bodies = std::function<Answer(const std::vector<RollerPush>&)>;
+  using Turned = std::function<std::optional<Answer>(const std::vector<RollerPush>&)>;
+
+  FixedPoint(const Conditions& c, const Contacts& contacts, const SlipModels& models,
+             Rollers rollers, LoadCaseResult& loaded)
+      : c_(c), contacts_(contacts), models_(models), rollers_(std::move(rollers)), loaded_(loaded) {
+    running().at_rest = {{largest(threads().screw.normal_load), largest(threads().nut.normal_load)},
+                         loaded.axial_displacement.value_or(0.0)};
+    for (const Interface i : kInterfaces) {
+      InterfaceLoads& loads = threads()[i];
+      loads.friction.emplace().threads_per_roller = loads.threads_per_roller;
+    }
+    const std::optional<double>& density = c.materials->roller.density;
+    if (!density) return;
+    const double volume = roller_body(contacts.mechanism, c.structure->roller).volume;
+    thread_share_ = disc_area(*contacts.mechanism.pitch_diameter.roller) / volume;
+    head_share_ = disc_area(c.structure->roller.end_diameter) / volume;
+  }
+
+  /// From the state at rest, which `loaded` has; its loads become those of the running screw.
+  /// One equilibrium for each nut. `turned`, where it is given: the answer to friction in these
+  /// proportions to the normal loads; none where it must be followed step by step.
+  std::vector<SlipEquilibrium> solve(Answer answer, const Bodies& bodies, const Turned& turned,
+                                     const std::optional<double>& near) {
+    RunningLoads& r = running();
+    std::vector<SlipEquilibrium> slip;
+    std::vector<std::optional<double>> slip_ratio(2, near);
+    bool anew = true;  // Looks for the slip ratio, in place of a step by the last slope.
+    push_ = std::vector<RollerPush>(rollers_.present.size(), no_push(rollers_.threads));
+    for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
+      const std::vector<Slipping> nuts = slipping_on(answer);
+      std::vector<double> centrifugal(push_.size(), 0.0);
+      const double before = r.change;
+      double missed = 0.0;
+      slip.resize(nuts.size());
+      for (std::size_t n = 0; n < nuts.size(); ++n) {
+        const SlipModel& model = nuts[n].model;
+        SlipEquilibrium& found = slip[n];
+        std::optional<double> next;
+        if (!anew) {
+          found.balance.motion.slip_ratio = *slip_ratio[n];
+          next = next_slip_ratio(model, found);
+        }
+        if (!next) {
+          found = find_slip_equilibrium(model, slip_ratio[n]);
+          if (!found.ok()) {
+            r.status = found.status == SlipStatus::jammed ? RunningStatus::jammed
+                                                          : RunningStatus::slip_no_equilibrium;
+            return slip;
+          }
+          next = found.balance.motion.slip_ratio;
+        }
+        missed = std::max(missed, std::abs(*next - found.balance.motion.slip_ratio));
+        slip_ratio[n] = next;
+        set_friction(nuts[n], found);
+        const double force = found.balance.forces.centrifugal;
+        if (rollers_.of_flanks())
+          centrifugal[nuts[n].first / rollers_.threads] = force;
+        else
+          centrifugal.assign(push_.size(), force);
+      }
+      if (!follow(bodies, turned, centrifugal, answer)) return slip;
+      anew = r.rounds > 1 && r.change > 0.3 * before;
+      if (r.change > kTolerance || missed > kSlipMissed) continue;
+      for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
+      r.guide_force = answer.guide_force;
+      r.status = RunningStatus::converged;
+      for (const Slipping& nut : nuts) set_axial_loads(nut);
+      for (const Interface i : kInterfaces)
+        threads()[i].running_over_static =
+            largest(threads()[i].normal_load) / r.at_rest.largest_normal_load[i];
+      return slip;
+    }
+    r.status = RunningStatus::iteration_limit;
+    return slip;
+  }
+
+  const std::vector<RollerPush>& push() const { return push_; }
+
+ private:
+  RunningLoads& running() { return *loaded_.running; }
+  PerInterface<InterfaceLoads>& threads() { return *loaded_.threads; }
+
+  /// Loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is
+  /// that of the round. False where there are none.
+  bool follow(const Bodies& bodies, const Turned& turned, const std::vector<double>& centrifugal,
+              Answer& answer) {
+    RunningLoads& r = running();
+    const PerInterface<std::vector<double>> start = answer.normal_load;
+    PerInterface<std::vector<double>> before = start;
+    const PerInterface<FrictionForces> given{*threads().screw.friction, *threads().nut.friction};
+    const auto set_in_proportion = [&](const PerInterface<std::vector<double>>& normal_load) {
+      for (const Interface i : kInterfaces)
+        for (std::size_t k = 0; k < normal_load[i].size(); ++k) {
+          const double times = start[i][k] > 0.0 ? normal_load[i][k] / start[i][k] : 0.0;
+          FrictionForces& friction = *threads()[i].friction;
+          friction.axial[k] = times * given[i].axial[k];
+          friction.radial[k] = times * given[i].radial[k];
+          friction.tangential[k] = times * given[i].tangential[k];
+        }
+    };
+    if (turned) {
+      PerInterface<std::vector<double>> unit = start;
+      for (const Interface i : kInterfaces) std::ranges::fill(unit[i], 1.0);
+      set_in_proportion(unit);
+      take(vector_of(pushes(), centrifugal));
+      if (std::optional<Answer> found = turned(push_)) {
+        answer = std::move(*found);
+        r.change = largest_change(answer.normal_load, start);
+        set_in_proportion(answer.normal_load);
+        take(vector_of(pushes(), centrifugal));
+        return true;
+      }
+      set_in_proportion(start);
+    }
+    Anderson anderson;
+    Eigen::VectorXd x = vector_of(pushes(), centrifugal);
+    for (int step = 0; step < kMostRounds; ++step) {
+      take(x);
+      answer = bodies(push_);
+      if (answer.status != fe::NewtonStatus::converged) {
+        r.status = status_of(answer.status);
+        return false;
+      }
+      const double change = largest_change(answer.normal_load, before);
+      r.change = largest_change(answer.normal_load, start);
+      before = answer.normal_load;
+      set_in_proportion(before);
+      if (change <= std::max(kShare * r.change, 0.1 * kTolerance)) return true;
+      x = anderson.next(x, vector_of(pushes(), centrifugal));
+    }
+    r.status = RunningStatus::iteration_limit;
+    return false;
+  }
+
+  /// Over the largest load.
+  static double largest_change(const PerInterface<std::vector<double>>& now,
+                               const PerInterface<std::vector<double>>& before) {
+    double change = 0.0, load = 0.0;
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < now[i].size(); ++k) {
+        change = std::max(change, std::abs(now[i][k] - before[i][k]));
+        load = std::max(load, now[i][k]);
+      }
+    return change / load;
+  }
+
+  /// The models of slip on these loads. Where the file states the angle of a normal, F_i is that of
+  /// the sector, |s cos(psi) N_i +- T_x,i|.
+  std::vector<Slipping> slipping_on(const Answer& answer) {
+    running().guide_force = answer.guide_force;
+    const double named = sense(*loaded_.load_case.direction);
+    for (const Interface i : kInterfaces) {
+      InterfaceLoads& loads = threads()[i];
+      loads.normal_load = answer.normal_load[i];
+      const double cosine = std::cos(loads.normal_angle);
+      for (std::size_t p = 0; p < rollers_.present.size(); ++p)
+        for (std::size_t k = 0; k < rollers_.threads; ++k) {
+          const double s = rollers_.of_flanks() && p > 0 ? -named : named;
+          const std::size_t at = rollers_.present[p] * rollers_.threads + k;
+          const double friction = (i == Interface::screw ? 1.0 : -1.0) * push_[p].axial[i][k];
+          loads.axial_load[at] = std::abs(s * cosine * loads.normal_load[at] + friction);
+        }
+    }
+    std::vector<Slipping> nuts;
+    for (SlipModel& model : models_.of_nuts(loaded_)) {
+      const bool is_named = (model.axial_force < 0.0) == (named > 0.0);
+      const bool other = rollers_.rows == Rollers::Rows::nuts && !is_named;
+      nuts.push_back({std::move(model), other ? rollers_.threads : 0});
+    }
+    return nuts;
+  }
+
+  /// T_i = N_i (n - m_i) of each thread.
+  void set_friction(const Slipping& nut, const SlipEquilibrium& found) {
+    for (const Interface i : kInterfaces) {
+      const LoadedThreads& t = nut.model.threads[i];
+      FrictionForces& friction = *threads()[i].friction;
+      for (auto* values : {&friction.axial, &friction.radial, &friction.tangential})
+        values->resize(threads()[i].normal_load.size());
+      for (std::size_t k = 0; k < t.patch_of_thread.size(); ++k) {
+        const std::size_t at = nut.first + k;
+        friction.axial[at] = friction.radial[at] = friction.tangential[at] = 0.0;
+        if (!t.patch_of_thread[k]) continue;
+        const contact::PatchFriction& f = found.balance.patches[i].friction[*t.patch_of_thread[k]];
+        const double major = threads()[i].normal_load[at] * f.traction_major;
+        const double minor = threads()[i].normal_load[at] * f.traction_minor;
+        const ContactFrameOf<double>& frame = nut.model.frame(i, t.contacts[*t.patch_of_thread[k]]);
+        friction.radial[at] = major * frame.major_axis.x + minor * frame.minor_axis.x;
+        friction.tangential[at] = major * frame.major_axis.y + minor * frame.minor_axis.y;
+        friction.axial[at] = major * frame.major_axis.z + minor * frame.minor_axis.z;
+      }
+    }
+  }
+
+  /// F_i = N_i |m_z,i| of converged loads, friction included.
+  void set_axial_loads(const Slipping& nut) {
+    const double unit = std::abs(loaded_.load_case.axial_force) / contacts_.mechanism.rollers;
+    for (const Interface i : kInterfaces) {
+      InterfaceLoads& loads = threads()[i];
+      const LoadedThreads& t = nut.model.threads[i];
+      for (std::size_t k = 0; k < t.patch_of_thread.size(); ++k) {
+        const std::size_t at = nut.first + k;
+        if (!c_.contact.normal_angle[i])
+          loads.axial_load[at] =
+              t.patch_of_thread[k]
+                  ? std::abs(loads.normal_load[at] *
+                                 nut.model.frame(i, t.contacts[*t.patch_of_thread[k]]).normal.z -
+                             loads.friction->axial[at])
+                  : 0.0;
+        loads.load_rate[at] = loads.axial_load[at] / unit;
+      }
+    }
+  }
+
+  std::vector<RollerPush> pushes() const {
+    std::vector<RollerPush> all;
+    for (const std::size_t roller : rollers_.present) {
+      RollerPush& push = all.emplace_back();
+      const auto part = [&](const std::vector<double>& values) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(roller * rollers_.threads);
+        return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(rollers_.threads));
+      };
+      for (const Interface i : kInterfaces) {
+        const FrictionForces& friction = *(*loaded_.threads)[i].friction;
+        push.axial[i] = part(friction.axial);
+        push.radial[i] = part(friction.radial);
+      }
+    }
+    return all;
+  }
+
+  /// All unknown forces, the centrifugal ones of the rows last [N].
+  Eigen::VectorXd vector_of(const std::vector<RollerPush>& pushes,
+                            const std::vector<double>& centrifugal) const {
+    std::vector<double> all;
+    for (const RollerPush& push : pushes)
+      for (const Interface i : kInterfaces) {
+        all.insert(all.end(), push.axial[i].begin(), push.axial[i].end());
+        all.insert(all.end(), push.radial[i].begin(), push.radial[i].end());
+      }
+    all.insert(all.end(), centrifugal.begin(), centrifugal.end());
+    return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+  }
+  void take(const Eigen::VectorXd& x) {
+    Eigen::Index next = 0;
+    for (RollerPush& push : push_) {
+      for (const Interface i : kInterfaces)
+        for (auto* values : {&push.axial[i], &push.radial[i]})
+          for (double& value : *values) value = x[next++];
+    }
+    for (RollerPush& push : push_) {
+      push.of_thread = thread_share_ * x[next];
+      push.of_heads = head_share_ * x[next++];
+    }
+  }
+
+  const Conditions& c_;
+  const Contacts& contacts_;
+  const SlipModels& models_;
+  Rollers rollers_;
+  LoadCaseResult& loaded_;
+  std::vector<RollerPush> push_;                  ///< On each roller present.
+  double thread_share_ = 0.0, head_share_ = 0.0;  ///< Of a roller's mass per length [1/m].
+};
+
+/// Why there are no loads of a running screw, where those at rest are known.
+Warning why_not_running(const RunningLoads& r) {
+  switch (r.status) {
+    case RunningStatus::jammed:
+      return {"friction", "jammed",
+              "running loads: a contact jams: its friction takes more of the axial load than its "
+              "normal load gives; expect the screw to stick"};
+    case RunningStatus::slip_no_equilibrium:
+      return {"carrier", "no_slip_ratio",
+              "running loads: no slip ratio balances the moment on a roller",
+              "check the carrier's torques"};
+    case RunningStatus::iteration_limit:
+      return Warning{"friction", "running_iteration_limit",
+                     "running loads do not settle: the largest load still changes by the share "
+                     "{value} a round"}
+          .with(r.change);
+    default:
+      return {"friction", "running_no_equilibrium",
+              "running loads: with this friction no loads of the threads are in equilibrium"};
+  }
+}
+
+/// Without loads.
+LoadCaseResult not_running(LoadCaseResult rest) {
+  if (rest.threads)
+    rest.warnings.push_back(why_not_running(*rest.running));
+  else
+    rest.running->status = status_of(rest.solve->status);
+  rest.threads.reset();
+  rest.full.reset();
+  rest.axial_displacement = rest.axial_stiffness = rest.tangent_stiffness = {};
+  return rest;
+}
+
+/// Loads that stand on friction, with axial forces as slip has them.
+LoadCaseResult with_friction(LoadCaseResult loaded, LoadCaseResult slipped) {
+  for (const Interface i : kInterfaces) {
+    InterfaceLoads &to = (*loaded.threads)[i], &from = (*slipped.threads)[i];
+    to.axial_load = std::move(from.axial_load);
+    to.load_rate = std::move(from.load_rate);
+    to.friction = std::move(from.friction);
+    to.running_over_static = from.running_over_static;
+  }
+  loaded.loads = slipped.loads;
+  loaded.running = std::move(slipped.running);
+  return loaded;
+}
+
+void start(LoadCaseResult& rest) {
+  rest.loads = ModelOptions::Loads::running;
+  rest.running.emplace();
+}
+
+}  // namespace
+
+LoadCaseResult RunningSolver::solve(const LoadCase& load_case, Detail detail,
+                                    std::optional<SlipEquilibrium>& slip) {
+  second_nut_.reset();
+  return has_both_flanks(conditions_, load_case.share) ? of_flanks(load_case, slip)
+         : conditions_.model.mechanism == ModelOptions::Mechanism::full
+             ? of_all_rollers(load_case, detail, slip)
+             : of_sector(load_case, slip);
+}
+
+LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case,
+                                        std::optional<SlipEquilibrium>& slip) {
+  if (!flanks_) flanks_.emplace(conditions_, contacts_);
+  const Direction named = *load_case.direction;
+  LoadCaseResult rest = flanks_->solve(load_case);
+  start(rest);
+  if (!rest.threads) return not_running(std::move(rest));
+  const RunningLoads::AtRest at_rest{
+      {largest(rest.threads->screw.normal_load), largest(rest.threads->nut.normal_load)},
+      rest.axial_displacement.value_or(0.0)};
+  const std::size_t threads = rest.threads->screw.normal_load.size();
+  const bool two_nuts = rest.other_flank->of_second_roller;
+  Answer answer{fe::NewtonStatus::converged, {}, rest.other_flank->guide_force};
+  for (const Interface i : kInterfaces) {
+    InterfaceLoads& loads = (*rest.threads)[i];
+    FlankThreads& other = rest.other_flank->threads[i];
+    loads.normal_load.insert(loads.normal_load.end(), other.normal_load.begin(),
+                             other.normal_load.end());
+    loads.axial_load.resize(2 * threads);
+    loads.load_rate.resize(2 * threads);
+    answer.normal_load[i] = loads.normal_load;
+    other = {};
+  }
+  const auto of_flank = [&](const std::vector<RollerPush>& push) {
+    PerDirection<RollerPush> by_direction;
+    by_direction[named] = push[0];
+    by_direction[opposite(named)] = push[1];
+    return by_direction;
+  };
+
+  PreloadPoint last;
+  FixedPoint point(conditions_, contacts_, models_,
+                   {{0, 1}, threads, two_nuts ? Rollers::Rows::nuts : Rollers::Rows::flanks}, rest);
+  std::vector<SlipEquilibrium> found = point.solve(
+      answer,
+      [&](const std::vector<RollerPush>& push) {
+        last = flanks_->go_on(load_case, of_flank(push));
+        Answer to{last.solve.status, {}, {}};
+        if (!last.solve.converged()) return to;
+        to.guide_force = flanks_->guide_forces(last, named, of_flank(push));
+        for (const Interface i : kInterfaces)
+          for (const Direction d : {named, opposite(named)})
+            to.normal_load[i].insert(to.normal_load[i].end(), last.sides[d].normal_load[i].begin(),
+                                     last.sides[d].normal_load[i].end());
+        return to;
+      },
+      {}, last_slip_ratio_);
+  rest.running->at_rest = at_rest;
+  if (!rest.running->converged()) {
+    rest.other_flank.reset();
+    return not_running(std::move(rest));
+  }
+  slip = std::move(found.front());
+  if (two_nuts) second_nut_ = std::move(found.back());
+  last_slip_ratio_ = slip->balance.motion.slip_ratio;
+
+  LoadCaseResult loaded = both_flanks_result(load_case, contacts_, laws_, std::move(last));
+  loaded.other_flank->of_second_roller = two_nuts;
+  for (const Interface i : kInterfaces) {
+    InterfaceLoads& loads = (*rest.threads)[i];
+    FlankThreads& other = loaded.other_flank->threads[i];
+    const auto cut = [&](std::vector<double>& values) {
+      std::vector<double> behind(values.begin() + static_cast<std::ptrdiff_t>(threads),
+                                 values.end());
+      values.resize(threads);
+      return behind;
+    };
+    other.normal_load = cut(loads.normal_load);
+    other.axial_load = cut(loads.axial_load);
+    cut(loads.load_rate);
+    if (load_case.axial_force == 0.0) std::ranges::fill(loads.load_rate, kNoShare);
+    for (auto* values :
+         {&loads.friction->axial, &loads.friction->radial, &loads.friction->tangential})
+      cut(*values);
+    loads.running_over_static = largest(loads.normal_load) / at_rest.largest_normal_load[i];
+  }
+  return with_friction(std::move(loaded), std::move(rest));
+}
+
+RunningSolver::SectorAt& RunningSolver::sector_at(Direction d, double position) {
+  std::unique_ptr<SectorAt>& kept = sectors_[{d, position}];
+  if (!kept)
+    kept = std::make_unique<SectorAt>(build_sector(
+        sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
+                     conditions_.model, laws_, d, position, conditions_.deviations)));
+  return *kept;
+}
+
+LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
+                                        std::optional<SlipEquilibrium>& slip) {
+  SectorAt& at = sector_at(*load_case.direction, *load_case.position);
+  SectorSolver& solver = at.solver;
+  const Sector& sector = solver.sector();
+  const double force = load_case.axial_force;
+  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, solver.solve(force));
+  start(rest);
+  if (!rest.threads) return not_running(std::move(rest));
+  const auto answer_to = [&](const RollerPush& push, fe::NewtonStatus status) {
+    Answer answer{status, {}, {}};
+    for (const Interface i : kInterfaces)
+      for (int k = 0; k < sector.contacts(); ++k)
+        answer.normal_load[i].push_back(
+            solver.equations().response(solver.state(), sector.spring(i, k)).force);
+    if (at.guides) answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
+    return answer;
+  };
+
+  const auto threads = static_cast<std::size_t>(sector.contacts());
+  const auto under = [&](const RollerPush& push, bool is_trial) {
+    return solver.go_on(force, push_loads(sector, push), is_trial);
+  };
+  FixedPoint point(conditions_, contacts_, models_, {{0}, threads}, rest);
+  slip = point
+             .solve(
+                 answer_to(no_push(threads), fe::NewtonStatus::converged),
+                 [&](const std::vector<RollerPush>& push) {
+                   return answer_to(push.front(), under(push.front(), true).status);
+                 },
+                 [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
+                   RollerPush push = per_normal_load.front();
+                   if (!solver.follow(force, TurnedLoads(solver, force, push))) return std::nullopt;
+                   const Answer loads = answer_to(push, fe::NewtonStatus::converged);
+                   for (const Interface i : kInterfaces)
+                     for (std::size_t k = 0; k < threads; ++k) {
+                       push.axial[i][k] *= loads.normal_load[i][k];
+                       push.radial[i][k] *= loads.normal_load[i][k];
+                     }
+                   return answer_to(push, fe::NewtonStatus::converged);
+                 },
+                 last_slip_ratio_)
+             .front();
+  if (!rest.running->converged()) return not_running(std::move(rest));
+  last_slip_ratio_ = slip->balance.motion.slip_ratio;
+  fe::NewtonSummary last = under(point.push().front(), false);
+  LoadDistribution d = solver.at(solver.state(), force);
+  d.solve = std::move(last);
+  return with_friction(solved_result(load_case, contacts_, laws_, std::move(d)), std::move(rest));
+}
+
+/// The running loads of all rollers where the carrier stands, and what they are found by.
+struct RunningSolver::AllRunning {
+  LoadCaseResult result;
+  FullDistribution loads;
+  std::vector<RollerPush> push;
+  std::optional<SlipEquilibrium> slip;
+};
+
+RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_case,
+                                                        FullSolver& solver) {
+  Rollers rollers{{}, static_cast<std::size_t>(contacts_.mechanism.contacts_per_roller)};
+  const std::vector<int>& missing = conditions_.deviations.missing_rollers;
+  for (int r = 0; r < contacts_.mechanism.rollers; ++r)
+    if (std::ranges::find(missing, r + 1) == missing.end())
+      rollers.present.push_back(static_cast<std::size_t>(r));
+  const auto forces_on_guides = [&](const std::array<RingForce, 2>& rings) {
+    std::vector<std::array<double, 2>> all;
+    if (conditions_.model.roller == ModelOptions::Roller::flexible)
+      for (const std::size_t r : rollers.present)
+        all.push_back({rings[0].rollers[r], rings[1].rollers[r]});
+    return all;
+  };
+
+  AllRunning all;
+  all.result = full_result(load_case, conditions_, contacts_, laws_, solver, Detail::numbers);
+  LoadCaseResult& rest = all.result;
+  start(rest);
+  if (!rest.threads) {
+    rest = not_running(std::move(rest));
+    return all;
+  }
+  FixedPoint point(conditions_, contacts_, models_, rollers, rest);
+  all.slip = point
+                 .solve(
+                     {fe::NewtonStatus::converged,
+                      {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
+                      forces_on_guides(rest.full->rings)},
+                     [&](const std::vector<RollerPush>& push) {
+                       all.loads = full_distribution(load_case, conditions_, contacts_, laws_,
+                                                     solver, Detail::numbers, push);
+                       Answer answer{all.loads.solve.status, {}, forces_on_guides(all.loads.rings)};
+                       for (const Interface i : kInterfaces)
+                         for (const std::vector<double>& roller : all.loads.normal_load[i])
+                           answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(),
+                                                        roller.end());
+                       return answer;
+                     },
+                     {}, last_slip_ratio_)
+                 .front();
+  all.push = point.push();
+  if (rest.running->converged())
+    last_slip_ratio_ = all.slip->balance.motion.slip_ratio;
+  else
+    rest = not_running(std::move(rest));
+  return all;
+}
+
+LoadCaseResult RunningSolver::of_all_rollers(const LoadCase& load_case, Detail detail,
+                                             std::optional<SlipEquilibrium>& slip) {
+  LoadCase here = load_case;
+  here.spatial.orbit.reset();
+  FullSolver solver(FullStart::neighbour);
+  AllRunning all = all_rollers_at(here, solver);
+  slip = std::move(all.slip);
+  all.result.load_case = load_case;
+  if (!all.result.threads) return std::move(all.result);
+  LoadCaseResult result =
+      with_friction(full_result(load_case, conditions_, contacts_, laws_, solver, detail, all.push),
+                    std::move(all.result));
+  FullLoads full = *result.full;
+  set_symmetric(full, result);
+  if (load_case.spatial.orbit) {
+    Orbit orbit = turned(here, *load_case.spatial.orbit);
+    if (orbit.converged())
+      full.orbit = std::move(orbit);
+    else
+      result.warnings.push_back(no_orbit(*orbit.failure));
+  }
+  result.full = std::make_shared<const FullLoads>(std::move(full));
+  return result;
+}
+
+void RunningSolver::set_symmetric(FullLoads& full, LoadCaseResult& result) const {
+  Conditions nominal = conditions_;
+  nominal.deviations = {};
+  nominal.model.mechanism = ModelOptions::Mechanism::sector;
+  LoadCase axial = result.load_case;
+  axial.spatial = {};
+  std::optional<SlipEquilibrium> slip;
+  const SlipModels models(nominal, contacts_, models_.oils());
+  const LoadCaseResult alike =
+      RunningSolver(nominal, contacts_, models).solve(axial, Detail::numbers, slip);
+  if (!alike.threads) return;
+  full.symmetric = {*alike.axial_displacement, alike.tangent_stiffness, {}};
+  full.symmetric_stiffness = *alike.axial_stiffness;
+  for (const Interface i : kInterfaces) {
+    full.symmetric.largest_normal_load[i] = largest((*alike.threads)[i].normal_load);
+    RollerShares& shares = *(*result.threads)[i].rollers;
+    shares.overload_factor = shares.largest_normal_load / full.symmetric.largest_normal_load[i];
+  }
+}
+
+Orbit RunningSolver::turned(const LoadCase& load_case, const SpatialLoad::Orbit& wanted) {
+  FullSolver solver(FullStart::neighbour);
+  const auto solved = [&](double carrier_angle) {
+    LoadCase at = load_case;
+    at.spatial.carrier_angle = carrier_angle;
+    at.spatial.orbit.reset();
+    AllRunning all = all_rollers_at(at, solver);
+    if (all.result.threads) return std::move(all.loads);
+    FullDistribution failed;
+    failed.reason = fmt::format("running loads end as {}", name(all.result.running->status));
+    return failed;
+  };
+  return full_orbit(load_case, conditions_, contacts_, laws_, solved, wanted);
+}
+
+std::optional<Warning> guides_without_play(const Conditions& c,
+                                           const PerInterface<double>& over_static) {
+  constexpr double kMuch = 0.2;
+  const auto change = [&](Interface i) { return over_static[i] - 1.0; };
+  const Interface i = std::abs(change(Interface::nut)) > std::abs(change(Interface::screw))
+                          ? Interface::nut
+                          : Interface::screw;
+  if (std::abs(change(i)) <= kMuch) return std::nullopt;
+  constexpr std::string_view kGuidance[] = {"both_end_nodes", "outer_node", "ring"};
+  const auto kind = static_cast<std::size_t>(c.structure->roller.guidance.kind);
+  return Warning{"structure.roller.guidance", "guides_without_play",
+                 fmt::format("guides_without_play: friction moves the largest load of a {} thread "
+                             "by {:+.1f} %: rollers are pressed against guides ({}) taken without "
+                             "play; other guidance gives another share (5 to 146 % of one screw)",
+                             name(i), change(i) * per_si::percent, kGuidance[kind])}
+      .with(std::abs(change(i)), kMuch, text_unit::percent);
+}
+
+Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+  const auto runs = [&](const LoadCase& load) {
+    return solve_takes_running_loads(c.model, load.share);
+  };
+  if (std::ranges::none_of(c.load_cases, runs)) return analyze(c, std::move(contacts), options);
+  require_rolling(c, contacts);
+  Result result = analyze(c, std::move(contacts), options, runs);
+  const SlipModels models(c, result.contacts);
+  Conditions alone = c;  // `solve` has one flank, whatever closes the other one.
+  alone.preload.reset();
+  RunningSolver solver(alone, result.contacts, models);
+  for (LoadCaseResult& loaded : result.load_cases) {
+    if (!runs(loaded.load_case)) continue;
+    std::optional<SlipEquilibrium> slip;
+    loaded = solver.solve(loaded.load_case, options.detail, slip);
+    if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
+  }
+  return result;
+}
+
+}  // namespace prs

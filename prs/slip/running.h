@@ -1,0 +1,94 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "prs/loads/analyze.h"
+#include "prs/loads/full_result.h"
+#include "prs/preload/both_flanks.h"
+#include "prs/sector/load_distribution.h"
+#include "prs/sector/roller_guides.h"
+#include "prs/slip/slip_model.h"
+#include "prs/threads/contact_laws.h"
+
+namespace prs {
+
+/// Loads of the screw that turns under load: each contact carries its normal load N and the
+/// friction that slip finds for it,
+///
+///     K q + sum B_i' N_i = f + sum_screw -(X_i' T_x,i + Y_i' T_y,i)
+///                            + sum_nut    (X_i' T_x,i + Y_i' T_y,i) + f_c,
+///     N_i = k_0 <w_i - g_i>^1.5,   T_i = N_i (n - m_i),
+///
+/// with m of (3.8) on the patch of N_i at the one slip ratio for which the moment on the roller
+/// balances (3.38). T_x is Sandu's z component, T_y his x component; what acts along the orbit
+/// stays in the balance of slip. Friction turns the force, the approach w is still measured along
+/// the true normal: K + B't B stays symmetric with T as a given load.
+///
+/// A round of slip gives tau_i = T_i/N_i; with these proportions the loads are followed to the end,
+///
+///     T -> q, N -> tau N,
+///
+/// which contracts by about max |tau| max(tan psi, cot psi) a step and by Anderson's acceleration
+/// in few of them. Then slip, which the loads hardly change, is evaluated anew.
+class RunningSolver {
+ public:
+  /// The case must have passed the requirements of `slip` and `solve`, all else is its own.
+  RunningSolver(const Conditions& c, const Contacts& contacts, const SlipModels& models)
+      : conditions_(c), contacts_(contacts), laws_(contact_laws(c, contacts)), models_(models) {}
+
+  /// A load case with solved shares and all that belongs to no slip; `running` says how the search
+  /// ended. Where it converged: its slip.
+  /// Under preload with both flanks, of two nuts the slip of the first.
+  LoadCaseResult solve(const LoadCase& load_case, Detail detail,
+                       std::optional<SlipEquilibrium>& slip);
+  /// Slip of the second nut of a double nut, of the last load case.
+  const std::optional<SlipEquilibrium>& second_nut() const { return second_nut_; }
+
+  /// A turn of the carrier under a load case on all rollers: each position is an equilibrium with
+  /// its own slip ratio.
+  Orbit turned(const LoadCase& load_case, const SpatialLoad::Orbit& wanted);
+
+ private:
+  struct SectorAt {
+    explicit SectorAt(Sector sector) : solver(std::move(sector)) {
+      if (solver.sector().bends()) guides.emplace(solver.sector());
+    }
+    SectorSolver solver;
+    std::optional<RollerGuides> guides;  ///< None of rollers that stay straight.
+  };
+
+  SectorAt& sector_at(Direction d, double position);
+  LoadCaseResult of_sector(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
+  LoadCaseResult of_flanks(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
+  LoadCaseResult of_all_rollers(const LoadCase& load_case, Detail detail,
+                                std::optional<SlipEquilibrium>& slip);
+  struct AllRunning;
+  AllRunning all_rollers_at(const LoadCase& load_case, FullSolver& solver);
+  /// The same screw loaded symmetrically runs as well.
+  void set_symmetric(FullLoads& full, LoadCaseResult& result) const;
+
+  const Conditions& conditions_;
+  const Contacts& contacts_;
+  PerInterface<ContactLaw> laws_;
+  const SlipModels& models_;
+  std::map<std::pair<Direction, double>, std::unique_ptr<SectorAt>> sectors_;
+  std::optional<FlankSolver> flanks_;
+  std::optional<SlipEquilibrium> second_nut_;
+  std::optional<double> last_slip_ratio_;
+};
+
+/// A warning where friction moves the largest load of screw or nut by much: on which guidance that
+/// stands. `over_static`: the largest load of each over that at rest.
+std::optional<Warning> guides_without_play(const Conditions& c,
+                                           const PerInterface<double>& over_static);
+
+/// What `analyze` delivers, on the loads that `model.loads` asks of `solve`.
+Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
+inline Result analyze_loads(const Case& c, AnalysisOptions options = {}) {
+  return analyze_loads(c, checked_contacts(c, options.detail), options);
+}
+
+}  // namespace prs
