@@ -216,7 +216,7 @@ std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& sty
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
 /// Of a stated capacity, which is of real screws, the catalogue's life is the headline.
-PageSection section(const LifeResult& r) {
+PageSection life_section(const LifeResult& r) {
   const bool solved = r.life.share == LoadCase::Share::solved, stated = !r.lemor;
   const std::vector<std::string> lives =
       r.rated_over_l10() == 1.0
@@ -277,7 +277,7 @@ const Analysis<LifeResult>& life_analysis() {
       },
       .converged = [](const LifeResult& r) { return r.converged(); },
       .place = {"Life", 1},
-      .section = section,
+      .section = life_section,
       .responses = kLifeResponses};
   return analysis;
 }

@@ -85,7 +85,7 @@ std::vector<Headline> losses(const Result& r) {
   return known ? std::vector{lost} : std::vector<Headline>{};
 }
 
-PageSection section(const Result& r) {
+PageSection slip_section(const Result& r) {
   constexpr const char* kOfSteadyStates = "Steady: each load case running without pause";
   const bool steady = std::ranges::any_of(
       r.load_cases, [](const LoadCaseResult& load) { return load.heat.has_value(); });
@@ -140,7 +140,7 @@ const Analysis<Result>& slip_analysis() {
       .headlines = losses,
       .all_warnings = all_warnings,
       .place = {"Slip and losses", 2},
-      .section = section,
+      .section = slip_section,
       .responses = kResponses,
       .takes_load_cases_apart = true};
   return analysis;

@@ -7,13 +7,13 @@
 #include "modules/module.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/input/study_reader.h"
-#include "prs/losses/life_analysis.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/contact_record.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/loads/load_json.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/warnings.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/model/void_inputs.h"
 #include "prs/record/table_units.h"
 #include "prs/run/commands.h"
@@ -291,7 +291,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
 }
 
 /// The loads of threads that a command takes.
-std::optional<ModelOptions::Loads> loads_of(const Case& c, Command command) {
+std::optional<ModelOptions::Loads> thread_loads_of(const Case& c, Command command) {
   const auto any = [&](bool (*runs)(const ModelOptions&, LoadCase::Share)) {
     return std::ranges::any_of(c.load_cases,
                                [&](const LoadCase& load) { return runs(c.model, load.share); });
@@ -316,8 +316,8 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   const Case& c = in.values;
   CheckResult result{in.fields, input::assumptions(in.fields, source), {}, {}};
   for (const AnyAnalysis& analysis : analyses())
-    result.commands.push_back(
-        {analysis.command, input::unmet(in, analysis.command), loads_of(c, analysis.command)});
+    result.commands.push_back({analysis.command, input::unmet(in, analysis.command),
+                               thread_loads_of(c, analysis.command)});
   Result& geometry = result.geometry;
   geometry.contacts = find_contacts(c.mechanism, c.materials);
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);

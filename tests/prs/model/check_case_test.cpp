@@ -290,11 +290,11 @@ TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
 TEST(CheckCase, BearingsAreThinFilmsAndShort) {
   Case c = abevi_case();
   HeadBearing& b = c.carrier.bearing.emplace();
-  b = {0.010, 0.005, 0.499e-3};
+  b = {{0.010, 0.005, 0.499e-3}};
   EXPECT_EQ(paths(check_case(c)), "");
-  b = {0.0101, 0.005, 0.501e-3};
+  b = {{0.0101, 0.005, 0.501e-3}};
   EXPECT_EQ(paths(check_case(c)), "carrier.bearing.radial_clearance carrier.bearing.length");
-  b = {0.004, 0.005, 15e-6};
+  b = {{0.004, 0.005, 15e-6}};
   c.carrier.roller_torque = 1e-3;
   EXPECT_EQ(paths(check_case(c)), "carrier.roller_torque");
 }

@@ -3,11 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/input/reader.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/losses/life_analysis.h"
+#include "prs/losses/preload_analysis.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/losses/preload_analysis.h"
 #include "prs/slip/slip.h"
 #include "tests/prs/input/abevi.h"
 
