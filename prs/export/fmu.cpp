@@ -3,30 +3,12 @@
 #include <bit>
 #include <cstdint>
 
+#include "prs/embed.h"
 #include "prs/export/system_model.h"
 #include "prs/export/zip.h"
 #include "prs/report/svg.h"
 #include "prs/sha256.h"
 #include "prs/version.h"
-
-// The content of FILE between two symbols. Paths come from the build.
-#define PRS_EMBED(symbol, file)                        \
-  asm(".pushsection .rodata\n"                         \
-      ".globl prs_embedded_" #symbol                   \
-      "\n"                                             \
-      "prs_embedded_" #symbol                          \
-      ":\n"                                            \
-      ".incbin \"" file                                \
-      "\"\n"                                           \
-      ".globl prs_embedded_" #symbol                   \
-      "_end\n"                                         \
-      "prs_embedded_" #symbol                          \
-      "_end:\n"                                        \
-      ".byte 0\n"                                      \
-      ".popsection\n");                                \
-  extern "C" const char prs_embedded_##symbol[];       \
-  extern "C" const char prs_embedded_##symbol##_end[]; \
-  static std::string_view symbol() { return {prs_embedded_##symbol, prs_embedded_##symbol##_end}; }
 
 PRS_EMBED(curves_h, PRS_UNIT_SOURCES "/curves.h")
 PRS_EMBED(curves_c, PRS_UNIT_SOURCES "/curves.c")

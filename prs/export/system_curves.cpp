@@ -518,8 +518,8 @@ double largest_speed(const Case& c) {
   return speed;
 }
 
-/// What the torque of a preloaded screw holds, and where.
-Warning torque_of_preloaded(const Case& c, const LoadCase& pattern, bool chosen) {
+/// What the torque of a preloaded screw holds, and where; none where that is what one expects.
+std::optional<Warning> torque_of_preloaded(const Case& c, const LoadCase& pattern, bool chosen) {
   std::vector<std::string> conditions;
   if (chosen) conditions.push_back("position");
   if (c.heat) conditions.push_back("temperatures");
@@ -527,10 +527,14 @@ Warning torque_of_preloaded(const Case& c, const LoadCase& pattern, bool chosen)
   if (!pattern.name.empty() && !conditions.empty())
     where = fmt::format(", at the {} of load case `{}`, which the force does not have",
                         fmt::join(conditions, " and "), pattern.name);
-  return {"preload", "torque_without_preload",
-          fmt::format("the torque is that of the external load alone{}; what friction takes of the "
-                      "preload is not in it",
-                      where)};
+  if (slip_takes_running_loads(c.model, pattern.share)) {
+    if (where.empty()) return std::nullopt;
+    return Warning{"preload", "torque_elsewhere", "the torque is that of both flanks" + where};
+  }
+  return Warning{"preload", "torque_without_preload",
+                 fmt::format("the torque is that of the external load alone{}; what friction takes "
+                             "of the preload is not in it",
+                             where)};
 }
 
 void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, double force,
@@ -547,7 +551,9 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
   }
   require_rolling(c, contacts);
   if (c.preload)
-    curves.warnings.push_back(torque_of_preloaded(c, pattern, options.load_case.has_value()));
+    if (std::optional<Warning> note =
+            torque_of_preloaded(c, pattern, options.load_case.has_value()))
+      curves.warnings.push_back(std::move(*note));
   const Running parts = running(c, contacts, pattern);
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
   curves.friction = friction_table(torque, force, options.speed.value_or(largest_speed(c)),

@@ -124,17 +124,14 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
     RunningSolver solver(warm, contacts_, models);
     found = solver.solve(load_, Detail::numbers, known[0]);
     known[1] = solver.second_nut();
-    if (!found.threads)
-      failure_ = fmt::format("running loads end as {}", name(found.running->status));
-  } else if (has_both_flanks(conditions_, load_.share)) {
-    found = FlankSolver(warm, contacts_).solve(load_);
-    if (!found.threads) failure_ = "the loads of both flanks do not converge";
   } else {
-    found = analyze(warm, contacts_, kManyDesigns).load_cases.front();
-    if (!found.threads)
-      failure_ = found.warnings.empty() ? "the loads of the threads do not converge"
-                                        : sentence(found.warnings.front());
+    found = has_both_flanks(conditions_, load_.share)
+                ? FlankSolver(warm, contacts_).solve(load_)
+                : analyze(warm, contacts_, kManyDesigns).load_cases.front();
   }
+  if (!found.threads)
+    failure_ = found.warnings.empty() ? "the loads of the threads do not converge"
+                                      : sentence(found.warnings.back());
   if (!found.threads) return std::nullopt;
   Losses all;
   PowerFlow flow;

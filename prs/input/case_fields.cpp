@@ -447,8 +447,7 @@ void fields(const Fields& io, ModelOptions& m) {
   io("shear", m.shear, Flag{}, "Shear flexibility of screw, nut and rollers; `mechanism: full`");
   io("loads", m.loads, Choice{},
      "Of `solve`, slip, heat and life; static for `solve`, running for the others by default, "
-     "where "
-     "shares are solved");
+     "where shares are solved");
   io("bodies", m.bodies, Choice{}, "How screw, roller and nut deform");
   io("refined", m.refined, Block{}, "Effects of `bodies: refined`, all by default");
   io("accuracy", m.accuracy, Choice{}, "Meshes of `bodies: influence`");
@@ -628,11 +627,11 @@ void fields(const Fields& io, MeasureOptions::Shaft& s) {
 
 void fields(const Fields& io, MeasureOptions::System::Shaft& s) {
   const Quantity length{unit::length, positive, "300 mm"};
-  const bool two_bearings = s.axial == MeasureOptions::System::Axial::both_ends;
   io("length", s.length, length, required,
      "From the loaded section of the screw to the axial bearing, or between two of them; that of "
      "`measures.shaft` is another one, for buckling and critical speed");
   io("axial", s.axial, Choice{}, "Where the shaft is held along its axis");
+  const bool two_bearings = s.axial == MeasureOptions::System::Axial::both_ends;
   io("from_bearing", s.from_bearing, length,
      required_only_if(two_bearings, "only with `axial: both_ends`"),
      "From the nearer axial bearing to the loaded section");
@@ -759,9 +758,9 @@ void fields(const Fields& io, HeadFriction::Mixed& m) {
 
 void fields(const Fields& io, HeadBearing& b) {
   const Quantity length{unit::length, positive};
+  io("friction", b.friction, Choice{}, "How a head rubs");
   const Presence of_film =
       required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
-  io("friction", b.friction, Choice{}, "How a head rubs");
   io("length", b.length, length, of_film, "Axial length of one head's bearing");
   io("diameter", b.diameter, length, required, "Diameter of the roller's head");
   io("radial_clearance", b.radial_clearance, length, of_film,

@@ -106,6 +106,8 @@ struct EqualShareSlip {
   double max_power_density = 0.0;     ///< [W/m^2]
 };
 
+struct SecondNut;
+
 /// Stationary slip of one load case: the roller's equilibrium and the friction losses. Torques have
 /// the signs of Sandu 2018; powers are losses, > 0. SI units.
 struct SlipResult {
@@ -143,11 +145,14 @@ struct SlipResult {
   std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases, without preload.
   /// Of a double nut: the rollers of the second one, by themselves. Powers, torques and efficiency
   /// above are of both nuts, all else is of the first one.
-  std::shared_ptr<const SlipResult> second_nut;
+  std::shared_ptr<const SecondNut> second_nut;
 
   bool converged() const {
     return status == SlipStatus::converged || status == SlipStatus::imposed;
   }
 };
+
+/// It has none after it.
+struct SecondNut : SlipResult {};
 
 }  // namespace prs

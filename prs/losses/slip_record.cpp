@@ -2,6 +2,7 @@
 #include "prs/record/record_table.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace prs {
 namespace {
@@ -154,7 +155,9 @@ template <Interface i>
 constexpr auto threads =
     found<[](const SlipResult& slip) -> const InterfaceSlip& { return slip.threads[i]; }>;
 
-constexpr Quantity<SlipResult> kSlipResult[] = {
+/// Of one nut.
+template <class Owner>
+constexpr Quantity<Owner> kSlipOf[] = {
     {"converged", of<&SlipResult::converged>, "whether there is an answer"},
     {"status", of<&SlipResult::status>, "how the search for the slip ratio ended"},
     {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance", "", "", "", "",
@@ -204,9 +207,6 @@ constexpr Quantity<SlipResult> kSlipResult[] = {
     {"hottest_thread", found<hottest_thread>, "of the largest power density"},
     {"equal_shares", found<&SlipResult::equal_shares>,
      "what slip would be if all threads carried the same load"},
-    {"second_nut", found<[](const SlipResult& slip) { return slip.second_nut.get(); }>,
-     "rollers of the second nut of a double nut; powers, torques and efficiency here are of both "
-     "nuts, all else of the first"},
     {"screw", threads<Interface::screw>, "threads at the screw, of one roller or of all"},
     {"nut", threads<Interface::nut>, "threads at the nut, of one roller or of all"},
 };
@@ -273,8 +273,22 @@ Record<EqualShareSlip> record_of() {
 }
 
 template <>
+Record<SecondNut> record_of() {
+  return {"SecondNut", "Slip of the rollers of a second nut.", kSlipOf<SecondNut>};
+}
+
+template <>
 Record<SlipResult> record_of() {
-  return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", kSlipResult};
+  static const std::vector<Quantity<SlipResult>> all = [] {
+    const auto& of_one_nut = kSlipOf<SlipResult>;
+    std::vector<Quantity<SlipResult>> quantities(std::begin(of_one_nut), std::end(of_one_nut));
+    quantities.push_back(
+        {"second_nut", found<[](const SlipResult& slip) { return slip.second_nut.get(); }>,
+         "rollers of the second nut of a double nut; powers, torques and efficiency here are of "
+         "both nuts, all else of the first"});
+    return quantities;
+  }();
+  return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", all};
 }
 
 }  // namespace prs

@@ -34,6 +34,8 @@ template <>
 Record<EqualShareSlip> record_of();
 template <>
 Record<SlipResult> record_of();
+template <>
+Record<SecondNut> record_of();
 
 /// The sources of friction, in the order of the documents; titles are those of tables and figures.
 struct PowerSource {

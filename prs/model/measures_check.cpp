@@ -10,9 +10,9 @@ void check_measures(const MeasureOptions& m, Problems& problems) {
   const MeasureOptions::System::Shaft& shaft = *m.system->shaft;
   if (shaft.from_bearing && *shaft.from_bearing >= shaft.length)
     problems.add("measures.system.shaft.from_bearing",
-                 fmt::format("got {}; expected less than `length`, {}, between whose ends the "
-                             "loaded section lies; change one of them",
-                             mm(*shaft.from_bearing), mm(shaft.length)));
+                 "got {}; expected less than `length`, {}, between whose ends the loaded section "
+                 "lies; change one of them",
+                 mm(*shaft.from_bearing), mm(shaft.length));
 }
 
 }  // namespace prs

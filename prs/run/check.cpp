@@ -315,9 +315,11 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   if (in.optimize) input::read_optimize_input(source);
   const Case& c = in.values;
   CheckResult result{in.fields, input::assumptions(in.fields, source), {}, {}};
-  for (const AnyAnalysis& analysis : analyses())
-    result.commands.push_back({analysis.command, input::unmet(in, analysis.command),
-                               thread_loads_of(c, analysis.command)});
+  for (const AnyAnalysis& analysis : analyses()) {
+    CommandNeeds& needs = result.commands.emplace_back();
+    needs = {analysis.command, input::unmet(in, analysis.command), {}};
+    if (needs.unmet.empty()) needs.loads = thread_loads_of(c, needs.command);
+  }
   Result& geometry = result.geometry;
   geometry.contacts = find_contacts(c.mechanism, c.materials);
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);

@@ -91,21 +91,21 @@ std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bod
   return bodies;
 }
 
-std::vector<std::vector<double> InterfaceSlip::*> all_values() {
-  return {&InterfaceSlip::power,
-          &InterfaceSlip::power_density,
-          &InterfaceSlip::friction_coefficient,
-          &InterfaceSlip::spin_torque,
-          &InterfaceSlip::sliding_speed,
-          &InterfaceSlip::max_sliding_speed,
-          &InterfaceSlip::film_thickness,
-          &InterfaceSlip::central_film,
-          &InterfaceSlip::film_factor,
-          &InterfaceSlip::film_ratio,
-          &InterfaceSlip::boundary_share,
-          &InterfaceSlip::dynamic_normal_load,
-          &InterfaceSlip::wear,
-          &InterfaceSlip::flash_temperature};
+constexpr auto all_values() {
+  return std::array{&InterfaceSlip::power,
+                    &InterfaceSlip::power_density,
+                    &InterfaceSlip::friction_coefficient,
+                    &InterfaceSlip::spin_torque,
+                    &InterfaceSlip::sliding_speed,
+                    &InterfaceSlip::max_sliding_speed,
+                    &InterfaceSlip::film_thickness,
+                    &InterfaceSlip::central_film,
+                    &InterfaceSlip::film_factor,
+                    &InterfaceSlip::film_ratio,
+                    &InterfaceSlip::boundary_share,
+                    &InterfaceSlip::dynamic_normal_load,
+                    &InterfaceSlip::wear,
+                    &InterfaceSlip::flash_temperature};
 }
 
 void clear_values(InterfaceSlip& slip) {
@@ -543,7 +543,7 @@ void part_flanks(LoadCaseResult& loaded) {
     std::vector<double>& power = loaded.other_flank->threads[i].power;
     if (slip.second_nut) {
       const bool first = loaded.load_case.direction == Direction::tension;
-      power = (first ? slip : *slip.second_nut).threads[i].power;
+      power = (first ? slip.threads : slip.second_nut->threads)[i].power;
       continue;
     }
     power.assign(slip.threads[i].power.begin() + count, slip.threads[i].power.end());
@@ -584,7 +584,7 @@ void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_
   } else if (slip.converged()) {
     slip.status = second.status;
   }
-  slip.second_nut = std::make_shared<SlipResult>(std::move(second));
+  slip.second_nut = std::make_shared<SecondNut>(SecondNut{std::move(second)});
 }
 
 }  // namespace

@@ -195,9 +195,9 @@ std::optional<double> next_slip_ratio(const SlipModel& model, SlipEquilibrium& s
 
 void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
                const SlipBalance& b) {
-  std::vector<std::array<RollerHead, 2>> present;
+  heads.clear();
   for_each_roller(model, b.forces, b.motion.roller_to_carrier, [&](const auto& of_roller) {
-    std::array<RollerHead, 2>& added = present.emplace_back();
+    std::array<RollerHead, 2>& added = heads.emplace_back();
     for (std::size_t h = 0; h < 2; ++h) {
       const auto& head = of_roller[h];
       added[h] = {head.guide_force, head.bearing_force, {}, {}};
@@ -206,17 +206,13 @@ void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& m
         added[h].eccentricity_ratio = head.state.eccentricity_ratio;
     }
   });
-  heads = present;
   if (model.threads.screw.threads_per_roller == 0) return;
+  if (heads.size() == 1)
+    heads.assign(static_cast<std::size_t>(model.rollers), std::array(heads.front()));
   const std::vector<int>& missing = model.guides.missing;
-  heads.clear();
-  std::size_t next = 0;
-  const auto rollers = static_cast<int>(model.rollers) + static_cast<int>(missing.size());
-  for (int r = 1; r <= rollers; ++r)
-    if (std::ranges::find(missing, r) != missing.end())
-      heads.emplace_back();
-    else
-      heads.push_back(present[present.size() == 1 ? 0 : next++]);
+  for (std::size_t r = 0; r < heads.size() || r < missing.size(); ++r)
+    if (std::ranges::find(missing, static_cast<int>(r + 1)) != missing.end())
+      heads.emplace(heads.begin() + static_cast<std::ptrdiff_t>(r));
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {

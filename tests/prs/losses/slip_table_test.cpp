@@ -34,7 +34,7 @@ TEST(SlipTable, BlockHoldsWhatADesignerAsksFirst) {
   const std::string table =
       slip_table(result_of({with_slip(solved_case("config1", 45e3, Direction::tension))}), true);
   for (const char* part :
-       {"config1: 45.000 kN, tension, 400 rpm", "0.372956", "0.373134",
+       {"config1: 45.000 kN, tension, static loads, 400 rpm", "0.372956", "0.373134",
         "99.5 % of the way from pure sliding", "80.00", "Sandu's fit 79.00 %", "12.50", "-12.25",
         "roller-screw", "carrier-screw", "film by Sandu, nm", "310", "central film, nm", "260",
         "hottest thread", "screw 1", "thread loads", "+2.04 %"})

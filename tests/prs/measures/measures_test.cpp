@@ -79,7 +79,8 @@ TEST(Measures, AreAllThereForACompleteCase) {
                                               "speed_safety",
                                               "back_driving_efficiency_by_slip",
                                               "solved_static_safety",
-                                              "solved_static_safety_limit"};
+                                              "solved_static_safety_limit",
+                                              "system_stiffness"};
   const auto json = object_of(pull);
   for (const Quantity<LoadMeasures>& q : record_of<LoadMeasures>().quantities)
     EXPECT_EQ(json.contains(q.key), !lacking.contains(q.key)) << q.key;
@@ -498,7 +499,8 @@ TEST(MeasureQuantities, EveryMeasureHasOneKey) {
   EXPECT_EQ(sizeof(Measures), design.size() * sizeof(Number));
   EXPECT_EQ(sizeof(LoadMeasures), (count(Kind::number) - 1) * sizeof(Number) +
                                       count(Kind::text) * sizeof(std::optional<StaticLimit>) +
-                                      count(Kind::series) * sizeof(std::vector<double>));
+                                      count(Kind::series) * sizeof(std::vector<double>) +
+                                      sizeof(LoadMeasures::system_stiffness));
   std::set<std::string_view> keys;
   for (const Quantity<Measures>& q : design) keys.insert(q.key);
   for (const Quantity<LoadMeasures>& q : load) keys.insert(q.key);

@@ -31,14 +31,18 @@ std::vector<std::string> warnings_of(const std::string& lesson, const std::strin
 
 TEST(Check, SaysForEachCommandWhetherItIsReadyAndWhatToAdd) {
   const Json commands = checked("01_config_1_to_3.yaml")["commands"];
-  EXPECT_EQ(commands["solve"].dump(), R"({"ready":true})");
-  EXPECT_EQ(commands["compare"].dump(), R"({"ready":true})");
+  EXPECT_EQ(commands["solve"].dump(), R"({"ready":true,"loads":"static"})");
+  EXPECT_EQ(commands["compare"].dump(), R"({"ready":true,"loads":"static"})");
   EXPECT_EQ(commands["slip"].dump(), R"({"ready":false,"missing":["friction","operation"]})");
   EXPECT_EQ(commands["study"].dump(), R"({"ready":false,"missing":["study"]})");
   EXPECT_EQ(commands.size(), prs::analyses().size());
   const Json influence =
       checked("12_preload.yaml", {"model.bodies=influence"})["commands"]["preload"];
   EXPECT_EQ(influence.dump(), R"({"ready":false,"wrong":["model.bodies"]})");
+  const Json running = checked("31_running_screw.yaml")["commands"];
+  EXPECT_EQ(running["solve"]["loads"], "static");
+  EXPECT_EQ(running["slip"]["loads"], "running");
+  EXPECT_EQ(running["life"]["loads"], "running");
 }
 
 TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
