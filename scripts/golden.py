@@ -28,6 +28,7 @@ LEFT_OUT = {
     "prs_version", "schema_version", "command", "case_file", "input_sha256", "resolved_input",
     "newton_history", "iterations", "relative_residual", "relative_residue", "evaluations",
     "interpolation_error", "axial_error_um", "histogram", "settings", "commands", "input",
+    "rounds", "change",
 }  # fmt: skip
 
 #: Relative, of a list relative to its greatest number. The engine of live pages agrees with the
@@ -164,8 +165,12 @@ def moved(golden: dict[str, dict[str, Leaf]], now: dict[str, dict[str, Leaf]]) -
             if path not in old:
                 yield f"{command}: {path}: {new[path]} is new"
                 continue
-            # Sums of loads that nearly cancel are small against the largest of them.
-            scale = greatest(old, "reactions") if "reactions" in path else 0.0
+            # Sums of loads that nearly cancel are small against the largest of them, friction of
+            # contacts that roll is rounding of their loads.
+            scale = 0.0
+            for part, of in [("reactions", "reactions"), ("friction_force_N", "normal_load_N")]:
+                if part in path:
+                    scale = greatest(old, of)
             if not agree(f"{command}.{path}", old[path], new[path], scale):
                 yield f"{command}: {path}: {old[path]} -> {new[path]}"
 

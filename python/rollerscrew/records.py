@@ -209,13 +209,65 @@ class Model(Record):
     note: str | None
 
 
+class Running(Record):
+    """How loads of a running screw and their friction were found.
+
+    status: how the search for loads and friction ended
+    rounds: evaluations of slip
+    change: of a thread's load in the last round, over the largest load
+    """
+
+    __slots__ = ()
+    status: str
+    rounds: int
+    change: float
+
+
+class LargestAtRest(Record):
+    """Threads of an interface of a screw at rest.
+
+    largest_normal_load_N [N]: of all threads
+    """
+
+    __slots__ = ()
+    largest_normal_load_N: float
+
+
+class AtRest(Record):
+    """What a running load case is at rest.
+
+    screw: threads at the screw
+    nut: threads at the nut
+    axial_displacement_um [µm]: of the loaded section; > 0 along the load
+    """
+
+    __slots__ = ()
+    screw: LargestAtRest
+    nut: LargestAtRest
+    axial_displacement_um: float
+
+
+class FrictionForces(Record):
+    """Friction of each thread on the roller.
+
+    axial: along x, from the loaded end of the screw
+    radial: outwards
+    tangential: along the orbit
+    """
+
+    __slots__ = ()
+    axial: Array
+    radial: Array
+    tangential: Array
+
+
 class InterfaceLoads(Record):
     """Threads of one interface of one roller; thread 1 is next to the loaded end of the screw.
 
     hertz_constant_N_per_mm1_5 [N/mm^1.5]: k_0 of N = k_0 delta^1.5, as used in the solve; Hertz with exact ellipticity
     normal_angle_deg [deg]: psi between the normal and the axis, as used in the solve
-    axial_load_N [N]: axial part of the normal load
-    normal_load_N [N]: axial load over cos(psi)
+    axial_load_N [N]: axial part of the normal load, of a running screw with that of friction
+    normal_load_N [N]: at rest axial load over cos(psi)
     load_rate_percent [%]: share: axial load over force per roller; Abevi 2015, (3)
     approach_um [µm]: by which the bodies come closer along the normal; Hertz with exact ellipticity
     semi_major_mm [mm]: longer semi-axis a of the contact ellipse; Hertz with exact ellipticity
@@ -223,6 +275,8 @@ class InterfaceLoads(Record):
     peak_pressure_MPa [MPa]: p_0 = 3 N/(2 pi a b); Hertz with exact ellipticity
     max_shear_stress_MPa [MPa]: largest shear stress below the surface; Hertz with exact ellipticity
     max_shear_depth_mm [mm]: where the largest shear stress acts, for the depth of hardening; Hertz with exact ellipticity
+    friction_force_N [N]: of each thread on the roller; running loads
+    running_over_static: largest normal load over the largest of the same case at rest; running loads
     roller_share_percent [%]: of the axial load, one for each roller
     largest_normal_load_N [N]: of all rollers
     largest_roller: where the largest load acts, from 1
@@ -236,19 +290,59 @@ class InterfaceLoads(Record):
     normal_angle_deg: float
     axial_load_N: Array
     normal_load_N: Array
-    load_rate_percent: Array
+    load_rate_percent: Array | None
     approach_um: Array
     semi_major_mm: Array
     semi_minor_mm: Array
     peak_pressure_MPa: Array
     max_shear_stress_MPa: Array
     max_shear_depth_mm: Array
+    friction_force_N: FrictionForces | None
+    running_over_static: float | None
     roller_share_percent: Array | None
     largest_normal_load_N: float | None
     largest_roller: int | None
     largest_thread: int | None
     overload_factor: float | None
     unloaded_threads: int | None
+
+
+class FlankThreads(Record):
+    """Threads of a flank of one roller at an interface.
+
+    normal_load_N [N]: of each thread of a roller
+    power_W [W]: that friction takes at each of them; with slip
+    axial_N [N]: axial load of all rollers; that of the tension flank less that of the compression flank is the load
+    """
+
+    __slots__ = ()
+    normal_load_N: Array
+    power_W: Array | None
+    axial_N: float
+
+
+class Flank(Record):
+    """A flank of a nut under preload.
+
+    screw: threads at the screw
+    nut: threads at the nut
+    """
+
+    __slots__ = ()
+    screw: FlankThreads
+    nut: FlankThreads
+
+
+class Flanks(Record):
+    """Both flanks of a nut under preload.
+
+    tension: that carries tension
+    compression: that carries compression
+    """
+
+    __slots__ = ()
+    tension: Flank
+    compression: Flank
 
 
 class ScrewEnd(Record):
@@ -525,6 +619,22 @@ class RollerForces(Record):
     centrifugal: float | None
 
 
+class RollerHeads(Record):
+    """The heads of a roller in the carrier, or of each roller.
+
+    guide_force_N [N]: of the guides on the roller, near and far end; > 0 outwards
+    bearing_force_N [N]: of the bearing, that of the gears and the carrier's drive included
+    torque_Nmm [N mm]: that resists; needs carrier.bearing
+    eccentricity_ratio: e/c; needs a carrier.bearing with a film
+    """
+
+    __slots__ = ()
+    guide_force_N: Array
+    bearing_force_N: Array
+    torque_Nmm: Array
+    eccentricity_ratio: Array
+
+
 class HottestThread(Record):
     """The thread of the largest power density.
 
@@ -572,10 +682,12 @@ class InterfaceSlip(Record):
     max_sliding_speed_mm_per_s [mm/s]: largest over the points of the ellipse
     film_thickness_nm [nm]: central film; needs a lubricant; Sandu 2018, (2.39)
     central_film_nm [nm]: central film; needs a lubricant; Nijenbanning, Venner, Moes 1994; with lubricant.film.direction: rolling Chittenden et al. 1985
-    film_ratio: Lambda: central film over the composite roughness; needs lubricant and roughness
+    film_factor: phi, the film over that of a full and cold inlet: starvation times shear heating, 1 without lubricant.film; needs a lubricant; Gupta, Cheng, Zhu, Forster, Krauter 1992
+    film_ratio: Lambda: phi times central film over the composite roughness; needs lubricant and roughness
     boundary_share: share (1 + Lambda)^-exponent of the load on flanks that touch, exponent 2 where the case has none; that of friction only if mixed; Olver and Spikes 1998
     dynamic_normal_load_N [N]: normal load that keeps the axial load in balance with friction; Sandu 2018, (3.11), (3.12)
     wear_mm3_per_km [mm³/km]: volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear; Archard 1953
+    flash_temperature_K [K]: largest rise of the surfaces above their parts while they pass the contact; needs conductivity, density and specific_heat of the materials; Greenwood 1991; Muzychka, Yovanovich 2001; Blok 1937
     """
 
     __slots__ = ()
@@ -587,14 +699,16 @@ class InterfaceSlip(Record):
     max_sliding_speed_mm_per_s: Array
     film_thickness_nm: Array | None
     central_film_nm: Array | None
+    film_factor: Array | None
     film_ratio: Array | None
     boundary_share: Array | None
     dynamic_normal_load_N: Array
     wear_mm3_per_km: Array | None
+    flash_temperature_K: Array
 
 
-class Slip(Record):
-    """Stationary slip of a load case: Sandu 2018, chapters 2 and 3.
+class SecondNut(Record):
+    """Slip of the rollers of a second nut.
 
     converged: whether there is an answer
     status: how the search for the slip ratio ended
@@ -615,11 +729,12 @@ class Slip(Record):
     torque_screw_Nm [N m]: by the drive on the screw; Sandu 2018, (3.30)
     torque_nut_Nm [N m]: on the nut; Sandu 2018, (3.31)
     viscosity_mPas [mPa s]: dynamic, in operation; needs a lubricant
-    bearing_eccentricity_ratio: e/c of the roller heads in the carrier
+    bearing_eccentricity_ratio: e/c of the roller heads in the carrier, the larger one
     slip_ratio_estimates: by geometry alone
     share_percent [%]: of each source in the power that is lost
     roller_moments_Nmm [N mm]: on one roller about its axis, by source; the mean of all in a full mechanism
     roller_forces_N [N]: on one roller across its axis, by source; the mean of all in a full mechanism
+    heads: of the rollers in the carrier, near and far end
     hottest_thread: of the largest power density
     equal_shares: what slip would be if all threads carried the same load
     screw: threads at the screw, of one roller or of all
@@ -651,10 +766,121 @@ class Slip(Record):
     share_percent: PowerShares | None
     roller_moments_Nmm: RollerMoments | None
     roller_forces_N: RollerForces | None
+    heads: RollerHeads | None
     hottest_thread: HottestThread | None
     equal_shares: EqualShareSlip | None
     screw: InterfaceSlip | None
     nut: InterfaceSlip | None
+
+
+class Slip(Record):
+    """Stationary slip of a load case: Sandu 2018, chapters 2 and 3.
+
+    converged: whether there is an answer
+    status: how the search for the slip ratio ended
+    evaluations: of the roller's moment balance
+    relative_residue: moment on a roller over radius and normal load; Sandu 2018, (3.38)
+    speed_rpm [rpm]: screw against nut
+    gear_ratio: Gamma = |l_R/l_S|; Sandu 2018, (2.1)
+    slip_ratio: epsilon, carrier against nut over screw against nut; Sandu 2018, (2.2)
+    ideal_slip_ratio: epsilon* of least sliding; Sandu 2018, (2.16), (2.17)
+    optimality_percent [%]: 100 % at the ideal slip ratio; Sandu 2018, (2.19)
+    driven_by: screw | load: force x speed x lead > 0 or < 0
+    efficiency: power out over power in: of the load over the shaft, or of the shaft over the load that drives; absent where self-locking; Sandu 2018, (3.52)
+    self_locking: whether no power comes out; where the load drives
+    holding_torque_Nm [N m]: by the drive on the screw in the sense of the motion, where the load drives: > 0 turns a self-locking screw, < 0 holds back the load
+    efficiency_fit: fit near a reference example; absent with Coulomb friction; Sandu 2018, (3.55)
+    power_loss_W [W]: lost to all sources of friction; Sandu 2018, (3.51)
+    power_loss_input_output_W [W]: the same as power in less power out; Sandu 2018, (3.53)
+    torque_screw_Nm [N m]: by the drive on the screw; Sandu 2018, (3.30)
+    torque_nut_Nm [N m]: on the nut; Sandu 2018, (3.31)
+    viscosity_mPas [mPa s]: dynamic, in operation; needs a lubricant
+    bearing_eccentricity_ratio: e/c of the roller heads in the carrier, the larger one
+    slip_ratio_estimates: by geometry alone
+    share_percent [%]: of each source in the power that is lost
+    roller_moments_Nmm [N mm]: on one roller about its axis, by source; the mean of all in a full mechanism
+    roller_forces_N [N]: on one roller across its axis, by source; the mean of all in a full mechanism
+    heads: of the rollers in the carrier, near and far end
+    hottest_thread: of the largest power density
+    equal_shares: what slip would be if all threads carried the same load
+    screw: threads at the screw, of one roller or of all
+    nut: threads at the nut, of one roller or of all
+    second_nut: rollers of the second nut of a double nut; powers, torques and efficiency here are of both nuts, all else of the first
+    """
+
+    __slots__ = ()
+    converged: bool
+    status: str
+    evaluations: int
+    relative_residue: float | None
+    speed_rpm: float | None
+    gear_ratio: float | None
+    slip_ratio: float | None
+    ideal_slip_ratio: float | None
+    optimality_percent: float | None
+    driven_by: str | None
+    efficiency: float | None
+    self_locking: bool | None
+    holding_torque_Nm: float | None
+    efficiency_fit: float | None
+    power_loss_W: float | None
+    power_loss_input_output_W: float | None
+    torque_screw_Nm: float | None
+    torque_nut_Nm: float | None
+    viscosity_mPas: float | None
+    bearing_eccentricity_ratio: float | None
+    slip_ratio_estimates: SlipRatioEstimates | None
+    share_percent: PowerShares | None
+    roller_moments_Nmm: RollerMoments | None
+    roller_forces_N: RollerForces | None
+    heads: RollerHeads | None
+    hottest_thread: HottestThread | None
+    equal_shares: EqualShareSlip | None
+    screw: InterfaceSlip | None
+    nut: InterfaceSlip | None
+    second_nut: SecondNut | None
+
+
+class StiffnessContribution(Record):
+    """A part of an axis and its share of what gives way.
+
+    stiffness_N_per_um [N/µm]: of this part alone
+    percent [%]: of the total compliance; all sum to 100
+    """
+
+    __slots__ = ()
+    stiffness_N_per_um: float
+    percent: float
+
+
+class StiffnessContributions(Record):
+    """Parts of an axis in series.
+
+    mechanism: threads and bodies, the secant stiffness of the load case at rest
+    shaft: stretch of the screw's shaft
+    wind_up: travel by which the shaft twists, without friction
+    support_bearing: all bearings of the shaft together
+    housing: what holds the nut
+    """
+
+    __slots__ = ()
+    mechanism: StiffnessContribution | None
+    shaft: StiffnessContribution | None
+    wind_up: StiffnessContribution | None
+    support_bearing: StiffnessContribution | None
+    housing: StiffnessContribution | None
+
+
+class SystemStiffness(Record):
+    """Axial stiffness of an axis.
+
+    total_N_per_um [N/µm]: of all in series
+    contributions: by what gives way
+    """
+
+    __slots__ = ()
+    total_N_per_um: float
+    contributions: StiffnessContributions
 
 
 class LoadMeasures(Record):
@@ -663,6 +889,7 @@ class LoadMeasures(Record):
     hertz_stiffness_screw_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
     hertz_stiffness_nut_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
     thread_stiffness_N_per_um [N/µm]: N_r N/((h_S + h_N) f^(-1/3) + sum 1/k_tooth), teeth of screw, nut and twice the roller where measures.loaded_width is given; secant, equal shares; roller moves axially only; with teeth a lower bound, which may be below `solve`'s whole screw: the models of the bodies have Hertz contacts without Yamamoto's teeth, whose deflection Hertz has in part and whose nut ring each contact widens alone; Jung 2017, (3.45), (3.46), without the roller's teeth there
+    system_stiffness: 1/k = sum 1/k_i: mechanism, secant; shaft L/(E A) or x (L - x)/(L E A); wind-up (l/(2 pi))^2 L_t/(G J); bearings; housing; needs measures.system; what it leaves out is rigid; without friction, the mechanism as solved at rest; geometry
     yang_largest_load_rate_percent [%]: largest axial thread load over F/N_r; each roller tooth a ball that passes on what it takes; needs structure, position and thrust section; Yang, in Jung 2017, (4.1), (8.20), corrected
     largest_load_rate_screw_percent [%]: largest axial thread load over F/N_r, of the solved distribution; that of the model; load distribution of `prs solve`
     largest_load_rate_nut_percent [%]: largest axial thread load over F/N_r, of the solved distribution; that of the model; load distribution of `prs solve`
@@ -697,6 +924,7 @@ class LoadMeasures(Record):
     hertz_stiffness_screw_N_per_um: float | None
     hertz_stiffness_nut_N_per_um: float | None
     thread_stiffness_N_per_um: float | None
+    system_stiffness: SystemStiffness | None
     yang_largest_load_rate_percent: float | None
     largest_load_rate_screw_percent: float | None
     largest_load_rate_nut_percent: float | None
@@ -734,6 +962,7 @@ class LoadCase(Record):
     axial_force_N [N]: on the whole screw; > 0 with a direction
     direction: tension | compression
     position_mm [mm]: of the first roller contact on the nut
+    loads: static | running: of a screw that turns, with friction
     converged: whether there is an equilibrium
     status: how the solve ended; equal shares need none
     iterations: linear solves
@@ -742,8 +971,11 @@ class LoadCase(Record):
     axial_displacement_um [µm]: of the loaded section; > 0 along the load
     axial_stiffness_N_per_um [N/µm]: secant: force over displacement
     tangent_stiffness_N_per_um [N/µm]: derivative of the force by the displacement
+    running: how loads and friction were found together
+    static: the same case at rest, at the same temperatures; running loads
     screw: threads of one roller at the screw
     nut: threads of one roller at the nut
+    flanks: under preload: both flanks of the threads, or both nuts; the lists above are those of the flank that the direction names
     dofs: freedoms of the model
     rollers: missing ones included
     carrier_angle_deg [deg]: azimuth of the first roller
@@ -764,6 +996,7 @@ class LoadCase(Record):
     axial_force_N: float
     direction: str | None
     position_mm: float | None
+    loads: str
     converged: bool
     status: str
     iterations: int | None
@@ -772,8 +1005,11 @@ class LoadCase(Record):
     axial_displacement_um: float | None
     axial_stiffness_N_per_um: float | None
     tangent_stiffness_N_per_um: float | None
+    running: Running | None
+    static: AtRest | None
     screw: InterfaceLoads | None
     nut: InterfaceLoads | None
+    flanks: Flanks | None
     dofs: int | None
     rollers: int | None
     carrier_angle_deg: float | None
@@ -971,6 +1207,28 @@ class PreloadPoint(Record):
     sides: PreloadSides | None
 
 
+class WarmPreload(Record):
+    """A fit at the temperatures of the parts.
+
+    load_case: whose steady temperatures these are, by `heat`
+    temperature_status: how the search for them ended
+    temperature_degC [°C]: of the parts
+    preload_force_N [N]: axial load of each side without external load
+    stiffness_at_zero_N_per_um [N/µm]: tangent without external load, reached from either sense
+    opening_force_N [N]: external load at which the side that opposes it opens
+    lost_motion_um [µm]: displacement between the lost-motion load in tension and in compression
+    """
+
+    __slots__ = ()
+    load_case: str | None
+    temperature_status: str | None
+    temperature_degC: PartNumbers | None
+    preload_force_N: float | None
+    stiffness_at_zero_N_per_um: PerDirection | None
+    opening_force_N: PerDirection | None
+    lost_motion_um: float | None
+
+
 class WithoutPreload(Record):
     """The same nut without preload.
 
@@ -988,24 +1246,29 @@ class WithoutPreload(Record):
 class Preload(Record):
     """The preloaded nut: forces and displacements are > 0 in tension.
 
+    thread_loads: static: of a screw at rest, without friction
     arrangement: single_nut | double_nut
     position_mm [mm]: of the first roller contact on the nut
     held_at_mm [mm]: section at which the first nut is held, by the sense of the load
-    preload_force_N [N]: axial load of each side without external load
-    interference_um [µm]: oversize of the rollers' pitch diameter, or of the spacer; absent with play
+    reference_temperature_degC [°C]: of all parts where the fit is made
+    preload_force_N [N]: axial load of each side without external load, of the fit at the reference temperature
+    interference_um [µm]: oversize of the rollers' pitch diameter, or of the spacer, at the reference temperature; absent with play
     backlash_um [µm]: axial play
     opening_force_N [N]: external load at which the side that opposes it opens
     lost_motion_load_N [N]: to both senses
     stiffness_at_zero_N_per_um [N/µm]: tangent without external load, reached from either sense
     lost_motion_um [µm]: displacement between the lost-motion load in tension and in compression
     loads: one equilibrium per external load
+    at_temperature: the same fit at the temperatures of the parts, of `deviations` or of `heat`
     without_preload: neither preload nor play
     """
 
     __slots__ = ()
+    thread_loads: str
     arrangement: str
     position_mm: float
     held_at_mm: PerDirection
+    reference_temperature_degC: float
     preload_force_N: float | None
     interference_um: float | None
     backlash_um: float | None
@@ -1014,6 +1277,7 @@ class Preload(Record):
     stiffness_at_zero_N_per_um: PerDirection
     lost_motion_um: float | None
     loads: list[PreloadPoint]
+    at_temperature: WarmPreload | None
     without_preload: WithoutPreload | None
 
 
@@ -1141,6 +1405,16 @@ class LifeInUse(Record):
     rated_hours: float | None
     rated_travel_km: float | None
     rated_passes: float | None
+
+
+class LifeAtRest(Record):
+    """Lives on the loads of a screw at rest.
+
+    system: of the mechanism
+    """
+
+    __slots__ = ()
+    system: LifeInUse
 
 
 class WeakestThread(Record):
@@ -1275,12 +1549,16 @@ class Life(Record):
     converged: whether every load has an equilibrium
     status: why there are no lives
     share: solved | equal: thread loads
+    thread_loads: static | running: of a screw that turns, with friction; static safety is always static
+    temperature_degC [°C]: of the parts under all loads: that at which the mean heat of the spectrum flows off, or the mean of the duty cycle; with heat
+    temperature_status: converged | no_steady_state | iteration_limit; with heat
     reliability_factor: a1 of the reliability that is asked for; ISO 281:2007, a1
     modification_factor: a_ISO as the case states it; ISO 281:2007
     capacity: of the mechanism
     loads: of the history or the spectrum
     cycles: counted from a history (rainflow)
     system: of the mechanism, real thread loads
+    static: the same on the loads of a screw at rest; where thread_loads is running
     equal_shares: of the mechanism, equal thread loads
     catalogue: (C_a/F_m)^3
     static_safety: the smaller of both directions; ISO 76
@@ -1294,12 +1572,16 @@ class Life(Record):
     converged: bool
     status: str | None
     share: str
+    thread_loads: str
+    temperature_degC: PartNumbers | None
+    temperature_status: str | None
     reliability_factor: float
     modification_factor: float
     capacity: Capacity
     loads: LifeLoads
     cycles: Cycles | None
     system: LifeInUse | None
+    static: LifeAtRest | None
     equal_shares: LifeInUse | None
     catalogue: LifeInUse | None
     static_safety: float | None
