@@ -10,15 +10,13 @@ const answerTo = (question) => JSON.parse(ask(JSON.stringify(question)));
 
 // What is left over after a solution, and the way to it.
 const ofTheWay = new Set(['newton_history', 'factorization', 'iterations', 'relative_residual', 'relative_residue',
-                          'interpolation_error', 'axial_error_um']);
+                          'interpolation_error', 'axial_error_um', 'rounds', 'change']);
 // How far numbers may differ, by their path.
 const tolerances = [
   [/depth/, 1e-7],  // Where a curve is flat, its highest point moves by the root of its values.
   [/heat_cycle/, 1e-11],  // A cycle that repeats itself to 1e-10 K.
   [/./, 1e-12],
 ];
-// Sums of loads that nearly cancel, small against the largest of them.
-const ofBalance = new Set(['reactions']);
 
 const largest = (value) => typeof value === 'number' ? Math.abs(value)
     : value !== null && typeof value === 'object'
@@ -35,10 +33,13 @@ function differences(ours, theirs, path = '', scale = 0) {
   if (ours === null || theirs === null || typeof ours !== 'object' || typeof theirs !== 'object')
     return ours === theirs ? [] : [`${path}: ${ours} for ${theirs}`];
   const keys = new Set([...Object.keys(ours), ...Object.keys(theirs)]);
-  // Of the threads of a roller, they count together.
+  // Of the threads of a roller, they count together; sums of loads that nearly cancel are small
+  // against the largest of them, friction of contacts that roll is rounding of their loads.
   const ofList = Array.isArray(theirs) ? Math.max(scale, largest(theirs)) : undefined;
   const all = (key) => ofList !== undefined ? ofList
-      : ofBalance.has(key) ? largest(theirs[key]) : path.includes('.reactions') ? scale : 0;
+      : key === 'reactions' ? largest(theirs[key])
+      : key === 'friction_force_N' ? largest(theirs.normal_load_N)
+      : /\.reactions|\.friction_force_N$/.test(path) ? scale : 0;
   return [...keys].filter((key) => !ofTheWay.has(key))
       .flatMap((key) => key in ours && key in theirs
           ? differences(ours[key], theirs[key], `${path}.${key}`, all(key))
