@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "prs/input/optimize_reader.h"
 #include "prs/run/optimization.h"
@@ -37,9 +38,8 @@ prs::input::StudyInput study_of(std::size_t samples, const std::string& model = 
        {}});
 }
 
-void compute(benchmark::State& state, const std::string& model) {
+void compute(benchmark::State& state, const prs::input::StudyInput& in) {
   const auto designs = static_cast<std::size_t>(state.range(0));
-  const prs::input::StudyInput in = study_of(designs, model);
   const prs::DesignEngine engine(in);
   const auto evaluate = [&](std::size_t first, std::size_t count) {
     return engine.evaluate(first, count);
@@ -58,7 +58,9 @@ void compute(benchmark::State& state, const std::string& model) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(designs));
 }
 
-void FullChainComputed(benchmark::State& state) { compute(state, ""); }
+void FullChainComputed(benchmark::State& state) {
+  compute(state, study_of(static_cast<std::size_t>(state.range(0))));
+}
 BENCHMARK(FullChainComputed)
     ->Arg(200'000)
     ->MeasureProcessCPUTime()
@@ -66,9 +68,39 @@ BENCHMARK(FullChainComputed)
     ->Unit(benchmark::kMillisecond);
 
 /// Against `FullChainComputed`: what refined bodies cost more than bars.
-void RefinedChainComputed(benchmark::State& state) { compute(state, "model: {bodies: refined}\n"); }
+void RefinedChainComputed(benchmark::State& state) {
+  compute(state, study_of(static_cast<std::size_t>(state.range(0)), "model: {bodies: refined}\n"));
+}
 BENCHMARK(RefinedChainComputed)
     ->Arg(200'000)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// Lesson 1 as `case.function` of Python compiles it: its force and a modulus, two responses.
+prs::input::StudyInput function_of_lesson() {
+  return prs::input::read_study_input(prs::input::load_source(
+      PRS_SOURCE_DIR "/configs/01_config_1_to_3.yaml",
+      {"study={command: solve, plan: monte_carlo, samples: 10000, factors: [{path: "
+       "'load_cases[0].axial_force', uniform: {from: 40000 N, to: 50000 N}}, {path: "
+       "materials.youngs_modulus, uniform: {from: 200000 MPa, to: 220000 MPa}}], responses: "
+       "[axial_stiffness_N_per_um, screw.peak_pressure_MPa.max]}"}));
+}
+
+/// The solve inside `f(x)`: one design by its values, by this thread.
+void FunctionOfOneDesign(benchmark::State& state) {
+  const prs::input::StudyInput in = function_of_lesson();
+  const prs::DesignEngine engine(in);
+  const std::vector<std::vector<prs::Draw>> design = {
+      {{prs::Draw::Kind::number, 0, 45e3}, {prs::Draw::Kind::number, 0, 209e3}}};
+  for (auto _ : state) benchmark::DoNotOptimize(engine.evaluate(design));
+}
+BENCHMARK(FunctionOfOneDesign)->Unit(benchmark::kMicrosecond);
+
+/// What the study engine takes for the designs of `f(x)` in one call.
+void FunctionAsStudy(benchmark::State& state) { compute(state, function_of_lesson()); }
+BENCHMARK(FunctionAsStudy)
+    ->Arg(10'000)
     ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

@@ -210,6 +210,8 @@ void bind_document(nb::module_& module) {
            nb::arg("one_panel") = false,
            "Description of a picture as JSON. ValueError where the result has none.")
       .def("figures", &Document::figures, "Descriptions of all pictures, a list as JSON.")
+      .def_prop_ro("has_pictures", &Document::has_pictures,
+                   "Whether any can be drawn; none of a document that was written without.")
       .def_prop_ro("root", [](const std::shared_ptr<Document>& document) {
         return Node{document, &document->json()};
       });

@@ -42,6 +42,7 @@ class Document : public std::enable_shared_from_this<Document> {
 
   /// Those that a command writes, as a list.
   std::string figures() const;
+  bool has_pictures() const { return !pictures_.empty() || json().contains("figures"); }
 
   /// Numbers of an array within the document, null as NaN; they live as long as anyone uses them.
   std::shared_ptr<const std::vector<double>> numbers(const Json& array) const;

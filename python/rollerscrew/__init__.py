@@ -1,8 +1,17 @@
 """Planetary roller screws: load distribution, stiffness, contact, slip, life and design.
 
 >>> import rollerscrew as rs
->>> rs.lesson(1).solve().load_cases[0].axial_stiffness_N_per_um
->>> rs.new("standard", screw_diameter="25 mm", lead="5 mm").check()
+>>> case = rs.new("standard", screw_diameter="25 mm", lead="5 mm")  # or rs.lesson(1)
+>>> case = rs.Case.from_yaml("mine.yaml")  # which case.to_yaml("mine.yaml") writes
+>>> case.inputs()  # what may be changed, with paths
+>>> case.responses()  # what may be asked for
+>>> result = case.solve()  # slip, life, measures, preload, contact, check, ..
+>>> result.load_cases[0].axial_stiffness_N_per_um
+>>> result.plot_load_distribution()
+>>> nine = case.with_({"mechanism.rollers": 9})
+>>> rs.plots.compare({"as it was": result, "9 rollers": nine.solve()}, "load_distribution")
+>>> case.evaluate({"mechanism.rollers": [8, 9, 10]}, ["axial_stiffness_N_per_um"])  # many designs
+>>> f = case.function(["mechanism.flank_angle"], ["screw.peak_pressure_MPa.max"])  # for optimizers
 """
 
 from rollerscrew import plots, records, results, theory
@@ -41,3 +50,8 @@ __all__ = [
     "units",
 ]
 __all__ += results.__all__
+
+
+def __dir__() -> list[str]:
+    """Without the modules that it consists of."""
+    return sorted([*__all__, "results"])

@@ -6,9 +6,9 @@ import math
 import os
 import re
 import reprlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self, overload
 
 from rollerscrew import _engine
 from rollerscrew.designs import (
@@ -25,6 +25,7 @@ from rollerscrew.designs import (
     study_rows,
     thread_count,
 )
+from rollerscrew.errors import InputError
 from rollerscrew.frames import frame_of
 from rollerscrew.function import Function
 from rollerscrew.progress import Progress, progress_callback
@@ -49,6 +50,9 @@ _FILE = "<case>"
 #: Stands for the file of a history that is given as arrays.
 _HISTORY = "history of arrays.csv"
 
+#: Options of a history; others are those of `life`.
+_OF_HISTORY = ("interval", "hysteresis", "bins")
+
 
 class Case(Analyses):
     """A planetary roller screw with its loads, as a case file describes it.
@@ -62,7 +66,8 @@ class Case(Analyses):
     names are read when it is made, and are part of it. Cases may be shared between threads, pickled
     and sent to other processes.
 
-    `case["mechanism.lead"]` is a value as it was written, or its default.
+    `case["mechanism.lead"]` is a value as it was written, or its default; `inputs()` lists them,
+    `responses()` what may be asked for.
 
     Raises InputError, with the text of `prs check`, where something is wrong. For a case from
     dictionaries line numbers are those of `text`.
@@ -71,14 +76,15 @@ class Case(Analyses):
     __slots__ = ("_case",)
 
     def __init__(self, blocks: Mapping[str, Any] | Record, *, name: str = _FILE) -> None:
+        files = None
         if isinstance(blocks, Record):
-            blocks = blocks.to_dict()
+            files, blocks = _history_of(blocks), blocks.to_dict()
         if not isinstance(blocks, Mapping):
             raise TypeError(
                 f"got {type(blocks).__name__}; expected a dictionary of blocks such as "
                 "{'mechanism': {..}}; `Case.from_yaml` reads a file"
             )
-        self._case = _engine.Case(_source(name, case_text(blocks), [], _folder(name)))
+        self._case = _engine.Case(_source(name, case_text(blocks), [], _folder(name), files))
 
     @classmethod
     def from_yaml(
@@ -103,19 +109,25 @@ class Case(Analyses):
         """The case with other values: `case.with_({"load_cases[0].axial_force": "30 kN"})`.
 
         Paths are those of `--set`; texts are taken as they would stand in the file. Whole blocks
-        may be given by their names: `case.with_(operation={"speed": "400 rpm"})`.
+        may be given by their names, and take the place of what stands there:
+        `case.with_(operation={"speed": "400 rpm"})`.
         """
         source = self._case.source
         changed = [*_overrides({} if values is None else values), *_overrides(blocks)]
-        return self._from_source(
-            _source(
-                source.name,
-                source.text,
-                [*source.overrides, *changed],
-                source.folder,
-                source.files,
-            )
+        changed_source = _source(
+            source.name, source.text, [*source.overrides, *changed], source.folder, source.files
         )
+        try:
+            return self._from_source(changed_source)
+        except InputError as error:
+            for name, block in blocks.items():
+                if isinstance(block, Mapping) and block and name in self:
+                    path = f"{name}.{next(iter(block))}"
+                    error.add_note(
+                        f"{name}={{..}} takes the place of the whole block; "
+                        f"`with_({{{path!r}: ..}})` changes one value of it"
+                    )
+            raise
 
     def __getitem__(self, path: str) -> Any:
         """The value at a path as it was written, `5 mm`, or its default; a block is a dictionary.
@@ -127,7 +139,11 @@ class Case(Analyses):
             try:
                 value = value[_place(value, step) if isinstance(value, list) else step]
             except (KeyError, IndexError, TypeError):
-                raise KeyError(f"{path!r}: this case has no {step!r} there") from None
+                meant = [each.path for each in self.check().input if each.path.endswith(f".{step}")]
+                hint = f"; did you mean {', '.join(map(repr, meant[:3]))}?" if meant else ""
+                raise KeyError(
+                    f"{path!r}: this case has no {step!r} there{_there(value)}{hint}"
+                ) from None
         return value
 
     def __contains__(self, path: object) -> bool:
@@ -137,36 +153,56 @@ class Case(Analyses):
             return False
         return True
 
+    def inputs(self) -> pd.DataFrame:
+        """Every input of the case: path, value, whether it is a default, and what it rests on."""
+        return self.check().to_frame()
+
     def number(self, path: str, unit: str = "") -> float:
         """The number at a path in a unit: `case.number("mechanism.lead", "mm")`."""
         value = self[path]
         number = _engine.number_in(value if isinstance(value, str) else repr(value), unit)
         if number is None:
             raise ValueError(
-                f"{path}: got {value!r} and the unit {unit!r}; expected a unit that the value can "
-                "be converted to; `rollerscrew.units()` lists them"
+                f"{path}: got {reprlib.repr(value)} and the unit {unit!r}; expected a unit that "
+                "the value can be converted to; `rollerscrew.units()` lists them"
             )
         return number
 
-    def to_yaml(self, file: str | os.PathLike[str] | None = None) -> str:
+    @overload
+    def to_yaml(self) -> str: ...
+    @overload
+    def to_yaml(self, file: str | os.PathLike[str]) -> None: ...
+    def to_yaml(self, file: str | os.PathLike[str] | None = None) -> str | None:
         """The text of the case with what `with_` changed written into it, comments and all.
 
-        Written to `file` too, if one is given; the files that the case names are written beside it.
+        Written to `file`, if one is given, for `Case.from_yaml`; the files that the case names are
+        written beside it.
+        Raises ValueError where a change has no place of its own in the text, as a new list has.
         """
-        text = self._case.source.written()
+        source = self._case.source
+        text = source.written()
         if text is None:
-            raise ValueError(
-                f"a value of {self!r} cannot be written into the text in its place; write "
-                "`resolved_input` of a result instead"
+            parts = (source.name, source.text)
+            alone = (
+                each
+                for each in source.overrides
+                if _source(*parts, [each], source.folder, source.files).written() is None
             )
-        if file is not None:
-            path = Path(_file_name(file))
-            for name, content in (self._case.source.files or {}).items():
-                if not os.path.isabs(name):
-                    (path.parent / name).parent.mkdir(parents=True, exist_ok=True)
-                    (path.parent / name).write_bytes(content)
-            path.write_text(text, encoding="utf-8")
-        return text
+            change = next(alone, ", ".join(source.overrides))
+            raise ValueError(
+                f"{reprlib.repr(change)[1:-1]} cannot be written into the text in its place; write "
+                "the resolved case, `Case(case.check().resolved_input).to_yaml(file)`, which has "
+                "no comments"
+            )
+        if file is None:
+            return text
+        path = Path(_file_name(file))
+        for name, content in (source.files or {}).items():
+            if not os.path.isabs(name):
+                (path.parent / name).parent.mkdir(parents=True, exist_ok=True)
+                (path.parent / name).write_bytes(content)
+        path.write_text(text, encoding="utf-8")
+        return None
 
     @property
     def name(self) -> str:
@@ -266,6 +302,9 @@ class Case(Analyses):
     ) -> StudyResult | DerivativesResult:
         """Runs the block `study` of the case: all its designs, on `threads` threads.
 
+        >>> case.with_(study={"command": "solve", "factors": [{"path": "mechanism.rollers",
+        ...                   "values": [8, 9, 10]}]}).study().to_frame()
+
         With an `executor` of `concurrent.futures` (processes, Dask's `Client.get_executor()`, MPI
         pools) its workers answer the designs. The result does not depend on either. `progress` is
         called with the designs done and those of the whole study; True shows a line on a terminal.
@@ -286,8 +325,14 @@ class Case(Analyses):
         `history` takes the place of that of the file: arrays `force` and, where they are known,
         `position` or `speed`, and `time`, each with its unit: `{"force": (forces, "kN"), ..}`; or a
         frame with such columns, their units in the names: `force_kN`. `options` are those of the
-        block `life.history`: `interval`, `hysteresis`, `bins`.
+        block `life.history`: `interval`, `hysteresis`, `bins`; and of `life`, of which a case
+        without that block needs the roller's `position` on the nut.
         """
+        if history is None and options:
+            raise TypeError(
+                f"{', '.join(options)}: got options of a history, and no history; "
+                "`with_` changes that of the case"
+            )
         case = self if history is None else self._with_history(history, options)
         return LifeResult._answer(case, "life")
 
@@ -298,14 +343,23 @@ class Case(Analyses):
         text += "".join(",".join(map(number_text, row)) + "\n" for row in rows)
         named = {name: {"column": name, "unit": unit} for name, (_, unit) in columns.items()}
         name, case, overrides, folder, _ = self._parts()
-        block = {"file": _HISTORY, **named, **options}
-        changed = [*overrides, f"life.history={override_text(block)}"]
+        own = self["life"] if "life" in self else {}
+        life = {key: value for key, value in own.items() if key not in ("history", "spectrum")}
+        kept = {key: value for key, value in options.items() if key not in _OF_HISTORY}
+        block = {"file": _HISTORY, **named}
+        block |= {key: value for key, value in options.items() if key in _OF_HISTORY}
+        changed = [*overrides, f"life={override_text({**life, **kept, 'history': block})}"]
         return self._from_source(_source(name, case, changed, folder, {_HISTORY: text.encode()}))
 
     def optimize(
         self, *, threads: int | None = None, progress: Progress = None
     ) -> OptimizationResult:
-        """Searches the designs that the block `optimize` of the case aims at."""
+        """Searches the designs that the block `optimize` of the case aims at.
+
+        >>> case.with_(optimize={"command": "solve", "variables": [{"path": "mechanism.flank_angle",
+        ...     "from": "40 deg", "to": "50 deg"}], "objectives": [{"minimize":
+        ...     "screw.peak_pressure_MPa.max"}]}).optimize().best_case
+        """
         source = self._case.source
         document, chosen = _engine.optimize(
             source, thread_count(threads), progress_callback(progress)
@@ -337,11 +391,13 @@ class Case(Analyses):
         first load case may leave `load_cases[0].` out, others name theirs
         (`load_cases[pull].axial_stiffness_N_per_um`), arrays are taken whole or with `[k]`, `.max`,
         `.min` or `.mean`. Without them those that a study records are. `preload` has no such
-        default, and runs its designs one by one.
+        default, and goes design by design, on one thread and without progress: studies have no plan
+        of it, so that a design takes as long as a `preload()` of its own.
 
         Warns of inputs that move no load and no stiffness, as the case overrides what they give.
-        Raises InputError where a value cannot stand at its path, which with `on_error="row"` is a
-        row with its reason, and ValueError for numbers that are not finite or lengths that differ.
+        Raises InputError where a value cannot stand at its path, and ValueError for a number that
+        is not finite, which with `on_error="row"` are rows with their reason; and ValueError for
+        lengths that differ.
         """
         return evaluate(self, inputs, responses, command, threads, progress, on_error)
 
@@ -357,7 +413,7 @@ class Case(Analyses):
         """Writes the frames of `evaluate` into a Parquet file, batch by batch; how many designs.
 
         `inputs` are those of `evaluate`, or an iterable of such batches, of which one is in memory
-        at a time. Needs pyarrow.
+        at a time. Raises ValueError where there is no design. Needs pyarrow.
         """
         import pyarrow
         import pyarrow.parquet
@@ -373,6 +429,8 @@ class Case(Analyses):
         finally:
             if writer is not None:
                 writer.close()
+        if writer is None:
+            raise ValueError("inputs: got no batch; expected at least one design")
         return count
 
     def function(
@@ -389,15 +447,21 @@ class Case(Analyses):
 
         `f(x)` of the n inputs of one design gives its m responses, of k x n gives k x m. Numbers
         are in the units of the documents, `f.units`: mm, N, deg; `{path: unit}` asks for others.
+        `f.designs(x)` has status and reason of designs that fail.
         """
         return Function(self, inputs, responses, command)
 
-    def responses(self, command: Command = "solve") -> pd.DataFrame:
+    def responses(self, command: Command | Literal["preload"] = "solve") -> pd.DataFrame:
         """What `evaluate` may answer for this case by a command, one row per path.
 
         `defined` says whether the case has it, `needs` what it must state for what it has not.
         """
+        if command not in (*COMMAND_BLOCKS, "preload"):
+            known = " | ".join((*COMMAND_BLOCKS, "preload"))
+            raise ValueError(f"command: got {command!r}; expected {known}")
         result: Result = getattr(self, command)()
+        if command == "preload":
+            return frame_of(_preload_responses(result["preload"], "preload"))
         rows = []
         for path in _engine.known_responses():
             title, unit = _engine.response_title(path)
@@ -425,6 +489,11 @@ class Case(Analyses):
 
     def _parts(self) -> SourceParts:
         return parts_of(self._case.source)
+
+    def _repr_html_(self) -> str:
+        from rollerscrew.html import case_html
+
+        return case_html(self)
 
     def __repr__(self) -> str:
         changed = "".join(f", {override}" for override in self.overrides)
@@ -455,6 +524,30 @@ def _source(
     )
 
 
+def _history_of(resolved: Record) -> dict[str, bytes] | None:
+    """The history that a resolved case names, where arrays gave it: no file has it."""
+    case = getattr(resolved._owner, "_case", None)
+    content = None if case is None else (case._case.source.files or {}).get(_HISTORY)
+    if content is None:
+        return None
+    return {resolved["life"]["history"]["file"]: content}
+
+
+def _preload_responses(record: Record, path: str) -> Iterator[dict[str, Any]]:
+    """The numbers of a preload, with their paths."""
+    for name, value in record.items():
+        place = f"{path}.{name}"
+        if isinstance(value, Record):
+            yield from _preload_responses(value, place)
+        elif isinstance(value, list):
+            for k, each in enumerate(value):
+                if isinstance(each, Record):
+                    yield from _preload_responses(each, f"{place}[{k}]")
+        elif isinstance(value, int | float) and not isinstance(value, bool):
+            title, unit = _engine.response_title(place)
+            yield {"path": place, "unit": unit, "title": title, "defined": True, "needs": ""}
+
+
 _STEP = re.compile(r"\.?([^.\[\]]+)|\[([^\[\]]+)\]")
 
 
@@ -466,6 +559,16 @@ def _steps(path: str) -> list[str]:
     if not found or "".join(each.group(0) for each in found) != path:
         raise KeyError(f"{path!r}; expected a path such as 'load_cases[0].axial_force'")
     return [each.group(1) or each.group(2) for each in found]
+
+
+def _there(value: Any) -> str:
+    """What a path may go on with."""
+    if isinstance(value, dict):
+        return f"; there is {', '.join(value)}"
+    if isinstance(value, list):
+        names = [str(each.get("name", k)) for k, each in enumerate(value) if isinstance(each, dict)]
+        return f"; there are {len(value)} entries" + (f", {', '.join(names)}" if names else "")
+    return f", which is {reprlib.repr(value)}"
 
 
 def _place(entries: list[Any], step: str) -> int:

@@ -7,7 +7,8 @@ import os
 import re
 import reprlib
 import warnings
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -18,6 +19,7 @@ import numpy.typing as npt
 from rollerscrew import _engine
 from rollerscrew.errors import InputError, InputProblem
 from rollerscrew.progress import Progress, progress_callback
+from rollerscrew.record import Record
 from rollerscrew.records import Command
 from rollerscrew.values import (
     checked_text,
@@ -83,10 +85,15 @@ class Origin:
     """Where designs come from: `case` of the whole, `study` of the source that varies it."""
 
     case: SourceParts
-    study: SourceParts
+    study: SourceParts | None
     rows: npt.NDArray[Any]  #: Numbers of designs of a study, or what each design sets, a row each.
+    columns: Mapping[str, _Column] | None = None  #: Without a study: what the rows set.
 
     def overrides(self, place: int) -> list[str]:
+        if self.columns is not None:
+            row = int(self.rows[place])
+            return [f"{path}={column.text_of(row)}" for path, column in self.columns.items()]
+        assert self.study is not None
         study = _prepared(self.study, os.getpid())
         if self.rows.ndim == 1:
             return study.overrides(int(self.rows[place]))
@@ -97,8 +104,9 @@ class Origin:
 class Designs:
     """Answers of many designs, a row each, in the order in which they were asked for.
 
-    `designs["axial_stiffness_N_per_um"]` is the array of a response, `designs[mask]` the designs
-    that a mask, a slice or places choose, `designs.case(i)` the case of one of them.
+    `designs["axial_stiffness_N_per_um"]` is the array of a response or of a column of `inputs`,
+    `designs[mask]` the designs that a mask, a slice or places choose, `designs.case(i)` the case of
+    one of them.
     """
 
     inputs: pd.DataFrame  #: What the designs differ in; units stand in the names of the columns.
@@ -138,13 +146,17 @@ class Designs:
             return self._chosen(chosen)
         if chosen in self.responses:
             return self.values[:, self.responses.index(chosen)]
+        if chosen in self.inputs:
+            return _numbers(self, chosen)
         whole = self._whole_responses().get(chosen)
         if whole is None:
-            known = ", ".join(self._whole_responses())
-            raise KeyError(f"{chosen!r}; there is {known}")
+            raise KeyError(self._unknown(chosen))
         array = self.values[:, whole]
         array.flags.writeable = False
         return array
+
+    def _unknown(self, name: str) -> str:
+        return f"no column {name!r}; there is {', '.join([*self.inputs, *self._whole_responses()])}"
 
     def _whole_responses(self) -> dict[str, list[int]]:
         """The columns of each response: those of an array together, under its path."""
@@ -160,9 +172,15 @@ class Designs:
         return whole
 
     def _chosen(self, rows: Any) -> Designs:
-        places = np.arange(len(self))[rows if isinstance(rows, slice) else np.asarray(rows)]
+        chosen = rows
+        if not isinstance(rows, slice):
+            chosen = np.asarray(rows, dtype=int if np.size(rows) == 0 else None)
+        places = np.arange(len(self))[chosen]
         if places.ndim != 1:
-            raise TypeError(f"got {rows!r}; expected a response, a slice, a mask or places")
+            raise TypeError(
+                f"got {rows!r}; expected a response, a slice, a mask or a list of places; "
+                "`designs.case(place)` is one of them"
+            )
         origin = self.origin and replace(self.origin, rows=self.origin.rows[places])
         return Designs(
             self.inputs.iloc[places].reset_index(drop=True),
@@ -191,9 +209,10 @@ class Designs:
 
         >>> designs.case(designs.best("axial_stiffness_N_per_um", largest=True))
         """
-        values = np.where(self.converged, self[response], np.nan)
+        values = self[response]
         if values.ndim > 1:
             raise ValueError(f"{response}: got an array; expected a number such as {response}.max")
+        values = np.where(self.converged, values, np.nan)
         if not np.isfinite(values).any():
             raise ValueError(f"no design converged with a value of {response}")
         return int(np.nanargmax(values) if largest else np.nanargmin(values))
@@ -293,11 +312,10 @@ def _numbers(answers: Designs, name: str) -> npt.NDArray[np.float64]:
     if name in answers.responses:
         return answers[name]
     if name not in answers.inputs:
-        known = ", ".join([*answers.inputs.columns, *answers.responses])
-        raise KeyError(f"no column {name!r}; there is {known}")
+        raise KeyError(answers._unknown(name))
     column = answers.inputs[name]
     if column.dtype.kind not in "fiu":
-        raise ValueError(f"{name} holds words; expected a column of numbers")
+        raise ValueError(f"{name} holds words, `inputs[{name!r}]`; expected a column of numbers")
     return column.to_numpy(dtype=np.float64)
 
 
@@ -346,7 +364,7 @@ def evaluate(
         raise TypeError(f"got the text {responses!r}; expected a list of responses")
     if on_error not in ("raise", "row"):
         raise ValueError(f"on_error: got {on_error!r}; expected 'raise' or 'row'")
-    constants, columns = _columns(inputs)
+    constants, columns = _columns(inputs, finite=on_error == "raise")
     count = len(next(iter(columns.values())).numbers)
     if isinstance(command, str) and command == "preload":
         answered = _preload_rows(case, constants, columns, responses, on_error)
@@ -354,20 +372,24 @@ def evaluate(
         paths = None if responses is None else _with_entries(case, list(responses), command)
         prepared = _Evaluation(parts_of(case._case.source), constants, columns, paths, command)
         rows = np.arange(count)
+        show = progress_callback(progress)
         if on_error == "row":
-            answered = prepared.each_row(rows, thread_count(threads))
+            answered = prepared.each_row(rows, thread_count(threads), show)
         else:
             study = prepared.study(rows)
-            for text in study.warnings:
-                warnings.warn(text, stacklevel=3)
-            answered = prepared.answered(
-                study, rows, thread_count(threads), progress_callback(progress)
-            )
+            warn_of(study, 4)
+            answered = prepared.answered(study, rows, thread_count(threads), show)
     return answered
 
 
-def _columns(inputs: Any) -> tuple[list[str], dict[str, _Column]]:
-    """What all designs have, as overrides, and what they differ in."""
+def warn_of(study: _engine.Study, level: int) -> None:
+    """Warns of inputs that overrides of the case make void."""
+    for text in study.warnings:
+        warnings.warn(text, stacklevel=level)
+
+
+def _columns(inputs: Any, finite: bool) -> tuple[list[str], dict[str, _Column]]:
+    """What all designs have, as overrides, and what they differ in; `finite`: numbers must be."""
     if hasattr(inputs, "columns") and hasattr(inputs, "to_dict"):
         inputs = _inputs_of_frame(inputs)
     if not isinstance(inputs, Mapping) or not inputs:
@@ -380,7 +402,7 @@ def _columns(inputs: Any) -> tuple[list[str], dict[str, _Column]]:
         if _is_scalar(value)
     ]
     columns = {
-        path: _Column.of(checked_text("path", path), values)
+        path: _Column.of(checked_text("path", path), values, finite)
         for path, values in inputs.items()
         if not _is_scalar(values)
     }
@@ -479,9 +501,13 @@ def _numbers_known() -> frozenset[str]:
 def response_in(result: Any, path: str) -> Any:
     """The value at the path of a response; None where there is none."""
     steps = [step for step in re.split(r"\.|\[|\]", path) if step]
-    value: Any = result
-    if "load_cases" in result and steps[0] not in result:
-        value = result["load_cases"][0]
+    found = _value_at(result, steps) if steps else None
+    if found is None and steps and result.get("load_cases"):
+        found = _value_at(result["load_cases"][0], steps)
+    return found
+
+
+def _value_at(value: Any, steps: list[str]) -> Any:
     for step in steps:
         if isinstance(value, list):
             names = [each.get("name") for each in value]
@@ -490,13 +516,79 @@ def response_in(result: Any, path: str) -> Any:
         elif isinstance(value, np.ndarray):
             if step in ("max", "min", "mean"):
                 value = float(getattr(np, step)(value))
-            else:
+            elif step.isdigit() and int(step) < len(value) and value.ndim == 1:
                 value = float(value[int(step)])
-        elif value is not None and step in value:
+            else:
+                return None
+        elif isinstance(value, Record) and step in value:
             value = value[step]
         else:
             return None
     return value
+
+
+#: A factor of a study in the key of an error: its number, what it draws from, an end, a level.
+_FACTOR = re.compile(r"study\.factors\[(\d+)\]\.?([a-z_]*)\.?(\w*)(?:\[(\d+)\])?")
+
+#: Errors of one value of an input.
+_INDEXED = re.compile(r"inputs\['.*?'\]\[\d+\]: ")
+
+
+def told_of_arguments(
+    error: InputProblem,
+    inputs: Sequence[str],
+    responses: Sequence[str],
+    command: str,
+    index_of: Callable[[str, str, str | None], int | None],
+) -> str:
+    """An error of a study as one of the arguments that it was made of.
+
+    `index_of` gives the place of the value of an input that an end or a level of its factor is.
+    """
+    message = _message_of(error).replace(
+        "`prs list responses FILE`", f'`case.responses("{command}")`'
+    )
+    if found := re.fullmatch(r"study\.responses\[(\d+)\]", error.path):
+        response = str(responses[int(found[1])])
+        blocks = COMMAND_BLOCKS.get(command, set())
+        near = [
+            known
+            for known in sorted(_numbers_known())
+            if response in known and ("." not in known or known.partition(".")[0] in blocks)
+        ][:3]
+        if near and "did you mean" not in message:
+            message = message.partition("; write for example")[0]
+            message += f"; did you mean {', '.join(f'`{each}`' for each in near)}?"
+        if needs := response_needs(response):
+            message = f"{message.partition('; did you mean')[0]}; {response} {needs}"
+        return f"responses[{found[1]}]: {message}"
+    if found := _FACTOR.match(error.path):
+        path = inputs[int(found[1])]
+        index = None if found[2] == "path" else index_of(path, found[3], found[4])
+        at = "" if index is None else f"[{index}]"
+        return f"inputs[{path!r}]{at}: {message}"
+    if error.path in ("study.command", "study.responses"):
+        return f"{error.path.removeprefix('study.')}: {message}"
+    return error.text.partition(" (from --set study=")[0]
+
+
+def _first_of_each(errors: list[str]) -> Iterator[str]:
+    """The first error of each input, with how many others it has."""
+    count = Counter(_of_input(text) for text in errors)
+    for text in errors:
+        if more := count.pop(_of_input(text), 0):
+            yield text + (f" (and {more - 1} other values)" if more > 1 else "")
+
+
+def _of_input(text: str) -> str:
+    found = _INDEXED.match(text)
+    return text if found is None else found[0].rpartition("[")[0]
+
+
+def _message_of(error: InputProblem) -> str:
+    """The error without its place and key."""
+    message = error.text.partition(": error: ")[2].partition(" (from --set ")[0]
+    return message.removeprefix(f"{error.path}: ")
 
 
 @dataclass(frozen=True)
@@ -527,35 +619,34 @@ class _Evaluation:
         try:
             return _engine.Study(source_of(self.parts(rows)))
         except InputError as error:
-            raise InputError("\n".join(self._told(each, rows) for each in error.errors)) from None
+            for each in error.errors:
+                self._require_whole(each, rows)
+            told = [self._told(each, rows) for each in error.errors]
+            raise InputError("\n".join(_first_of_each(told))) from None
+
+    def _require_whole(self, error: InputProblem, rows: npt.NDArray[np.int64]) -> None:
+        """Of a count that is not whole a study says that no number between two may be drawn."""
+        found = _FACTOR.match(error.path)
+        if found is None or rows.size == 1 or "any value between two" not in error.text:
+            return
+        numbers = list(self.columns.values())[int(found[1])].numbers[rows]
+        self.study(rows[np.flatnonzero(numbers != np.round(numbers))[:1]])
 
     def _told(self, error: InputProblem, rows: npt.NDArray[np.int64]) -> str:
         """The error with the argument in place of the study's key."""
-        message = error.text.partition(": error: ")[2].partition(" (from --set ")[0]
-        message = message.removeprefix(f"{error.path}: ")
-        message = message.replace(
-            "`prs list responses FILE`", f'`case.responses("{self.command}")`'
-        )
-        if found := re.fullmatch(r"study\.responses\[(\d+)\]", error.path):
-            assert self.responses is not None
-            response = str(self.responses[int(found[1])])
-            needs = response_needs(response)
-            hint = f"; {response} {needs}" if needs else ""
-            return f"responses[{found[1]}]: {message}{hint}"
-        if found := re.match(
-            r"study\.factors\[(\d+)\]\.?([a-z_]*)\.?(\w*)(?:\[(\d+)\])?", error.path
-        ):
-            path = list(self.columns)[int(found[1])]
-            index = self.columns[path].index_of(found[3], found[4], rows)
-            at = "" if index is None else f"[{index}]"
-            return f"inputs[{path!r}]{at}: {message}"
+
+        def index_of(path: str, end: str, level: str | None) -> int | None:
+            return self.columns[path].index_of(end, level, rows)
+
         if error.path in self.columns:
-            place = self.columns[error.path].place_of(error.got, rows)
+            column, message = self.columns[error.path], _message_of(error)
+            is_of_value = message.startswith("got ") and not message.startswith("got the name ")
+            place = column.place_of(error.got, rows) if is_of_value else None
             at = "" if place is None else f"[{place}]"
-            return f"inputs[{error.path!r}]{at}: {message}"
-        if error.path == "study.command":
-            return f"command: {message}"
-        return error.text.partition(" (from --set study=")[0]
+            return f"inputs[{error.path!r}]{at}: {column.hinted(message)}"
+        return told_of_arguments(
+            error, list(self.columns), self.responses or [], self.command, index_of
+        )
 
     def answered(
         self, study: _engine.Study, rows: npt.NDArray[np.int64], threads: int, show: Any
@@ -576,13 +667,27 @@ class _Evaluation:
         case = (name, text, (*overrides, *self.constants), folder, files)
         return designs_of(frame, answers, Origin(case, self.parts(rows), numbers))
 
-    def each_row(self, rows: npt.NDArray[np.int64], threads: int) -> Designs:
+    def each_row(self, rows: npt.NDArray[np.int64], threads: int, show: Any) -> Designs:
         """As `answered`; a design whose inputs cannot stand in the case is a row with why."""
         refused: dict[int, str] = {}
-        pieces = list(self._pieces(rows, threads, refused))
-        if not pieces:
+        for path, column in self.columns.items():
+            for row in np.flatnonzero(~np.isfinite(column.numbers)).tolist():
+                got = column.shown[row]
+                refused[row] = f"inputs[{path!r}][{row}]: got {got}; expected finite numbers"
+        pieces: list[tuple[npt.NDArray[np.int64], Designs]] = []
+        finite = np.delete(rows, list(refused))
+        for piece in self._pieces(finite, threads, refused) if finite.size else ():
+            if not pieces:
+                warn_of(self.study(piece[0]), 5)
+            pieces.append(piece)
+            if show:
+                show(sum(len(designs) for _, designs in pieces) + len(refused), len(rows))
+        if not pieces and self.responses is None:
             raise InputError(next(iter(refused.values())))
-        return _joined(pieces, refused, self.columns, len(rows))
+        name, text, overrides, folder, files = self.case
+        case = (name, text, (*overrides, *self.constants), folder, files)
+        responses = pieces[0][1].responses if pieces else tuple(self.responses or ())
+        return _joined(pieces, refused, self.columns, len(rows), responses, case)
 
     def _pieces(
         self, rows: npt.NDArray[np.int64], threads: int, refused: dict[int, str]
@@ -593,8 +698,12 @@ class _Evaluation:
             if any(not each.text.startswith("inputs[") for each in error.errors):
                 raise
             if len(rows) == 1:
+                if _INDEXED.match(str(error)) is None:  # The input itself is none.
+                    raise
                 refused[int(rows[0])] = str(error)
                 return
+            # Those that are refused lie at the ends of what is refused.
+            rows = rows[np.argsort(self.columns[error.errors[0].path].numbers[rows], kind="stable")]
             for half in np.array_split(rows, 2):
                 yield from self._pieces(half, threads, refused)
             return
@@ -606,24 +715,31 @@ def _joined(
     refused: dict[int, str],
     columns: dict[str, _Column],
     count: int,
+    responses: tuple[str, ...],
+    case: SourceParts,
 ) -> Designs:
     """The designs in their order, with those that were refused."""
-    import pandas as pd
-
-    first = pieces[0][1]
-    if len(pieces) == 1 and not refused:
-        return first
-    values = np.full((count, len(first.responses)), np.nan)
+    values = np.full((count, len(responses)), np.nan)
     status = np.full(count, "refused", dtype=object)
     reason = np.full(count, "", dtype=object)
-    names = dict(zip(columns, first.inputs.columns, strict=True))
-    everything = np.arange(count)
-    frame = pd.DataFrame({names[path]: c.shown_of(everything) for path, c in columns.items()})
     for rows, designs in pieces:
         values[rows], status[rows], reason[rows] = designs.values, designs.status, designs.reason
     for row, why in refused.items():
         reason[row] = why
-    return Designs(frame, first.responses, values, status, reason)
+    origin = Origin(case, None, np.arange(count), columns)
+    return Designs(_inputs_frame(columns), responses, values, status, reason, origin)
+
+
+def _inputs_frame(columns: Mapping[str, _Column]) -> pd.DataFrame:
+    """The columns as they were given, with their units in their names."""
+    import pandas as pd
+
+    return pd.DataFrame(
+        {
+            f"{path}_{_engine.unit_key(column.unit)}" if column.unit else path: column.shown
+            for path, column in columns.items()
+        }
+    )
 
 
 def _preload_rows(
@@ -634,8 +750,6 @@ def _preload_rows(
     on_error: OnError,
 ) -> Designs:
     """Designs by `preload`, which studies do not run: one after the other."""
-    import pandas as pd
-
     if not responses:
         raise ValueError("responses: got none; expected paths such as 'preload.lost_motion_um'")
     count = len(next(iter(columns.values())).numbers)
@@ -643,6 +757,12 @@ def _preload_rows(
     status = np.full(count, "converged", dtype=object)
     reason = np.full(count, "", dtype=object)
     for row in range(count):
+        wrong = [path for path, column in columns.items() if not np.isfinite(column.numbers[row])]
+        if wrong:
+            got = columns[wrong[0]].shown[row]
+            status[row] = "refused"
+            reason[row] = f"inputs[{wrong[0]!r}][{row}]: got {got}; expected finite numbers"
+            continue
         overrides = [f"{path}={column.text_of(row)}" for path, column in columns.items()]
         try:
             one = type(case)._from_source(
@@ -658,17 +778,24 @@ def _preload_rows(
             status[row], reason[row] = "not_converged", "a load has no equilibrium"
         for k, path in enumerate(responses):
             value = response_in(result, path)
-            if not isinstance(value, int | float):
+            if isinstance(value, int | float):
+                values[row, k] = value
+            elif result.converged:
                 raise InputError(
-                    f"responses[{k}]: got {path}; expected a number of the document of `preload`"
+                    f"responses[{k}]: got {path}; expected a number of the document of `preload`, "
+                    'as `case.responses("preload")` shows them'
                 )
-            values[row, k] = value
-    frame = pd.DataFrame({path: column.shown for path, column in columns.items()})
-    return Designs(frame, tuple(responses), values, status, reason)
+    name, text, before, folder, files = parts_of(case._case.source)
+    origin = Origin(
+        (name, text, (*before, *constants), folder, files), None, np.arange(count), columns
+    )
+    return Designs(_inputs_frame(columns), tuple(responses), values, status, reason, origin)
 
 
 def batches(inputs: Any, size: int) -> Iterator[Mapping[str, Any]]:
     """The inputs in pieces of at most `size` designs."""
+    if size < 1:
+        raise ValueError(f"batch: got {size}; expected a whole number > 0")
     if hasattr(inputs, "columns") and hasattr(inputs, "to_dict"):
         inputs = _inputs_of_frame(inputs)
     if not isinstance(inputs, Mapping):
@@ -676,6 +803,9 @@ def batches(inputs: Any, size: int) -> Iterator[Mapping[str, Any]]:
         return
     arrays = {path: values for path, values in inputs.items() if not _is_scalar(values)}
     count = max((_length(values) for values in arrays.values()), default=0)
+    if count <= size:
+        yield inputs
+        return
     for first in range(0, count, size):
         piece = slice(first, first + size)
         yield {
@@ -698,17 +828,34 @@ def history_columns(history: Any) -> dict[str, tuple[list[float], str]]:
                 raise ValueError(f"history: got the column {name!r}; expected one as 'force_kN'")
             columns[key] = (history[name].to_numpy(), _unit_keys()[unit])
         history = columns
+    if not isinstance(history, Mapping):
+        raise TypeError(
+            f"history: got {type(history).__name__}; expected a dictionary of arrays with their "
+            'units, such as {"force": (forces, "kN"), "time": (times, "s")}, or a frame'
+        )
     found = {}
     for name, values in history.items():
+        what = f"history[{name!r}]"
         if is_quantity(values):
             unit, values = unit_and_magnitude(values)
         elif _is_with_unit(values):
             values, unit = values
         else:
-            raise TypeError(f"history[{name!r}]: got no unit; expected ({name}, unit)")
-        found[name] = (np.asarray(values, dtype=np.float64).tolist(), unit)
+            raise TypeError(f'{what}: got no unit; expected ({name}, unit), such as (forces, "kN")')
+        numbers = np.asarray(values, dtype=np.float64)
+        if numbers.ndim != 1 or len(numbers) < 2:
+            raise ValueError(
+                f"{what}: got the shape {numbers.shape}; expected an array of at least 2 numbers"
+            )
+        wrong = np.flatnonzero(~np.isfinite(numbers))
+        if wrong.size > 0:
+            raise ValueError(
+                f"{what}[{wrong[0]}]: got {numbers[wrong[0]]}; expected finite numbers"
+            )
+        found[name] = (numbers.tolist(), unit)
     if len({len(numbers) for numbers, _ in found.values()}) > 1:
-        raise ValueError("history: expected arrays of one length")
+        counts = ", ".join(f"{len(numbers)} of {name}" for name, (numbers, _) in found.items())
+        raise ValueError(f"history: expected arrays of one length; got {counts}")
     return found
 
 
@@ -780,7 +927,8 @@ class _Column:
         """One value as `--set` takes it."""
         if self.levels is not None:
             return override_text(self.levels[int(self.numbers[row])])
-        return override_text(_with_unit(float(self.numbers[row]), self.unit))
+        number = override_text(float(self.numbers[row]))
+        return f"{number} {self.unit}" if self.unit else number
 
     def place_of(self, text: str, rows: npt.NDArray[np.int64]) -> int | None:
         """The row with a value that an error shows, among the ends or the levels."""
@@ -791,6 +939,13 @@ class _Column:
             places = np.unique(numbers, return_index=True)[1].tolist()
         shown = [int(rows[k]) for k in places if _shown(self.text_of(int(rows[k]))) == _shown(text)]
         return shown[0] if shown else int(rows[0]) if len(rows) == 1 else None
+
+    def hinted(self, message: str) -> str:
+        """An error with what arrays have in place of `5 N`."""
+        if not isinstance(self.shown, np.ndarray) or self.unit:
+            return message
+        in_array = r'give the unit with the numbers, `(numbers, "\1")`'
+        return re.sub(r"write the unit, for example `\S+ ([^`]+)`", in_array, message)
 
     def index_of(self, end: str, level: str | None, rows: npt.NDArray[np.int64]) -> int | None:
         """The row that gave one of the ends, or a level, of that factor."""
@@ -803,7 +958,7 @@ class _Column:
         return int(rows[0]) if len(rows) == 1 else None
 
     @classmethod
-    def of(cls, path: str, values: Any) -> _Column:
+    def of(cls, path: str, values: Any, finite: bool) -> _Column:
         unit = ""
         if is_quantity(values):
             unit, values = unit_and_magnitude(values)
@@ -821,21 +976,25 @@ class _Column:
             )
         if array.dtype.kind in "fiu":
             with np.errstate(over="ignore"):  # A long double may become infinite.
-                return cls._of_numbers(path, array.astype(np.float64), unit)
+                return cls._of_numbers(path, array.astype(np.float64), unit, finite)
         return cls._of_values(path, list(array), unit)
 
     @classmethod
-    def _of_numbers(cls, path: str, numbers: npt.NDArray[np.float64], unit: str) -> _Column:
-        wrong = np.flatnonzero(~np.isfinite(numbers))
-        if wrong.size > 0:
-            raise ValueError(
-                f"{path}[{wrong[0]}]: got {numbers[wrong[0]]}; expected finite numbers"
-            )
-        if not unit and np.all(numbers == np.round(numbers)) and np.abs(numbers).max() < 2**53:
-            counts, places = np.unique(numbers, return_inverse=True)
-            if counts.size <= _MOST_COUNTS:
+    def _of_numbers(
+        cls, path: str, numbers: npt.NDArray[np.float64], unit: str, finite: bool
+    ) -> _Column:
+        is_finite = np.isfinite(numbers)
+        if finite and not is_finite.all():
+            wrong = int(np.argmin(is_finite))
+            raise ValueError(f"{path}[{wrong}]: got {numbers[wrong]}; expected finite numbers")
+        known = numbers[is_finite]
+        if not unit and known.size and np.all(known == np.round(known)):
+            counts, places = np.unique(known, return_inverse=True)
+            if counts.size <= _MOST_COUNTS and np.abs(known).max() < 2**53:
+                indices = np.full(numbers.shape, np.nan)
+                indices[is_finite] = places
                 levels = [int(count) for count in counts]
-                return cls(path, places.astype(np.float64), levels, "", numbers)
+                return cls(path, indices, levels, "", numbers)
         return cls(path, numbers, None, unit, numbers)
 
     @classmethod

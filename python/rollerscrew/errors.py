@@ -6,7 +6,12 @@ import re
 from dataclasses import dataclass
 
 _LINE = re.compile(r"(?P<file>.*?):(?P<line>\d+):(?P<column>\d+): error: (?P<message>.*)")
-_KEY = re.compile(r"(?P<path>(?!got )[^:]+): (?P<message>.*)")
+_KEY = re.compile(r"(?P<path>(?!got |malformed YAML)[^:]+): (?P<message>.*)")
+
+#: Errors of arguments, which stand in no file.
+_ARGUMENT = re.compile(
+    r"(?:inputs\['(?P<input>.*?)'\](?:\[\d+\])?|(?P<name>[^:\s]+)): (?P<message>.*)"
+)
 
 #: How messages say that there is no file.
 _NO_FILE = re.compile(r": error: (got no such file;|.* does not exist; give its path)")
@@ -28,27 +33,30 @@ class InputProblem:
     def of(cls, text: str) -> InputProblem:
         place = _LINE.fullmatch(text)
         if place is None:
-            return cls(text)
+            argument = _ARGUMENT.fullmatch(text)
+            if argument is None:
+                return cls(text)
+            path = argument["input"] or argument["name"]
+            got, hint = _got_and_hint(argument["message"])
+            return cls(text, path=path, got=got, hint=hint)
         keyed = _KEY.fullmatch(place["message"])
-        message = (keyed["message"] if keyed else place["message"]).partition(" (from --set ")[0]
-        parts = message.split("; ")
-        got = next((part[4:] for part in parts if part.startswith("got ")), "")
-        return cls(
-            text,
-            place["file"],
-            int(place["line"]),
-            int(place["column"]),
-            keyed["path"] if keyed else "",
-            got,
-            parts[-1] if len(parts) > 1 else "",
-        )
+        path, message = (keyed["path"], keyed["message"]) if keyed else ("", place["message"])
+        line, column = int(place["line"]), int(place["column"])
+        return cls(text, place["file"], line, column, path, *_got_and_hint(message))
+
+
+def _got_and_hint(message: str) -> tuple[str, str]:
+    parts = message.partition(" (from --set ")[0].split("; ")
+    got = next((part[4:] for part in parts if part.startswith("got ")), "")
+    has_hint = len(parts) > 1 and not parts[-1].startswith("expected ")
+    return got, parts[-1] if has_hint else ""
 
 
 class InputError(ValueError):
     """The input is wrong; the text is that of `prs check`, one line for each error.
 
     `errors` has all of them in their parts; `path`, `line`, `column`, `got` and `hint` are those of
-    the first.
+    the first that is about what was given: a misspelt key rather than the one that is missing.
     """
 
     @property
@@ -57,7 +65,8 @@ class InputError(ValueError):
 
     @property
     def _first(self) -> InputProblem:
-        return (self.errors or [InputProblem(str(self))])[0]
+        errors = self.errors or [InputProblem(str(self))]
+        return next((each for each in errors if ": missing; " not in each.text), errors[0])
 
     @property
     def path(self) -> str:
@@ -82,6 +91,11 @@ class InputError(ValueError):
 
 class MissingFileError(InputError, FileNotFoundError):
     """The case, or a file that it names, is not there."""
+
+    @property
+    def filename(self) -> str:
+        """The file, as it was named."""
+        return self._first.got if self._first.path else self._first.file
 
 
 def input_error(text: str) -> InputError:

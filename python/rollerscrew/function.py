@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import threading
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +20,8 @@ from rollerscrew.designs import (
     designs_of,
     parts_of,
     source_of,
+    told_of_arguments,
+    warn_of,
 )
 from rollerscrew.errors import InputError
 from rollerscrew.records import Command
@@ -32,15 +36,29 @@ _UNITS = ("mm", "N", "deg", "MPa", "rpm", "degC", "kg/m^3", "N/mm", "N m", "s", 
 #: So many designs are answered by the thread that asks; others by all processors.
 _FEW = 256
 
-#: Steps of central differences, as parts of the number; of what is 0, of 1.
+#: Steps of differences, as parts of the number; of what is 0, of 1.
 _STEP = 1e-3
+
+_FORWARD = np.arange(5.0), np.array([-25.0, 48.0, -36.0, 16.0, -3.0]) / 12.0
+
+#: Places in steps and weights of differences of fourth order: central ones and, where a design
+#: beyond a bound fails, those of one side.
+_DIFFERENCES = (
+    (np.array([-2.0, -1.0, 1.0, 2.0]), np.array([1.0, -8.0, 8.0, -1.0]) / 12.0),
+    _FORWARD,
+    (-_FORWARD[0], -_FORWARD[1]),
+)
 
 
 class Function:
     """Responses of a case over inputs, compiled once: `case.function(inputs, responses)`.
 
     `f(x)` takes the n inputs of one design and gives its m responses, or k x n and gives k x m. A
-    design that fails is NaN; `f.designs(x)` has the reasons. `units` are those of the inputs.
+    design that fails is NaN; `f.designs(x)` has the reasons. Raises ValueError where x is not
+    finite. `units` are those of the inputs, `x0` is what the case has. Functions may be shared
+    between threads, pickled and sent to other processes.
+
+    Warns of inputs that move no load and no stiffness, as the case overrides what they give.
     """
 
     def __init__(
@@ -50,8 +68,12 @@ class Function:
         responses: Sequence[str],
         command: Command = "solve",
     ) -> None:
-        if isinstance(inputs, str) or isinstance(responses, str):
-            raise TypeError("expected lists of inputs and of responses")
+        for name, given in (("inputs", inputs), ("responses", responses)):
+            if isinstance(given, str):
+                raise TypeError(f"{name}: got {given!r}; expected a list such as [{given!r}]")
+            if not given:
+                raise ValueError(f"{name}: got none; expected a list of paths")
+        self._case = case
         self._parts: SourceParts = parts_of(case._case.source)
         self.inputs = tuple(inputs)
         self.command = command
@@ -67,8 +89,14 @@ class Function:
             for k, (path, number) in enumerate(zip(self.inputs, self.x0, strict=True))
             if _is_count(case, path)
         }
+        self._lock = threading.Lock()
         self._study = self._compiled()
+        warn_of(self._study, 4)
         self.responses: tuple[str, ...] = tuple(self._responses)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        inputs = dict(zip(self.inputs, self.units, strict=True))
+        return _restored, (self._case, inputs, self._responses, self.command)
 
     def __repr__(self) -> str:
         inputs = ", ".join(
@@ -87,12 +115,12 @@ class Function:
         import pandas as pd
 
         rows = self._rows(np.asarray(x, dtype=np.float64))
-        answers = self._answers(rows)
+        study, levels = self._levels(rows)
+        answers = self._answered(study, levels)
         names = [
             f"{path}_{_engine.unit_key(unit)}" if unit else path
             for path, unit in zip(self.inputs, self.units, strict=True)
         ]
-        levels = self._levels(rows)
         origin = Origin(self._parts, self._study_parts(self._plan()), levels)
         return designs_of(pd.DataFrame(rows, columns=names), answers, origin)
 
@@ -100,7 +128,8 @@ class Function:
         """Derivatives of the responses by the inputs at one design, m x n.
 
         Exact by the tangent of the equilibrium where the plan `derivatives` of studies has them;
-        else central differences of fourth order. Raises ValueError for inputs that are counts.
+        else differences of fourth order, at a bound those of one side. Raises ValueError for
+        inputs that are counts.
         """
         numbers = np.asarray(x, dtype=np.float64)
         if numbers.shape != (len(self.inputs),):
@@ -137,15 +166,17 @@ class Function:
     def _differences(
         self, x: npt.NDArray[np.float64], wanted: npt.NDArray[np.bool_]
     ) -> npt.NDArray[np.float64]:
-        columns = np.flatnonzero(wanted)
-        steps = _STEP * np.where(x == 0.0, 1.0, np.abs(x))
-        points = np.repeat(x[None, :], 4 * columns.size, axis=0)
-        for k, column in enumerate(columns):
-            points[4 * k : 4 * k + 4, column] += steps[column] * np.array([-2.0, -1.0, 1.0, 2.0])
-        values = self(points).reshape(columns.size, 4, -1)
-        slopes = np.einsum("kim,i->mk", values, np.array([1.0, -8.0, 8.0, -1.0]) / 12.0)
         found = np.full((len(self.responses), x.size), np.nan)
-        found[:, columns] = slopes / steps[columns]
+        steps = _STEP * np.where(x == 0.0, 1.0, np.abs(x))
+        for places, weights in _DIFFERENCES:
+            columns = np.flatnonzero(wanted & np.isnan(found).any(axis=0))
+            points = np.repeat(x[None, :], places.size * columns.size, axis=0)
+            for k, column in enumerate(columns):
+                rows = slice(places.size * k, places.size * (k + 1))
+                points[rows, column] += steps[column] * places
+            values = self(points).reshape(columns.size, places.size, len(self.responses))
+            slopes = np.einsum("kim,i->mk", values, weights) / steps[columns]
+            found[:, columns] = np.where(np.isnan(found[:, columns]), slopes, found[:, columns])
         return found
 
     def _rows(self, x: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -158,15 +189,26 @@ class Function:
         return np.ascontiguousarray(rows)
 
     def _answers(self, rows: npt.NDArray[np.float64]) -> _engine.Designs:
-        numbers = self._levels(rows)
-        if len(numbers) <= _FEW:
-            return self._study.answer(numbers)
-        return self._study.evaluate(numbers, _engine.available_processors(), None)
+        return self._answered(*self._levels(rows))
 
-    def _levels(self, rows: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        """Numbers, of counts their places among those that are compiled."""
+    @staticmethod
+    def _answered(study: _engine.Study, numbers: npt.NDArray[np.float64]) -> _engine.Designs:
+        if len(numbers) <= _FEW:
+            return study.answer(numbers)
+        return study.evaluate(numbers, _engine.available_processors(), None)
+
+    def _levels(
+        self, rows: npt.NDArray[np.float64]
+    ) -> tuple[_engine.Study, npt.NDArray[np.float64]]:
+        """Numbers, of counts their places among those that the study was compiled for."""
         if not self._counts:
-            return rows
+            return self._study, rows
+        with self._lock:
+            return self._counted(rows)
+
+    def _counted(
+        self, rows: npt.NDArray[np.float64]
+    ) -> tuple[_engine.Study, npt.NDArray[np.float64]]:
         numbers = rows.copy()
         for k, known in self._counts.items():
             wrong = rows[:, k] != np.round(rows[:, k])
@@ -177,10 +219,14 @@ class Function:
             new = sorted(set(rows[:, k].astype(int).tolist()) - set(known))
             if new:
                 known += new
-                self._study = self._compiled()
+                try:
+                    self._study = self._compiled()
+                except InputError:
+                    del known[-len(new) :]
+                    raise
             places = {count: place for place, count in enumerate(known)}
             numbers[:, k] = [places[int(count)] for count in rows[:, k]]
-        return numbers
+        return self._study, numbers
 
     def _plan(self) -> dict[str, Any]:
         factors: list[dict[str, Any]] = []
@@ -206,11 +252,26 @@ class Function:
         return name, text, (*overrides, f"study={override_text(plan)}"), folder, files
 
     def _compiled(self) -> _engine.Study:
-        return _engine.Study(source_of(self._study_parts(self._plan())))
+        try:
+            return _engine.Study(source_of(self._study_parts(self._plan())))
+        except InputError as error:
+            told = (
+                told_of_arguments(each, self.inputs, self._responses, self.command, lambda *_: None)
+                for each in error.errors
+            )
+            raise InputError("\n".join(told)) from None
 
     def _text(self, k: int, number: float) -> Any:
         unit = self.units[k]
         return f"{number_text(float(number))} {unit}" if unit else float(number)
+
+
+def _restored(
+    case: Case, inputs: Mapping[str, str], responses: Sequence[str], command: Command
+) -> Function:
+    with warnings.catch_warnings():  # It has warned where it was made.
+        warnings.simplefilter("ignore")
+        return Function(case, inputs, responses, command)
 
 
 def _unit_of(case: Case, path: str) -> str:

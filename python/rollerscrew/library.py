@@ -8,8 +8,11 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
 
 from rollerscrew import _engine
 from rollerscrew.case import Case
@@ -25,9 +28,9 @@ Length = Any
 
 def new(
     type: Literal["standard", "inverted"] = "standard",
-    *,
     screw_diameter: Length | None = None,
     lead: Length | None = None,
+    *,
     starts: int | None = None,
     rollers: int | None = None,
     nut_diameter: Length | None = None,
@@ -43,16 +46,17 @@ def new(
 
     >>> rs.new("standard", screw_diameter="25 mm", lead="5 mm")
 
-    Without diameter and lead it is an example. What is not given follows by rule, and comments of
-    `case.text` say which; `case.to_yaml(file)` writes it. Raises InputError where nothing can have
-    these numbers.
+    Without diameter and lead it is an example. What is not given follows by rule: `case.inputs()`
+    has every value with what it rests on, `case.text` says it in comments, `case.to_yaml(file)`
+    writes it. Raises InputError where nothing can have these numbers.
     """
     given = dict(locals())
     options: list[str] = []
     for name, value in given.items():
         if name != "type" and value is not None:
-            options += ["--" + name.replace("_", "-"), _option_text(value)]
-    name = "<new>" if screw_diameter is None else f"<{type} {_option_text(screw_diameter)}>"
+            options += ["--" + name.replace("_", "-"), _option_text(name, value)]
+    sizes = [override_text(each) for each in (screw_diameter, lead) if each is not None]
+    name = f"<{type} {' x '.join(sizes)}>" if sizes else f"<new {type}>"
     return Case.from_text(_answer("new", type, "-", *options), name=name)
 
 
@@ -122,7 +126,7 @@ def configurations(
     options: list[str] = []
     for name, value in given.items():
         if value is not None:
-            options += ["--" + name.replace("_", "-"), _option_text(value)]
+            options += ["--" + name.replace("_", "-"), _option_text(name, value)]
     document = json.loads(_answer("configurations", "--json", *options))
     return frame_of(_flat(each) for each in document["configurations"])
 
@@ -137,10 +141,11 @@ def _flat(values: dict[str, Any], before: str = "") -> dict[str, Any]:
     return flat
 
 
-def _option_text(value: Any) -> str:
-    if isinstance(value, str | int) or is_quantity(value) or is_with_unit(value):
+def _option_text(name: str, value: Any) -> str:
+    is_number = isinstance(value, int | float | np.number)
+    if isinstance(value, str) or is_number or is_quantity(value) or is_with_unit(value):
         return override_text(value)
-    raise TypeError(f"got {value!r}; expected a number with its unit, such as '25 mm'")
+    raise TypeError(f"{name}: got {value!r}; expected a number with its unit, such as '25 mm'")
 
 
 def _program() -> Path:
@@ -163,8 +168,17 @@ def _answer(*arguments: str) -> str:
         return run.stdout
     refused = run.stderr.strip().removeprefix("prs: error: ")
     if run.returncode == 2:
-        raise InputError(refused)
+        raise InputError(_as_arguments(refused))
     raise RuntimeError(refused or f"prs ended with the status {run.returncode}")
+
+
+def _as_arguments(text: str) -> str:
+    """What the program says of its options, as an error of Python's arguments."""
+    text = re.sub(r"; see `prs help \w+`", "", text)
+    text = text.replace("`prs list lubricants`", "`rollerscrew.lubricants()`")
+    text = text.replace("TYPE: ", "type: ").replace(", then the FILE", "")
+    text = re.sub(r'`--([a-z-]+) "', lambda found: f'`{found[1].replace("-", "_")}="', text)
+    return re.sub(r"--([a-z][a-z-]*)", lambda found: found[1].replace("-", "_"), text)
 
 
 def _shared(name: str) -> Path:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import os
 import re
@@ -11,6 +12,8 @@ import typing
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+import numpy as np
 
 from rollerscrew import _engine
 from rollerscrew.values import checked_text
@@ -29,6 +32,11 @@ class Look(typing.TypedDict, total=False):
 
     label: str | None
     color: Any
+
+
+#: A document has lists without entries where there are no numbers.
+_NO_NUMBERS = np.empty(0)
+_NO_NUMBERS.flags.writeable = False
 
 
 class Record:
@@ -104,6 +112,11 @@ class Record:
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {', '.join(self.keys())}>"
 
+    def _repr_html_(self) -> str:
+        from rollerscrew.html import record_html
+
+        return record_html(self)
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Record):
             return NotImplemented
@@ -131,6 +144,8 @@ class Record:
         return content
 
     def _wrapped(self, name: str, value: Any) -> Any:
+        if isinstance(value, list) and not value and name in types_of(type(self)).arrays:
+            return _NO_NUMBERS
         return self._wrap(value, types_of(type(self)).records.get(name, Values), name)
 
     def _wrap(self, value: Any, record: type[Record], name: str) -> Any:
@@ -152,7 +167,24 @@ class Record:
             )
         there = ", ".join(self.keys()) or "nothing"
         needs = needs_of(type(self).__name__, name) if known else ""
-        return f"{said} is not defined by this case{needs and '; it ' + needs}; there is {there}"
+        hint = "" if known or not isinstance(name, str) else self._meant(name)
+        said += f" is not defined by this case{needs and '; it ' + needs}; there is {there}"
+        return said + hint
+
+    def _meant(self, name: str) -> str:
+        """`; did you mean ..?`: what has nearly that name, or stands further within."""
+        own = [each for each in dir(self) if not each.startswith("_")]
+        near = [each for each in own if name in each] or difflib.get_close_matches(name, own, 3)
+        if name.startswith("plot_"):
+            near = [each for each in own if each.startswith("plot_") and each != "plot_figure"]
+        for part in self.keys() if not near else []:
+            value = self._node.get(part)
+            place = part
+            if isinstance(value, list) and value:
+                place, value = f"{part}[0]", value[0]
+            if isinstance(value, _engine.Node):
+                near += [f"{place}.{key}" for key in value.keys() if name in key]
+        return f"; did you mean {', '.join(near)}?" if near else ""
 
     def _reasons(self) -> list[str]:
         """Why it did not converge: its own reason, or what its owner warns of it."""
@@ -175,11 +207,17 @@ def _restored(kind: type[Record], text: str, key: str) -> Record:
     return kind(_engine.Node.of_text(text), key)
 
 
+def _restored_result(kind: type[Result], text: str, case: Case | None) -> Result:
+    result = kind.from_json(text)
+    return result if case is None else result._of(case)
+
+
 class _Types(typing.NamedTuple):
     """What the annotations of a record say."""
 
     records: dict[str, type[Record]]  #: `nut: InterfaceLoads`, `list[LoadCase]`.
     optional: frozenset[str]  #: What may be absent.
+    arrays: frozenset[str]
     hints: dict[str, Any]  #: Of all keys, None apart.
 
 
@@ -194,7 +232,7 @@ def types_of(owner: type) -> _Types:
 
 
 def _read_types(owner: type) -> _Types:
-    records, optional, hints = {}, set(), {}
+    records, optional, arrays, hints = {}, set(), set(), {}
     for name, hint in typing.get_type_hints(owner).items():
         if name.startswith("_"):
             continue
@@ -203,10 +241,12 @@ def _read_types(owner: type) -> _Types:
             optional.add(name)
             hint = next(each for each in within if each is not type(None))
         hints[name] = hint
+        if typing.get_origin(hint) is np.ndarray:
+            arrays.add(name)
         for candidate in (hint, *typing.get_args(hint)):
             if isinstance(candidate, type) and issubclass(candidate, Record):
                 records[name] = candidate
-    return _Types(records, frozenset(optional), hints)
+    return _Types(records, frozenset(optional), frozenset(arrays), hints)
 
 
 @cache
@@ -238,7 +278,9 @@ def explanation(path: str, blocks: Sequence[str]) -> str:
             break
     found = found if path else places
     if not found:
-        raise ValueError(f"path: got {path!r}; expected the path of a quantity of a result")
+        near = difflib.get_close_matches(plain, [each["key"] for _, each in places], 3)
+        meant = f"; did you mean {', '.join(dict.fromkeys(near))}?" if near else ""
+        raise ValueError(f"path: got {path!r}; expected the path of a quantity of a result{meant}")
     text = ""
     for k, (place, quantity) in enumerate(found):
         text += place + "\n"
@@ -404,8 +446,17 @@ class Result(Record):
 
         Those that `prs --figures --json` writes; none of a result that was read from other JSON.
         """
-        described: list[dict[str, Any]] = json.loads(self._document.figures())
+        described: list[dict[str, Any]] = json.loads(self._pictured().figures())
         return described
+
+    def _pictured(self) -> _engine.Document:
+        """The document with its pictures; one that was sent here is answered once more for them."""
+        if self._case is None or self._document.has_pictures or not self._command:
+            return self._document
+        again = getattr(self._case, self._command)()
+        if again.to_json() == self.to_json():
+            object.__setattr__(self, "_document", again._document)
+        return self._document
 
     def plot_figure(
         self,
@@ -425,7 +476,7 @@ class Result(Record):
         from rollerscrew import plots
 
         chosen = {option: value for option, value in options.items() if value is not None}
-        described = self._document.figure(name, json.dumps(chosen), ax is not None)
+        described = self._pictured().figure(name, json.dumps(chosen), ax is not None)
         return plots.draw(json.loads(described), ax, label=label, color=color)
 
     def explain(self, path: str = "") -> str:
@@ -442,7 +493,7 @@ class Result(Record):
         return result_html(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self).from_json, (self.to_json(),)
+        return _restored_result, (type(self), self.to_json(), self._case)
 
 
 def _all_converged(value: Any) -> bool:

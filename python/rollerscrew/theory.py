@@ -136,10 +136,14 @@ def rainflow(history: npt.ArrayLike, hysteresis: float = 0.0) -> Cycles:
 def rating_life(capacity: npt.ArrayLike, load: npt.ArrayLike) -> Array:
     """L10 [revolutions] = 10^6 (C/F)^3 of a dynamic capacity and a load [N]; Jung 2017, (8.25)."""
     table, shape = _rows(capacity, load)
-    return np.array([_engine.rating_life(c, f) for c, f in table]).reshape(shape)
+    lives = np.array([_engine.rating_life(c, f) for c, f in table])
+    lives[~(table[:, 0] > 0.0) | ~(table[:, 1] >= 0.0)] = np.nan
+    return lives.reshape(shape)
 
 
 def mean_load(forces: npt.ArrayLike, revolutions: npt.ArrayLike) -> float:
     """Equivalent load [N], F_m = (sum |F_j|^3 n_j / sum n_j)^(1/3); Jung 2017, (8.28)."""
     table, _ = _rows(forces, revolutions)
+    if not (table[:, 1] >= 0.0).all() or not table[:, 1].any():
+        return float("nan")
     return _engine.mean_load(np.ascontiguousarray(table[:, 0]), np.ascontiguousarray(table[:, 1]))

@@ -129,10 +129,11 @@ def plain(value: Any, level: int = 0) -> Any:
 
 
 def is_with_unit(value: Any) -> bool:
-    """A number, or numbers, and their unit: `(5, "mm")`."""
+    """A number, or numbers, and their unit: `(5, "mm")`; without one `(9, "")`."""
     if not (isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str)):
         return False
-    return not isinstance(value[0], str | bool | Mapping) and _engine.knows_unit(value[1])
+    is_unit = not value[1] or _engine.knows_unit(value[1])
+    return is_unit and not isinstance(value[0], str | bool | Mapping)
 
 
 def _texts_with_unit(numbers: Any, unit: str) -> Any:
@@ -140,6 +141,8 @@ def _texts_with_unit(numbers: Any, unit: str) -> Any:
     array = np.asarray(numbers)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"got {reprlib.repr(numbers)} with the unit {unit!r}; expected numbers")
+    if not unit:
+        return plain(array.tolist())
     if array.ndim > 0:
         return [_texts_with_unit(number, unit) for number in array]
     if array.dtype.kind in "iu":

@@ -488,7 +488,7 @@ class DerivativesViews(Result):
             for response in self.derivatives
             for by in response["by"]
         ]
-        return frame_of(rows)
+        return frame_of(rows, {"response": str, "value": float, "path": str, "derivative": float})
 
     def plot_elasticities(
         self, response: str | None = None, ax: Axes | None = None, **look: Unpack[Look]
@@ -551,7 +551,10 @@ class StudyViews(Result):
         return self.all_designs.to_frame()
 
     def statistics_frame(self) -> pd.DataFrame:
-        """Mean, deviation, extremes and quantiles, one row per response."""
+        """Mean, deviation, extremes and quantiles, one row per response.
+
+        `min_design` and `max_design` count the base case as 0: the first of `all_designs` is 1.
+        """
         import pandas as pd
 
         rows = {}

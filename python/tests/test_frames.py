@@ -35,8 +35,9 @@ def assert_kept(frame: pd.DataFrame, folder: Path) -> None:
     name = folder / f"{len(WRITTEN)}.nc"
     frame.rename_axis("row").to_xarray().to_netcdf(name, engine="netcdf4")
     again = xarray.load_dataset(name, engine="netcdf4").to_dataframe()
+    has_rows = not frame.empty  # Texts without rows have no type of their own in netCDF.
     pd.testing.assert_frame_equal(
-        again[frame.columns], frame.rename_axis("row"), check_index_type=False, check_dtype=False
+        again[frame.columns], frame.rename_axis("row"), check_index_type=False, check_dtype=has_rows
     )
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pickle
+import warnings
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -190,3 +192,136 @@ def test_batches_go_into_one_file(tmp_path: Any) -> None:
     assert lesson(1).evaluate_to_parquet(file, inputs, [STIFFNESS], batch=3) == 10
     expected = lesson(1).evaluate(inputs, [STIFFNESS]).to_frame()
     pd.testing.assert_frame_equal(pd.read_parquet(file), expected)
+
+
+def test_functions_are_sent_elsewhere() -> None:
+    for inputs in ([FORCE], ["mechanism.rollers", FORCE]):
+        f = lesson(1).function(inputs, [STIFFNESS, "screw.load_rate_percent"])
+        again = pickle.loads(pickle.dumps(f))
+        assert repr(again) == repr(f)
+        np.testing.assert_array_equal(again(f.x0), f(f.x0))
+
+
+def test_threads_share_counts() -> None:
+    f = lesson(1).function(["mechanism.rollers"], [STIFFNESS])
+    with ThreadPoolExecutor(4) as executor:
+        shared = list(executor.map(f, [[k] for k in [*range(3, 13)] * 3]))
+    alone = [f([k]) for k in [*range(3, 13)] * 3]
+    np.testing.assert_allclose(shared, alone, rtol=1e-11)
+
+
+def test_functions_warn_of_inputs_that_move_nothing() -> None:
+    with pytest.warns(UserWarning, match="mechanism.flank_angle: moves no load or stiffness"):
+        f = lesson(1).function([ANGLE], [STIFFNESS])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert pickle.loads(pickle.dumps(f)).jacobian(f.x0) == 0.0
+
+
+def test_errors_of_functions_name_the_argument() -> None:
+    with pytest.raises(rs.InputError, match=r"^responses\[0\]: got stiffness; .*did you mean") as r:
+        lesson(1).function([FORCE], ["stiffness"])
+    assert "study" not in str(r.value) and "measures." not in str(r.value)
+    with pytest.raises(rs.InputError, match=r"^responses\[0\]: .*weight_kg needs materials.dens"):
+        lesson(1).function([FORCE], ["measures.weight_kg"], command="measures")
+    with pytest.raises(rs.InputError, match="^command: got preload; expected contact"):
+        lesson(1).function([FORCE], [STIFFNESS], command="preload")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="inputs: got none"):
+        lesson(1).function([], [STIFFNESS])
+    with pytest.raises(ValueError, match="responses: got none"):
+        lesson(1).function([FORCE], [])
+
+
+def test_slopes_at_a_bound_are_those_of_one_side() -> None:
+    bore = "structure.screw.bore"
+    case = lesson(4).with_({bore: "0 mm"})
+    f = case.function([bore], [STIFFNESS])
+    assert np.isnan(f([-0.001])).all()
+    # A bore takes its square away from the section: at none the slope is none.
+    assert abs(f.jacobian([0.0])[0, 0]) < 1e-4 * abs(f.jacobian([1.0])[0, 0])
+
+
+def test_values_with_the_units_of_a_function_are_a_case() -> None:
+    f = lesson(4).function(["mechanism.rollers", FORCE], [STIFFNESS])
+    same = lesson(4).with_(dict(zip(f.inputs, zip(f.x0, f.units, strict=True), strict=True)))
+    solved = same.solve().load_cases[0]
+    assert solved.axial_stiffness_N_per_um == lesson(4).solve().load_cases[0][STIFFNESS]
+
+
+# Rows that are refused
+
+
+def test_numbers_that_are_not_finite_may_be_rows() -> None:
+    lead = (np.array([5.0, np.nan, 5.1, np.inf]), "mm")
+    rollers = np.array([9.0, 9.0, 9.4, 8.0])
+    designs = lesson(4).evaluate(
+        {"mechanism.lead": lead, "mechanism.rollers": rollers}, [STIFFNESS], on_error="row"
+    )
+    assert list(designs.status) == ["converged", "refused", "refused", "refused"]
+    assert designs.reason[1] == "inputs['mechanism.lead'][1]: got nan; expected finite numbers"
+    assert "got 9.4; expected a whole number" in designs.reason[2]
+    assert designs.case(0) == lesson(4).with_({"mechanism.lead": "5 mm", "mechanism.rollers": 9})
+    with pytest.raises(rs.InputError, match="got 9.4"):
+        designs.case(2)
+    none = lesson(4).evaluate({"mechanism.rollers": [9.4, 9.2]}, [STIFFNESS], on_error="row")
+    assert list(none.status) == ["refused", "refused"] and np.isnan(none.values).all()
+
+
+@pytest.mark.parametrize(
+    ("inputs", "responses"),
+    [({"mechanism.rolers": [9, 8]}, [STIFFNESS]), ({"mechanism.rollers": [9, 8]}, ["nope"])],
+)
+def test_what_is_no_value_is_no_row(inputs: dict[str, Any], responses: list[str]) -> None:
+    with pytest.raises(rs.InputError):
+        lesson(4).evaluate(inputs, responses, on_error="row")
+
+
+def test_refused_rows_warn_and_show_progress() -> None:
+    said: list[tuple[int, int]] = []
+    with pytest.warns(UserWarning, match="moves no load"):
+        lesson(1).evaluate(
+            {ANGLE: (np.array([44.0, 45.0, -1.0]), "deg")},
+            [STIFFNESS],
+            on_error="row",
+            progress=lambda done, total: said.append((done, total)),
+        )
+    assert said[-1] == (3, 3)
+
+
+def test_preloads_are_designs() -> None:
+    lead = (np.array([0.2, np.nan]), "in")
+    designs = lesson(12).evaluate(
+        {"structure.nut.outer_diameter": (np.array([50.0, 52.0]), "mm")},
+        ["preload.lost_motion_um"],
+        command="preload",
+    )
+    assert list(designs.inputs) == ["structure.nut.outer_diameter_mm"]
+    motion = designs.case(1).preload().preload.lost_motion_um
+    assert motion == designs["preload.lost_motion_um"][1]
+    refused = lesson(12).evaluate(
+        {"mechanism.lead": lead}, ["preload.lost_motion_um"], command="preload", on_error="row"
+    )
+    assert refused.status[1] == "refused" and "got nan" in refused.reason[1]
+
+
+def test_columns_of_designs() -> None:
+    forces = np.array([10.0, 20.0])
+    loads = "screw.load_rate_percent"
+    designs = lesson(1).evaluate({FORCE: (forces, "kN"), "model.roller": ["flexible"] * 2}, [loads])
+    np.testing.assert_array_equal(designs[f"{FORCE}_kN"], forces)
+    assert len(designs[[]]) == 0
+    with pytest.raises(ValueError, match="got an array; expected a number such as"):
+        designs.best(loads)
+    with pytest.raises(ValueError, match="holds words"):
+        designs["model.roller"]
+    with pytest.raises(TypeError, match=r"got 0; expected .*`designs.case\(place\)`"):
+        designs[0]  # type: ignore[call-overload]
+
+
+def test_batches_without_designs_are_refused(tmp_path: Any) -> None:
+    file = tmp_path / "designs.parquet"
+    for inputs in ({"mechanism.rollers": []}, iter(())):
+        with pytest.raises(ValueError, match="expected .*at least one"):
+            lesson(1).evaluate_to_parquet(file, inputs, [STIFFNESS])
+    with pytest.raises(ValueError, match="batch: got 0"):
+        lesson(1).evaluate_to_parquet(file, {"mechanism.rollers": [9]}, [STIFFNESS], batch=0)

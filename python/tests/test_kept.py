@@ -6,6 +6,7 @@ import hashlib
 import json
 import pickle
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -194,3 +195,80 @@ def test_the_first_lines_of_the_guide_run_anywhere(
     code = guide.partition("```python\n")[2].partition("```")[0]
     monkeypatch.chdir(tmp_path)
     exec(compile(code, "README.md", "exec"), {})
+
+
+# Histories of arrays
+
+
+HISTORY = {
+    "force": (5.0 + 3.0 * np.sin(np.arange(100.0)), "kN"),
+    "position": (10.0 + 5.0 * np.sin(np.arange(100.0)), "mm"),
+    "time": (0.1 * np.arange(100.0), "s"),
+}
+
+
+def test_histories_of_arrays_stand_in_resolved_inputs() -> None:
+    result = lesson(14).life(history=HISTORY)
+    again = rs.Case(result.resolved_input)
+    assert again.life().life == result.life
+    assert pickle.loads(pickle.dumps(again)).life().life == result.life
+
+
+def test_histories_take_the_place_of_a_spectrum() -> None:
+    made = rs.new("standard", "25 mm", "5 mm")
+    assert "spectrum" in made["life"]
+    life = made.life(history=HISTORY, bins=16)
+    assert (
+        life.resolved_input.life.history.bins == 16 and "spectrum" not in life.resolved_input.life
+    )
+    assert lesson(1).life(history=HISTORY, position="29 mm").converged
+
+
+@pytest.mark.parametrize(
+    ("history", "options", "error", "message"),
+    [
+        ({"force": (np.array([1.0, np.nan]), "kN")}, {}, ValueError, r"\['force'\]\[1\]: got nan"),
+        ({"force": (np.ones((2, 2)), "kN")}, {}, ValueError, r"got the shape \(2, 2\)"),
+        ({"force": ([], "kN")}, {}, ValueError, "at least 2 numbers"),
+        ({"force": np.ones(3)}, {}, TypeError, "got no unit"),
+        ([1.0, 2.0], {}, TypeError, "history: got list"),
+        (HISTORY | {"time": ([0.0, 1.0], "s")}, {}, ValueError, "got 100 of force, .* 2 of time"),
+        (None, {"bins": 3}, TypeError, "options of a history, and no history"),
+    ],
+)
+def test_histories_that_are_none(
+    history: Any, options: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        lesson(14).life(history=history, **options)
+
+
+# Pickles
+
+
+def test_results_that_were_sent_have_their_pictures() -> None:
+    for result in (lesson(1).solve(), lesson(14).life(history=HISTORY)):
+        sent = pickle.loads(pickle.dumps(result))
+        assert sent.to_json() == result.to_json() and sent == result
+        assert sent.figures() == result.figures() != []
+
+
+# Errors
+
+
+def test_errors_are_about_what_was_given() -> None:
+    text = lesson(1).text
+    with pytest.raises(rs.InputError) as raised:
+        rs.Case.from_text(text.replace("  lead:", "  leed:"))
+    assert raised.value.path == "mechanism.leed" and raised.value.hint == "did you mean `lead`?"
+    assert [each.path for each in raised.value.errors] == ["mechanism.lead", "mechanism.leed"]
+    with pytest.raises(rs.InputError) as raised:
+        rs.Case.from_text("a: [")
+    assert (raised.value.path, raised.value.line) == ("", 1)
+    with pytest.raises(rs.InputError) as raised:
+        lesson(1).evaluate({"mechanism.rollers": [9, 9.5]})
+    assert (raised.value.path, raised.value.got) == ("mechanism.rollers", "9.5")
+    with pytest.raises(FileNotFoundError) as missing:
+        rs.Case.from_yaml("nowhere.yaml")
+    assert missing.value.filename == "nowhere.yaml"
+    assert str(missing.value).startswith("nowhere.yaml:1:1: error: got no such file")

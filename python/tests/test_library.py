@@ -20,10 +20,17 @@ def test_new_cases_are_those_of_the_program(program: Run) -> None:
     assert case["mechanism.rollers"] == 9
     assert case.slip().converged
     assert rs.new().solve().converged
-    with pytest.raises(rs.InputError, match="--screw-diameter"):
+    with pytest.raises(rs.InputError, match="^screw_diameter: got 25 N") as raised:
         rs.new(screw_diameter="25 N", lead="5 mm")
-    with pytest.raises(TypeError, match="expected a number with its unit"):
+    assert (raised.value.path, raised.value.got) == ("screw_diameter", "25 N")
+    with pytest.raises(rs.InputError, match="screw_diameter: got 25.5; .*write the unit"):
         rs.new(screw_diameter=25.5, lead="5 mm")
+    with pytest.raises(TypeError, match="screw_diameter: got .*expected a number with its unit"):
+        rs.new(screw_diameter=["25 mm"], lead="5 mm")
+    with pytest.raises(rs.InputError, match='lead: missing.*add `lead="10 mm"`'):
+        rs.new("standard", "25 mm")
+    nine = rs.new("standard", "25 mm", "5 mm", rollers=np.int64(9))
+    assert nine.name == "<standard 25 mm x 5 mm>" and nine["mechanism.rollers"] == 9
 
 
 def test_lessons_by_number_and_name() -> None:
@@ -70,7 +77,9 @@ def test_numbers_with_units_are_values() -> None:
 def test_cases_are_handed_over(tmp_path: Path) -> None:
     nine = lesson(1).with_({"mechanism.rollers": 9})
     file = tmp_path / "nine.yaml"
-    text = nine.to_yaml(file)
+    assert nine.to_yaml(file) is None
+    text = file.read_text(encoding="utf-8")
+    assert text == nine.to_yaml()
     assert "# Lesson 1" in text and "rollers: 9" in text
     again = rs.Case.from_yaml(file)
     assert again.overrides == [] and again.solve().load_cases == nine.solve().load_cases
@@ -143,3 +152,75 @@ def test_histories_of_arrays() -> None:
     assert case.life(history={**history, "force": (2.0 * force, "kN")}).life != result.life
     with pytest.raises(TypeError, match="got no unit"):
         case.life(history={"force": force})
+
+
+# What is not there says where it is
+
+
+def test_paths_that_are_none_say_what_is_meant() -> None:
+    case = lesson(1)
+    with pytest.raises(KeyError, match="no 'lead' there; .*did you mean 'mechanism.lead'"):
+        case["lead"]
+    with pytest.raises(KeyError, match="there are 6 entries, config1-tension, "):
+        case["load_cases[9].axial_force"]
+    assert set(case.inputs()["path"]) >= {"mechanism.lead", "model.bodies"}
+    with pytest.raises(rs.InputError) as raised:
+        case.with_(mechanism={"rollers": 9})
+    assert "`with_({'mechanism.rollers': ..})` changes one value" in raised.value.__notes__[0]
+
+
+def test_attributes_that_are_none_say_what_is_meant() -> None:
+    result: Any = answer(1, "solve")
+    with pytest.raises(AttributeError, match=r"mean load_cases\[0\].axial_stiffness_N_per_um\?"):
+        _ = result.axial_stiffness_N_per_um
+    with pytest.raises(AttributeError, match="did you mean .*plot_load_distribution"):
+        _ = result.plot_loads
+    with pytest.raises(AttributeError, match="mean axial_stiffness_N_per_um, tangent_stiffness"):
+        _ = result.load_cases[0].stiffness
+    with pytest.raises(ValueError, match="did you mean efficiency"):
+        result.explain("eficiency")
+    assert "designs" not in dir(rs) and {"Case", "new", "plots"} <= set(dir(rs))
+
+
+def test_lists_have_no_place_in_the_text() -> None:
+    loads = lesson(1).with_(load_cases=[{"axial_force": "3 kN", "share": "equal"}])
+    with pytest.raises(ValueError, match=r"load_cases=.* cannot .* `Case\(case.check"):
+        loads.to_yaml()
+    resolved = rs.Case(loads.check().resolved_input)
+    assert rs.Case.from_text(resolved.to_yaml()).contact().load_cases == loads.contact().load_cases
+
+
+@pytest.mark.parametrize(("number", "command"), [(18, "measures"), (9, "slip"), (14, "life")])
+def test_responses_are_what_evaluate_answers(number: int, command: Any) -> None:
+    case = lesson(number)
+    frame = case.responses(command)
+    rollers = {"mechanism.rollers": [case["mechanism.rollers"]]}
+    defined = frame[frame["defined"]]["path"].tolist()
+    assert case.evaluate(rollers, defined, command=command).converged.all()
+    for path in frame[~frame["defined"]]["path"].tolist():
+        with pytest.raises(rs.InputError, match=r"^responses\[0\]: got "):
+            case.evaluate(rollers, [path], command=command)
+
+
+def test_responses_of_commands() -> None:
+    paths = lesson(12).responses("preload")["path"].tolist()
+    numbers = lesson(12).evaluate({"mechanism.rollers": [9]}, paths[:5], command="preload")
+    assert np.isfinite(numbers.values).all()
+    with pytest.raises(ValueError, match="command: got 'check'; expected contact | solve"):
+        lesson(1).responses("check")  # type: ignore[arg-type]
+
+
+def test_cases_load_cases_and_searches_are_shown() -> None:
+    case = rs.new("standard", "25 mm", "5 mm").with_({"mechanism.rollers": 9})
+    shown = case._repr_html_()
+    assert "mechanism.rollers=9" in shown and "<td>5 mm</td>" in shown
+    assert "ready for check, contact, solve" in shown and "preload (lacks preload)" in shown
+    assert "Static safety" in case.check()._repr_html_()
+    assert "l10, h" in case.life()._repr_html_()
+    assert "dynamic capacity" in case.measures()._repr_html_()
+    load_case = case.solve().load_cases[0]
+    shown = load_case._repr_html_()
+    assert "axial stiffness" in shown and "data:image/png;base64," in shown
+    assert load_case.screw is not None and "50 numbers from" in load_case.screw._repr_html_()
+    assert "<th>design</th>" in answer(23, "optimize")._repr_html_()
+    assert "standard_deviation" in answer(16, "study")._repr_html_()

@@ -691,8 +691,14 @@ def test_results_are_compared() -> None:
     results = {"a": answer(1, "solve"), "b": answer(2, "solve")}
     ax = plots.compare(results, "load_distribution", load_cases=0)
     assert len(colours(ax)) == 2
-    legend = ax.get_legend()
-    assert legend is not None and {"a", "b"} <= {text.get_text() for text in legend.get_texts()}
+    assert ax.get_legend() is None and ax.figure is not None
+    (legend,) = ax.figure.legends
+    assert {"a", "b"} <= {text.get_text() for text in legend.get_texts()}
+    own = answer(1, "solve", rs.SolveResult).plot_load_distribution(0)
+    assert ax.get_ylim()[1] < 1.5 * own.get_ylim()[1], "the legend stands outside"
+    assert plots.compare(results, "peak_pressure").get_title() == ""
+    with pytest.raises(TypeError, match=r"results\['a'\]: got <Case .*expected what a command"):
+        plots.compare({"a": lesson(1)}, "load_distribution")
     with pytest.raises(ValueError, match="picture: got 'nope'; expected one of"):
         plots.compare(results, "nope")
 
@@ -705,3 +711,15 @@ def test_a_colour_may_be_given() -> None:
 def test_notebooks_show_the_picture_alone() -> None:
     shown: Any = answer(1, "solve", rs.SolveResult).plot_load_distribution()
     assert shown._ipython_display_() is None
+
+
+def test_axes_that_are_given_make_room_once() -> None:
+    _, ax = plt.subplots()
+    result = answer(1, "solve", rs.SolveResult)
+    result.plot_pressures(0, ax=ax, label="one")
+    first = ax.get_ylim()[1]
+    for name in ("two", "three", "four"):
+        result.plot_pressures(0, ax=ax, label=name)
+    assert ax.get_ylim()[1] < 2.0 * first
+    limit = [line for line in ax.lines if list(line.get_ydata()) == [4000.0, 4000.0]]
+    assert len({matplotlib.colors.to_hex(line.get_color()) for line in limit}) == 1

@@ -378,3 +378,9 @@ def test_copies_of_records_are_the_records(case_record: records.LoadCase) -> Non
     assert copy.deepcopy({"case": case_record})["case"] is case_record
     result = answer(1, "solve")
     assert copy.deepcopy(result) is result
+
+
+def test_arrays_without_numbers_are_arrays() -> None:
+    case = answer(24, "solve", rs.SolveResult).load_cases[0]
+    assert case.idle_rollers is not None and isinstance(case.idle_rollers, np.ndarray)
+    assert case.idle_rollers.size == 0 and not case.idle_rollers.flags.writeable

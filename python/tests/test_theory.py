@@ -60,3 +60,10 @@ def test_rainflow_of_the_standard() -> None:
 def test_lives() -> None:
     np.testing.assert_allclose(theory.rating_life(60e3, [60e3, 30e3]), [1e6, 8e6])
     assert theory.mean_load([1.0, 2.0], [1.0, 1.0]) == pytest.approx(np.cbrt(4.5))
+
+
+def test_what_has_no_answer_is_not_a_number() -> None:
+    assert np.isnan(theory.rating_life([1e5, -1.0], [-1.0, 1e4])).all()
+    assert theory.rating_life(1e5, 0.0) == np.inf
+    assert np.isnan(theory.mean_load([1.0, 2.0], [0.0, 0.0]))
+    assert np.isnan(theory.mean_load([1.0, 2.0], [-1.0, 5.0]))

@@ -8,6 +8,7 @@ picture.
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,7 @@ from rollerscrew.plots._figure import blank_axes, keep_ticks, new_axes, panel_as
 from rollerscrew.plots._legend import (
     characters,
     colour_bar,
+    legend_of_compared,
     legend_of_figure,
     legend_within,
     shown,
@@ -78,18 +80,45 @@ def compare(
     """One picture of several results, each with a colour and its name in the legend.
 
     >>> compare({"11 rollers": a, "9 rollers": b}, "load_distribution")
+
+    `picture` is what follows `plot_` in a method of the results, or the name of one of
+    `result.figures()`; `options` are those of the method: `load_cases="pull"`.
     """
-    if picture not in _METHODS:
-        raise ValueError(f"picture: got {picture!r}; expected one of {', '.join(_METHODS)}")
-    if not results:
-        raise ValueError("results: got none; expected a dictionary of names and results")
+    if not isinstance(results, Mapping) or not results:
+        raise ValueError(
+            f"results: got {reprlib.repr(results)}; expected a dictionary of names and results"
+        )
+    for name, result in results.items():
+        if not hasattr(result, "plot_figure"):
+            raise TypeError(
+                f"results[{name!r}]: got {result!r}; expected what a command answers, such as "
+                "`case.solve()`"
+            )
+        drawn = [each["name"] for each in result.figures()]
+        if picture not in drawn and not hasattr(result, _method_of(picture)):
+            own = [name for name in dir(type(result)) if name.startswith("plot_")]
+            known = [name.removeprefix("plot_") for name in own if name != "plot_figure"]
+            raise ValueError(
+                f"picture: got {picture!r}; expected one of {type(result).__name__}: "
+                f"{', '.join(dict.fromkeys([*known, *drawn]))}"
+            )
     if ax is None:
         with blank_axes() as ax:
-            return compare(results, picture, ax, **options)
+            compare(results, picture, ax, **options)
+            legend_of_compared(ax)
+            return ax
     for name, result in results.items():
-        colour = next_colour(ax)
-        getattr(result, _METHODS[picture])(ax=ax, label=name, color=colour, **options)
+        look = {"ax": ax, "label": name, "color": next_colour(ax)}
+        if hasattr(result, _method_of(picture)):
+            getattr(result, _method_of(picture))(**look, **options)
+        else:
+            result.plot_figure(picture, **look, **options)
     return ax
+
+
+def _method_of(picture: str) -> str:
+    name = picture.removeprefix("plot_")
+    return _METHODS.get(name, f"plot_{name}")
 
 
 def _draw_panels(axes: list[Axes], description: Mapping[str, Any], own: bool) -> None:

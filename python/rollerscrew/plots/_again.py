@@ -15,8 +15,9 @@ _DASHES = ("solid", "dashed", "dotted", "dash_dotted")
 #: Colours of what is no data.
 _QUIET = ("reference", "muted", "grey")
 
-#: Attributes of axes: keys of the legend so far, and the titles.
+#: Attributes of axes: keys of the legend so far, the titles, the limits without the legend's room.
 KEYS, TITLES = "_rollerscrew_keys", "_rollerscrew_titles"
+LIMITS = "_rollerscrew_limits"
 
 
 def was_drawn(ax: Axes) -> bool:
@@ -44,9 +45,11 @@ def relabelled(description: Mapping[str, Any], label: str | None, color: Any) ->
     drawn = [series["style"] for series in description["panels"][0].get("series", [])]
     if color is not None:
         looks: dict[tuple[Any, ...], list[Any]] = {}
-        for style in styles:
+        panel = description["panels"][0]
+        marked = {reference["style"] for reference in panel.get("references", [])}
+        for place, style in enumerate(styles):
             named = style.get("colour", "ink")
-            if named in _QUIET:
+            if named in _QUIET or (place in marked and place not in drawn):
                 continue
             look = tuple(style.get(key) for key in ("shape", "dash", "mark", "open", "pale"))
             alike = looks.setdefault(look, [])
@@ -74,6 +77,7 @@ def relabelled(description: Mapping[str, Any], label: str | None, color: Any) ->
 @contextmanager
 def limits_of_both(ax: Axes) -> Iterator[None]:
     """Limits that hold what stands in the axes and what is drawn into them."""
+    leave_room(ax)
     before = [sorted(ax.get_xlim()), sorted(ax.get_ylim())] if was_drawn(ax) else None
     yield
     if before is None:
@@ -83,6 +87,13 @@ def limits_of_both(ax: Axes) -> Iterator[None]:
         first, last = getattr(ax, f"get_{which}lim")()
         ends = min(low, first, last), max(high, first, last)
         limits(*(ends if first <= last else ends[::-1]))
+
+
+def leave_room(ax: Axes) -> None:
+    """Takes back the room that the limits had made for the legend, where they still do."""
+    limits, raised = getattr(ax, LIMITS, (None, None))
+    if limits is not None and ax.get_ylim() == raised:
+        ax.set_ylim(limits, auto=None)
 
 
 def shown_once(ax: Axes) -> Axes:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rollerscrew.plots._again import KEYS, TITLES
+from rollerscrew.plots._again import KEYS, LIMITS, TITLES, leave_room
 from rollerscrew.plots._style import legend_key, scale_levels, scale_range
 
 if TYPE_CHECKING:
@@ -23,6 +23,7 @@ _TITLE_CHARACTER_MM = 1.55
 _POINTS = 7.5
 _ROW_MM = 3.8
 _MOST_ABOVE = 9  #: More entries than these stand beside the panel.
+_BESIDE_MM = 48.0
 
 
 def shown(text: str, most: int = 200) -> str:
@@ -74,11 +75,28 @@ def stands_beside(description: Mapping[str, Any]) -> bool:
 
 def legend_of_figure(figure: Figure, description: Mapping[str, Any]) -> None:
     """Title and legend of a new figure, which grows by what stands above its panels."""
-    handles = keys(description)
-    width = 25.4 * figure.get_figwidth()
-    title = shown(description.get("title", ""), characters(width))
-    rows: float = title.count("\n") + 1 if title else 0
     beside = stands_beside(description)
+    _legend_outside(figure, keys(description), description.get("title", ""), beside)
+
+
+def legend_of_compared(ax: Axes) -> None:
+    """Moves title and legend of the only axes of a figure out of them."""
+    handles, titles = getattr(ax, KEYS, []), getattr(ax, TITLES, [])
+    if (made := ax.get_legend()) is not None:
+        made.remove()
+    ax.set_title("")
+    leave_room(ax)
+    figure = figure_of(ax)
+    beside = len(handles) > _MOST_ABOVE
+    if beside:
+        figure.set_figwidth(figure.get_figwidth() + _BESIDE_MM / 25.4)
+    _legend_outside(figure, handles, titles[0] if len(titles) == 1 else "", beside)
+
+
+def _legend_outside(figure: Figure, handles: list[Artist], title: str, beside: bool) -> None:
+    width = 25.4 * figure.get_figwidth()
+    title = shown(title, characters(width))
+    rows: float = title.count("\n") + 1 if title else 0
     if handles:
         labels = [str(handle.get_label()) for handle in handles]
         columns = 1 if beside else _columns(width, labels)
@@ -126,9 +144,11 @@ def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> Non
         return
     taken = 1.1 * made.get_window_extent().height / ax.get_window_extent().height + 0.03
     scale = ax.yaxis.get_transform()
-    low, high = scale.transform(np.array(ax.get_ylim()))
+    limits = ax.get_ylim()
+    low, high = scale.transform(np.array(limits))
     raised = low + (high - low) / (1.0 - min(taken, 0.65))
     ax.set_ylim(top=float(scale.inverted().transform(np.array([raised]))[0]), auto=None)
+    setattr(ax, LIMITS, (limits, ax.get_ylim()))
 
 
 def _columns(width_mm: float, labels: Iterable[str]) -> int:
