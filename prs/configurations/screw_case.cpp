@@ -385,6 +385,20 @@ std::string heat_text(const CompleteScrew& s) {
              k.screw_ambient, k.nut_ambient, k.screw_rollers, k.rollers_nut);
 }
 
+/// Lead deviation that ISO 3408-3 allows in 300 mm of a screw of grade 5 [m].
+constexpr double kGradeFive = 23e-6;
+
+std::string deviations_text(const CompleteScrew& s) {
+  const Mechanism& m = s.c.mechanism;
+  const double length = (m.contacts_per_roller - 1) * axial_pitch(m);
+  return case_remark(fmt::format(
+             "Parts are perfect here. For real ones state what you measured or allow; on a screw "
+             "of grade 5 of ISO 3408-3, {:g} um in 300 mm, over the contacts of a roller:",
+             1e6 * kGradeFive)) +
+         fmt::format("# deviations: {{pitch_error: {{screw: {{linear: {:.2g} um}}}}}}\n",
+                     1e6 * kGradeFive * length / 0.3);
+}
+
 std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
   return case_line(fmt::format("friction: {{model: {{coulomb: {:g}}}}}", kFlankFriction),
                    "assumed: flanks that touch, 0.91 to 1.05 times the efficiencies of a "
@@ -396,7 +410,7 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
          fmt::format("# carrier: {{bearing: {{length: {}, diameter: {}, radial_clearance: {}}}}}\n",
                      mm(0.5 * s.pitch_diameter.roller), mm(0.6 * s.pitch_diameter.roller),
                      mm(0.005 * s.pitch_diameter.roller)) +
-         heat_text(s) + "\nlife:\n" +
+         heat_text(s) + deviations_text(s) + "\nlife:\n" +
          case_line(fmt::format("  position: {}", mm(s.position)),
                    "assumed: rollers in the middle of the nut") +
          case_line(

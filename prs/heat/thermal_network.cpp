@@ -144,11 +144,12 @@ std::optional<OfParts> follow(const ScaledEstimate& estimate, const ThermalNetwo
   return std::nullopt;
 }
 
-std::string runaway(const OfParts& heat) {
+std::string runaway(const OfParts& heat, double ambient) {
   return fmt::format(
-      "the parts warm on beyond {}: they take up more heat ({:.4g} W) than they pass on at any "
-      "temperature below; give them more conductance, less load or less speed",
-      celsius(kHottest), heat.sum());
+      "the parts warm on beyond {0}: they take up more heat than they pass on at any temperature "
+      "below, there {1:.4g} W, which need {2:.3g} W/K to the surroundings; give them more "
+      "conductance, less load or less speed",
+      celsius(kHottest), heat.sum(), heat.sum() / (kHottest - ambient));
 }
 
 }  // namespace
@@ -218,7 +219,7 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
     if (!next) {
       next = follow(fine, network, round == 0 ? start.value_or(ambient) : t);
       derivative.reset();
-      if (!next) return end_as(HeatStatus::no_steady_state, runaway(*heat));
+      if (!next) return end_as(HeatStatus::no_steady_state, runaway(*heat, network.ambient));
     }
     if (choose) found.others = rough.has_hotter_state(*next);
     t = *next;

@@ -265,7 +265,7 @@ std::vector<double> cubes_of(const LifeModel& p, const Sense& s, const ShareCurv
 }
 
 /// Compares running loads with those at rest, at the forces of a sense or some of many.
-void compare_with_rest(const LifeModel& p, Sense& s, const ShareCurve& running) {
+void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCurve& running) {
   const RatedContacts rated = p.rated();
   const std::size_t step = (s.forces.size() + kFewForces - 1) / kFewForces;
   std::vector<double> runs(rated.count()), rests(rated.count());
@@ -274,7 +274,8 @@ void compare_with_rest(const LifeModel& p, Sense& s, const ShareCurve& running) 
     s.curve->shares_at(s.forces[k], rests);
     for (const Interface i : kInterfaces) {
       const auto largest = [&](const std::vector<double>& loads) {
-        return std::ranges::max(std::span(loads).subspan(rated.body(i), rated.threads));
+        return std::ranges::max(
+            std::span(loads).subspan(rated.flank(d) + rated.body(i), rated.threads));
       };
       const double over = largest(runs) / largest(rests);
       if (std::abs(over - 1.0) > std::abs(s.over_static[i] - 1.0)) s.over_static[i] = over;
@@ -305,7 +306,7 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
     if (!(std::ranges::max(turns) > 0.0)) continue;
     const ShareCurve curve = curve_of_sense(p, s, running_loads_solver(p, d, by));
     if (const auto failed = found(curve)) return failed;
-    compare_with_rest(p, s, curve);
+    compare_with_rest(p, s, d, curve);
     const std::vector<double> cubes = cubes_of(p, s, curve, turns);
     for (std::size_t k = 0; k < cubes.size(); ++k) s.cubes[k] += cubes[k];
   }

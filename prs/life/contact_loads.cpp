@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "prs/life/rating_life.h"
@@ -243,11 +244,17 @@ std::function<std::optional<std::vector<double>>(double force)> running_loads_so
     if (!found.threads) return std::nullopt;
     std::vector<double> rated;
     if (model.preloaded()) {
-      for (const Direction flank : kDirections)
+      for (const Direction flank : kDirections) {
+        const bool named = flank == d;
+        const PerInterface<FlankThreads>& other = found.other_flank->threads;
         for (const Interface i : kInterfaces)
-          for (const double normal : flank == d ? (*found.threads)[i].normal_load
-                                                : found.other_flank->threads[i].normal_load)
+          for (const double normal : named ? (*found.threads)[i].normal_load : other[i].normal_load)
             rated.push_back(normal * std::cos(model.laws[i].normal_angle) / model.equal_share());
+        const std::vector<double>& axial =
+            named ? found.threads->screw.axial_load : other.screw.axial_load;
+        rated.push_back(model.contacts.mechanism.rollers *
+                        std::accumulate(axial.begin(), axial.end(), 0.0));
+      }
       return rated;
     }
     for (const Interface i : kInterfaces)

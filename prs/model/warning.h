@@ -22,6 +22,7 @@ struct TextUnit {
 
 namespace text_unit {
 inline constexpr TextUnit gigapascal{"GPa", per_si::gigapascal};
+inline constexpr TextUnit newton{"N"};
 inline constexpr TextUnit kilonewton{"kN", per_si::kilonewton};
 inline constexpr TextUnit newton_metre{"N m"};
 inline constexpr TextUnit millimetre{"mm", per_si::millimetre};

@@ -260,6 +260,52 @@ std::vector<Warning> solved_load_warnings(const input::Source& source, const inp
   return warnings;
 }
 
+/// What parts without errors of the pitch hide: a start of the screw that stands off, whichever way
+/// is worse for the largest load.
+std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in,
+                                     double largest) {
+  constexpr double kOff = 3e-6;
+  const int starts = in.values.mechanism.starts.screw;
+  if (starts == 1 || std::ranges::any_of(in.fields, [](const input::EchoEntry& f) {
+        return !f.is_default && f.path.starts_with("deviations.pitch_error");
+      }))
+    return std::nullopt;
+  const auto with_start = [&](double off) {
+    input::CaseInput changed = in;
+    std::vector<double>& list = changed.values.deviations.pitch_error.screw.list;
+    for (int k = 0; k < in.values.mechanism.contacts_per_roller; ++k)
+      list.push_back(k % starts == 0 ? off : 0.0);
+    return changed;
+  };
+  const auto largest_load = [&](const input::CaseInput& at) {
+    Case c = at.values;
+    std::erase_if(c.load_cases,
+                  [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
+    double most = 0.0;
+    for (const LoadCaseResult& loaded : analyze(c).load_cases)
+      if (loaded.threads)
+        for (const Interface i : kInterfaces)
+          most = std::max(most, std::ranges::max((*loaded.threads)[i].normal_load));
+    return most;
+  };
+  const double perfect = largest_load(in), ahead = largest_load(with_start(kOff)),
+               behind = largest_load(with_start(-kOff));
+  if (!(std::max(ahead, behind) > perfect) || perfect == 0.0) return std::nullopt;
+  std::string life;
+  if (input::unmet(in, Command::life).empty()) {
+    const double whole = life_of(source, in).system_life,
+                 left = life_of(source, with_start(ahead > behind ? kOff : -kOff)).system_life;
+    if (left > 0.0 && left < whole)
+      life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / whole));
+  }
+  return Warning{"deviations.pitch_error", "perfect_parts",
+                 fmt::format("parts are perfect: a start of the screw that stands off by {:g} um "
+                             "raises the largest load of a thread by {{value}}{}",
+                             1e6 * kOff, life),
+                 "state the errors of your grade"}
+      .with(std::max(ahead, behind) / perfect - 1.0, {}, text_unit::percent);
+}
+
 /// With equal shares, the least that its most loaded threads carry.
 std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& contacts) {
   if (!contacts.interfaces.screw.has_hertz() || !contacts.interfaces.nut.has_hertz()) return {};
@@ -278,9 +324,11 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
                         c.model.bodies != ModelOptions::Bodies::influence;
   std::vector<Warning> warnings;
   try {
-    if (is_quick && input::unmet(in, Command::solve).empty())
+    if (is_quick && input::unmet(in, Command::solve).empty()) {
       warnings = solved_load_warnings(source, in, force(*largest));
-    else if (largest != c.load_cases.end())
+      if (std::optional<Warning> note = perfect_parts(source, in, force(*largest)))
+        warnings.push_back(std::move(*note));
+    } else if (largest != c.load_cases.end())
       warnings = equal_share_warnings(*largest, geometry.contacts);
   } catch (const CaseError&) {  // The command that cannot run says why.
   } catch (const input::InputError&) {

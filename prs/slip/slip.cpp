@@ -264,6 +264,25 @@ void warn_of_flashes(const SlipResult& slip, std::vector<Warning>& warnings) {
   }
 }
 
+/// Where centrifugal force lifts the rollers off the screw.
+void warn_of_lifted_rollers(const LoadCaseResult& loaded, std::vector<Warning>& warnings) {
+  const PerInterface<InterfaceLoads>& threads = *loaded.threads;
+  int lifted = 0;
+  for (std::size_t k = 0; k < threads.screw.normal_load.size(); ++k)
+    lifted += threads.screw.normal_load[k] == 0.0 && threads.nut.normal_load[k] > 0.0;
+  const double centrifugal = loaded.slip->forces.centrifugal;
+  if (!loaded.running || lifted == 0 || !(centrifugal > 0.0)) return;
+  warnings.push_back(
+      Warning{loaded.load_case.speed ? path_in(loaded.load_case, "speed") : "operation.speed",
+              "lifted_rollers",
+              fmt::format("rollers leave the screw at {} of {} contacts: centrifugal force presses "
+                          "each with {{value}} to the nut, against {:.4g} N on all of them along "
+                          "the axis",
+                          lifted, threads.screw.normal_load.size(), loaded.load_case.axial_force),
+              "take less speed, more load or a preload"}
+          .with(centrifugal, {}, text_unit::newton));
+}
+
 /// Where the formula of the central film does not know the way that an interface rolls.
 void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
@@ -636,6 +655,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
     if (loaded.slip->converged()) {
       warn_of_film(model, *loaded.slip, loaded.warnings);
       warn_of_flashes(*loaded.slip, loaded.warnings);
+      warn_of_lifted_rollers(loaded, loaded.warnings);
       if (auto note = unknown_heat_flow(c, result.contacts.mechanism, loaded.slip->power.total()))
         loaded.warnings.push_back(std::move(*note));
     }

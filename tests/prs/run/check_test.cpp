@@ -45,6 +45,22 @@ TEST(Check, SaysForEachCommandWhetherItIsReadyAndWhatToAdd) {
   EXPECT_EQ(running["life"]["loads"], "running");
 }
 
+/// A start that stands off takes more load, whichever way is worse; who states errors is not told.
+TEST(Check, SaysWhatPerfectPartsHide) {
+  const auto note = [](const std::vector<std::string>& overrides) {
+    const Json checked_case = checked("14_flight_spectrum.yaml", overrides);
+    for (const std::string warning : checked_case["warnings"])
+      if (warning.starts_with("deviations.pitch_error: parts are perfect: ")) return warning;
+    return std::string();
+  };
+  EXPECT_THAT(note({}), testing::MatchesRegex(".* stands off by 3 um raises the largest load of a "
+                                              "thread by [0-9.]+ % and takes [0-9]+ % of the life; "
+                                              ".*"));
+  EXPECT_EQ(note({"deviations.pitch_error.screw.linear=1 um"}), "");
+  EXPECT_EQ(note({"mechanism.starts.screw=1", "mechanism.starts.roller=1"}).find("start"),
+            std::string::npos);
+}
+
 TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
   for (const char* lesson : {"05_standard_screw.yaml", "07_contact_geometry.yaml",
                              "09_slip_and_dissipation.yaml", "14_flight_spectrum.yaml"}) {

@@ -269,6 +269,21 @@ TEST(RunningLoads, FrictionThatHoldsTheScrewJams) {
   EXPECT_FALSE(r.threads);
 }
 
+/// Fast and hardly loaded; what holds them down is said by the same load at rest.
+TEST(RunningLoads, RollersThatLeaveTheScrewAreTold) {
+  const auto told = [](double speed) {
+    Case c = running(base());
+    c.materials->roller.density = 7800.0;
+    c.load_cases[0].axial_force = 50.0;
+    c.operation->speed = speed;
+    c.load_cases[0].speed.reset();
+    const std::vector<Warning> warnings = analyze_slip(c).load_cases[0].warnings;
+    return std::ranges::count(warnings, "lifted_rollers", &Warning::code);
+  };
+  EXPECT_EQ(told(2000.0), 1);
+  EXPECT_EQ(told(1.0), 0);
+}
+
 /// Newton's method on K q + sum (B + (tau_x X + tau_y Y))' N = f, dense and unsymmetric.
 TEST(RunningLoads, AreThoseOfTheTurnedForces) {
   const Case c = running(base());
