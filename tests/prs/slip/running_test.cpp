@@ -263,25 +263,52 @@ TEST(RunningLoads, StaticOnesStayOnRequest) {
   EXPECT_GT(r.slip->heads[0][1].guide_force, 300.0);
 }
 
-TEST(RunningLoads, FrictionThatHoldsTheScrewJams) {
-  const LoadCaseResult r = solved(with(running(base()), 1.2, -1.0));
-  EXPECT_FALSE(r.running->converged());
-  EXPECT_FALSE(r.threads);
+/// Friction takes all of a contact's axial force where the screw drives. Where the load does, it
+/// adds to it: loads in balance exist, although their fixed point does not contract.
+TEST(RunningLoads, FrictionJamsTheScrewThatDrivesAlone) {
+  json full = solved_case("lesson-full")["input"];
+  full["load_cases"][0]["speed"] = "400 rpm";
+  for (const double friction : {1.02, 1.3, 2.0})
+    for (const json& input : {base(), full}) {
+      const Case c = running(input);
+      const LoadCaseResult drives = solved(with(c, friction));
+      EXPECT_EQ(drives.running->status, RunningStatus::jammed);
+      EXPECT_FALSE(drives.threads);
+      Case back = with(c, friction, -1.0);
+      if (back.load_cases[0].speed) *back.load_cases[0].speed *= -1.0;
+      const LoadCaseResult driven = solved(back);
+      EXPECT_TRUE(driven.running->converged()) << name(driven.running->status);
+      EXPECT_NEAR(driven.slip->power.total(), driven.slip->power_loss_input_output,
+                  1e-8 * driven.slip->power.total());
+    }
 }
 
-/// Fast and hardly loaded; what holds them down is said by the same load at rest.
+/// Steep flanks turn a small change of friction into a large one of the loads.
+TEST(RunningLoads, AreFoundShortOfTheJam) {
+  json input = base();
+  input["mechanism"]["flank_angle"] = "58 deg";
+  for (const double sense : {1.0, -1.0}) {
+    const LoadCaseResult r = solved(with(running(input), 0.61, sense));
+    EXPECT_TRUE(r.running->converged()) << name(r.running->status);
+    EXPECT_LT(r.running->rounds, 20);
+  }
+}
+
+/// Fast and hardly loaded.
 TEST(RunningLoads, RollersThatLeaveTheScrewAreTold) {
-  const auto told = [](double speed) {
-    Case c = running(base());
-    c.materials->roller.density = 7800.0;
-    c.load_cases[0].axial_force = 50.0;
-    c.operation->speed = speed;
-    c.load_cases[0].speed.reset();
+  const auto told = [](const std::string& speed) {
+    const Case c =
+        input::read_case_input(
+            input::load_source(PRS_SOURCE_DIR "/configs/31_running_screw.yaml",
+                               {"load_cases[0].axial_force=50 N", "operation.speed=" + speed,
+                                "materials.density=7800 kg/m^3"}),
+            Command::slip)
+            .values;
     const std::vector<Warning> warnings = analyze_slip(c).load_cases[0].warnings;
     return std::ranges::count(warnings, "lifted_rollers", &Warning::code);
   };
-  EXPECT_EQ(told(2000.0), 1);
-  EXPECT_EQ(told(1.0), 0);
+  EXPECT_EQ(told("20000 rpm"), 1);
+  EXPECT_EQ(told("10 rpm"), 0);
 }
 
 /// Newton's method on K q + sum (B + (tau_x X + tau_y Y))' N = f, dense and unsymmetric.
