@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <numbers>
 
 #include "contact/interface_geometry.h"
 

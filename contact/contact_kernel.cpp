@@ -1,7 +1,6 @@
 #include "contact/contact_kernel.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "simd/transposed.h"
 

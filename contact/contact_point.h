@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string_view>
 
 #include "contact/contact_status.h"
 #include "contact/curvature.h"

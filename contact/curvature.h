@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cmath>
 #include <numbers>
-#include <type_traits>
-#include <utility>
 
 #include "simd/lanes.h"
 

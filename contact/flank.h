@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <numbers>
 
 #include "contact/curvature.h"
 #include "simd/lanes.h"

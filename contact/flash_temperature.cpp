@@ -1,8 +1,5 @@
 #include "contact/flash_temperature.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "contact/hertz_formulas.h"
 
 namespace contact {

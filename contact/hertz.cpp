@@ -1,8 +1,6 @@
 #include "contact/hertz.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "contact/hertz_formulas.h"
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "contact/curvature.h"
 #include "contact/hertz.h"

@@ -1,9 +1,5 @@
 #include "contact/interface_geometry.h"
 
-#include <array>
-#include <cmath>
-#include <limits>
-
 #include "contact/contact_formulas.h"
 #include "contact/flank_edge.h"
 

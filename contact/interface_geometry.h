@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <numbers>
-
 #include "contact/contact_point.h"
 #include "contact/curvature.h"
 

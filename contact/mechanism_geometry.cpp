@@ -1,8 +1,5 @@
 #include "contact/mechanism_geometry.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace contact {
 
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string_view>
-
 #include "contact/contact_point.h"
 #include "contact/interface_geometry.h"
 #include "contact/thread_surface.h"

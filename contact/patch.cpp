@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace contact {
 namespace {

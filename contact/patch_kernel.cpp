@@ -1,6 +1,5 @@
 #include "contact/patch_kernel.h"
 
-#include "contact/lubricant.h"
 #include "simd/asinh.h"
 
 namespace contact {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "contact/patch_formulas.h"
 #include "simd/architectures.h"

@@ -1,7 +1,6 @@
 #include "contact/thread_surface.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace contact {

@@ -1,12 +1,8 @@
 #include "fe/axisymmetric.h"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
-#include <cassert>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "fe/sparse_pattern.h"
 

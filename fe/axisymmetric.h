@@ -1,10 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <functional>
-#include <memory>
-#include <vector>
 
 #include "fe/sparse_factorization.h"
 #include "fe/sparse_symmetric.h"

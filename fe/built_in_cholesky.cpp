@@ -1,5 +1,3 @@
-#include <string_view>
-
 #include "fe/cholesky.h"
 
 /// Eigen's, where CHOLMOD is not at hand.

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "fe/factorization_status.h"
 #include "fe/sparse_factorization.h"

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <limits>
 #include <new>
-#include <string>
 
 #include "fe/sparse_factorization.h"
 

@@ -1,12 +1,7 @@
 #include "fe/equations.h"
 
-#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
-#include <cassert>
-#include <cmath>
-#include <limits>
-#include <utility>
 
 #include "fe/cholesky.h"
 #include "fe/sparse_pattern.h"

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "fe/model.h"
 #include "fe/sparse_symmetric.h"

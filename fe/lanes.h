@@ -1,8 +1,5 @@
 #pragma once
 
-#include <type_traits>
-#include <utility>
-
 #include "simd/lanes.h"
 
 /// simd/lanes.h, one chain per lane, and loops that the compiler writes out.

@@ -2,11 +2,8 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
-#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 #include "fe/cholesky.h"

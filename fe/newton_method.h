@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "fe/equations.h"
 #include "fe/factorization_status.h"
 #include "fe/newton_types.h"

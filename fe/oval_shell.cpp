@@ -2,8 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <cassert>
-#include <cmath>
-#include <numbers>
 
 namespace fe {
 namespace {

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "fe/factorization_status.h"
 #include "fe/sparse_symmetric.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <utility>
-#include <vector>
 
 #include "fe/index.h"
 #include "fe/sparse_symmetric.h"

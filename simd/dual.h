@@ -1,8 +1,5 @@
 #pragma once
 
-#include <type_traits>
-#include <utility>
-
 #include "simd/lanes.h"
 
 /// Numbers with their slope along one variable, for Newton's method: formulas that are templates

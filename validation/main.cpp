@@ -1,12 +1,6 @@
 // The program behind `prs validate`: what the shipped engine computes against what sources print.
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <CLI/CLI.hpp>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <vector>
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/deliver.h"

@@ -4,7 +4,6 @@
 #include "prs/cli/option_values.h"
 #include "prs/cli/program.h"
 #include "prs/loads/load_json.h"
-#include "prs/output/files.h"
 #include "prs/run/document_schema.h"
 #include "prs/version.h"
 

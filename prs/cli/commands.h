@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/cli/printing.h"
 #include "prs/run/commands.h"
 #include "prs/study/designs.h"

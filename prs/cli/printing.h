@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-
 #include "prs/output/files.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/table_units.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "prs/compare/compare_models.h"
 #include "prs/record/analysis.h"
 #include "prs/record/csv_writer.h"

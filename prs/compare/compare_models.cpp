@@ -1,13 +1,7 @@
 #include "prs/compare/compare_models.h"
 
-#include <fmt/format.h>
-
-#include <set>
-#include <utility>
-
 #include "prs/loads/analyze.h"
 #include "prs/model/check_case.h"
-#include "prs/model/problems.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/threads/contact_laws.h"
 

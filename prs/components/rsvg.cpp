@@ -3,7 +3,6 @@
 #include <cmath>
 #include <memory>
 #include <new>
-#include <stdexcept>
 
 #include "prs/components/picture.h"
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "modules/module.h"
 #include "prs/model/optimization.h"

@@ -1,17 +1,11 @@
 #include "prs/configurations/complete_screw.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "contact/flank_edge.h"
 #include "prs/model/check_case.h"
 #include "prs/model/groove.h"
-#include "prs/model/problems.h"
 #include "prs/model/quantity_text.h"
-#include "prs/threads/contact_failure.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {

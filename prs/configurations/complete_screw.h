@@ -1,10 +1,6 @@
 #pragma once
 
 #include <map>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "prs/configurations/roller_spacing.h"
 #include "prs/model/case.h"

@@ -1,9 +1,6 @@
 #include "prs/configurations/configurations.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <limits>
 
 #include "prs/configurations/complete_screw.h"
 #include "prs/model/check_case.h"

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <numbers>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "prs/configurations/roller_spacing.h"
 #include "prs/model/mechanism.h"

@@ -1,13 +1,9 @@
 #include "prs/configurations/configurations_files.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "prs/configurations/roller_spacing.h"
 #include "prs/input/units.h"
 #include "prs/loads/contact_record.h"
-#include "prs/model/units.h"
-#include "prs/record/csv_writer.h"
 #include "prs/record/record_table.h"
 #include "prs/record/table_text.h"
 #include "prs/record/table_units.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <string>
-
 #include "prs/configurations/configurations.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/delivery.h"

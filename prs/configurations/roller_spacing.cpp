@@ -1,7 +1,6 @@
 #include "prs/configurations/roller_spacing.h"
 
 #include <algorithm>
-#include <numbers>
 #include <tuple>
 
 namespace prs {

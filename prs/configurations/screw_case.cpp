@@ -1,16 +1,9 @@
 #include "prs/configurations/screw_case.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "prs/configurations/configurations_files.h"
-#include "prs/configurations/roller_spacing.h"
 #include "prs/input/units.h"
 #include "prs/life/capacity.h"
 #include "prs/model/groove.h"
-#include "prs/model/problems.h"
 #include "prs/model/quantity_text.h"
 #include "prs/text.h"
 

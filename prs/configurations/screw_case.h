@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "prs/configurations/complete_screw.h"
 #include "prs/configurations/configurations.h"
 #include "prs/model/model_options.h"

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <iterator>
-#include <map>
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/heat/case_losses.h"

@@ -1,14 +1,7 @@
 #include "prs/heat/analyze_heat.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-#include <utility>
-
 #include "prs/heat/case_losses.h"
 #include "prs/heat/duty_cycle.h"
-#include "prs/heat/thermal_network.h"
 #include "prs/model/quantity_text.h"
 #include "prs/preload/preloaded_mechanism.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "prs/heat/thermal_network.h"
 #include "prs/slip/slip.h"
 

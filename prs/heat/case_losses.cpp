@@ -1,14 +1,5 @@
 #include "prs/heat/case_losses.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <utility>
-
 #include "prs/slip/running.h"
 
 namespace prs {

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/heat/thermal_network.h"
 #include "prs/loads/analyze.h"
 #include "prs/slip/slip_model.h"

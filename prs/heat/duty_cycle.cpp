@@ -1,18 +1,8 @@
 #include "prs/heat/duty_cycle.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
 #include <boost/math/tools/toms748_solve.hpp>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <utility>
 
-#include "prs/heat/case_losses.h"
-#include "prs/heat/thermal_network.h"
 #include "prs/model/quantity_text.h"
 #include "prs/sector/bodies.h"
 

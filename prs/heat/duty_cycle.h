@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/heat/case_losses.h"
 #include "prs/heat/thermal_network.h"
 #include "prs/loads/heat_result.h"

@@ -1,11 +1,8 @@
 #include "prs/heat/thermal_network.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 
 #include "prs/model/quantity_text.h"
 

@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <optional>
-#include <string>
 
 #include "prs/loads/heat_result.h"
 #include "prs/loads/slip_result.h"

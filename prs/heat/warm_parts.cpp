@@ -1,16 +1,11 @@
 #include "prs/heat/warm_parts.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
-#include <utility>
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/heat/case_losses.h"
 #include "prs/heat/duty_cycle.h"
 #include "prs/life/contact_loads.h"
-#include "prs/life/load_history.h"
 
 namespace prs {
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "prs/life/analyze_life.h"
 #include "prs/preload/analyze_preload.h"
 

@@ -1,6 +1,3 @@
-#include <numbers>
-#include <span>
-
 #include "prs/input/field.h"
 
 namespace prs::input {

@@ -1,15 +1,9 @@
 #include "prs/input/force_history.h"
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <charconv>
-#include <cmath>
-#include <optional>
 
 #include "prs/input/csv_reader.h"
 #include "prs/input/did_you_mean.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "prs/input/source.h"
 #include "prs/model/life.h"
 #include "prs/model/load_history.h"

@@ -6,7 +6,6 @@
 
 #include "prs/input/case_file.h"
 #include "prs/input/did_you_mean.h"
-#include "prs/input/echo.h"
 #include "prs/input/field.h"
 #include "prs/input/schema.h"
 #include "prs/model/check_case.h"

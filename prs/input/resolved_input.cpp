@@ -1,11 +1,6 @@
 #include "prs/input/resolved_input.h"
 
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "prs/input/document.h"
 #include "prs/input/field.h"

@@ -6,10 +6,6 @@
 #include <iosfwd>
 #include <map>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "prs/model/problems.h"
 

@@ -1,9 +1,6 @@
 #include "prs/input/study_envelope.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 
 #include "prs/input/units.h"
 #include "prs/model/map_axes.h"

@@ -1,9 +1,6 @@
 #include "prs/input/study_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "prs/input/field.h"
 #include "prs/input/reader.h"

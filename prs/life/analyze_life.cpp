@@ -1,18 +1,8 @@
 #include "prs/life/analyze_life.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
-#include <numbers>
-
 #include "prs/life/contact_loads.h"
 #include "prs/life/share_curve.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/model/problems.h"
 #include "prs/slip/running.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"

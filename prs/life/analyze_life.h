@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "prs/life/capacity.h"
 #include "prs/life/load_history.h"
 #include "prs/life/rainflow.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "contact/hertz.h"
 #include "prs/model/mechanism.h"
 #include "prs/model/part.h"

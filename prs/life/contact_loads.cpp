@@ -1,11 +1,6 @@
 #include "prs/life/contact_loads.h"
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <numbers>
 #include <numeric>
-#include <utility>
 
 #include "prs/life/rating_life.h"
 #include "prs/loads/distribution_solver.h"

@@ -1,10 +1,7 @@
 #include "prs/life/life_record.h"
 #include "prs/loads/heat_record.h"
 
-#include <cmath>
-
 #include "prs/loads/contact_record.h"
-#include "prs/model/units.h"
 #include "prs/record/record_table.h"
 
 namespace prs {

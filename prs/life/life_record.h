@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "prs/life/analyze_life.h"
 #include "prs/record/record.h"
 

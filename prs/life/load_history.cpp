@@ -1,8 +1,6 @@
 #include "prs/life/load_history.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace prs {
 namespace {

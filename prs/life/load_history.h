@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "prs/life/rating_life.h"
 #include "prs/model/life.h"
 #include "prs/model/load_history.h"

@@ -1,8 +1,6 @@
 #include "prs/life/rating_life.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
 namespace prs {

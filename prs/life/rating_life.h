@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "prs/life/capacity.h"
 #include "prs/model/part.h"
 

@@ -1,14 +1,7 @@
 #include "prs/life/static_limits.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "prs/life/capacity.h"
 #include "prs/loads/analyze.h"
-#include "prs/model/units.h"
-#include "prs/threads/contact_failure.h"
 
 namespace prs {
 namespace {

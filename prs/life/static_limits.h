@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "contact/flank_edge.h"
 #include "prs/threads/contacts.h"
 

@@ -1,13 +1,11 @@
 #include "prs/loads/analyze.h"
 
 #include <map>
-#include <utility>
 
 #include "prs/loads/distribution_solver.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/check_case.h"
-#include "prs/model/problems.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"

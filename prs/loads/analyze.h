@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <utility>
-
 #include "prs/loads/analysis_options.h"
 #include "prs/loads/result.h"
 #include "prs/model/case.h"

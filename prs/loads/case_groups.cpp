@@ -1,11 +1,8 @@
 #include "prs/loads/case_groups.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <charconv>
-#include <utility>
 
 namespace prs {
 namespace {

@@ -1,11 +1,5 @@
 #include "prs/loads/case_table.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "prs/loads/case_groups.h"
 #include "prs/loads/load_record.h"
 #include "prs/record/table_units.h"

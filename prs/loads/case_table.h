@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <string>
-#include <string_view>
-
 #include "prs/loads/result.h"
 #include "prs/record/table_text.h"
 

@@ -1,9 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "contact/contact_point.h"
 #include "contact/hertz.h"
 #include "contact/thread_surface.h"

@@ -1,6 +1,5 @@
 #include "prs/loads/contact_record.h"
 
-#include "contact/thread_surface.h"
 #include "prs/record/record_table.h"
 
 namespace prs {

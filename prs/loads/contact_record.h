@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "prs/model/preload.h"
 #include "prs/record/record.h"
 #include "prs/threads/contacts.h"

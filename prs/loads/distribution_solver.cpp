@@ -1,8 +1,5 @@
 #include "prs/loads/distribution_solver.h"
 
-#include <memory>
-#include <utility>
-
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/sector/influence/influence_solver.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "prs/loads/analysis_options.h"
 #include "prs/model/case.h"
 #include "prs/sector/load_distribution.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "prs/loads/result.h"
 
 namespace prs {

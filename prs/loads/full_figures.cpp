@@ -1,10 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 #include "contact/thread_surface.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"

@@ -1,12 +1,5 @@
 #include "prs/loads/full_result.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 #include "prs/loads/load_case_result.h"
 #include "prs/mechanism/full_influence.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "prs/loads/result.h"
 #include "prs/mechanism/orbit.h"
 #include "prs/model/case.h"

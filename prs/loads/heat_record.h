@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "prs/loads/result.h"
 #include "prs/record/record.h"
 

@@ -1,9 +1,5 @@
 #include "prs/loads/load_analysis.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_table.h"

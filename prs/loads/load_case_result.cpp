@@ -1,10 +1,5 @@
 #include "prs/loads/load_case_result.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "contact/contact_numbers.h"
 #include "prs/loads/analyze.h"
 

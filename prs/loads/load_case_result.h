@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "prs/loads/result.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/threads/contact_laws.h"

@@ -1,12 +1,5 @@
 #include "prs/loads/load_pictures.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <utility>
-
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_groups.h"
 #include "prs/loads/load_record.h"

@@ -1,11 +1,8 @@
 #include "prs/loads/load_json.h"
 
-#include <algorithm>
-
 #include "prs/loads/contact_record.h"
 #include "prs/loads/load_record.h"
 #include "prs/loads/model_summary_record.h"
-#include "prs/record/record_table.h"
 
 namespace prs {
 namespace {

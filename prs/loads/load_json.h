@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
-#include <optional>
 
 #include "prs/loads/result.h"
 #include "prs/record/analysis.h"

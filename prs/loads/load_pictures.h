@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-#include <vector>
-
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
 #include "prs/record/figure_parts.h"

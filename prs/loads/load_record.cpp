@@ -1,6 +1,5 @@
 #include "prs/loads/load_record.h"
 
-#include <cmath>
 #include <numeric>
 
 #include "fe/cholesky.h"

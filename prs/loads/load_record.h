@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <optional>
-#include <string_view>
-#include <vector>
-
 #include "prs/loads/result.h"
 #include "prs/model/units.h"
 #include "prs/record/record.h"

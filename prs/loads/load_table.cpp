@@ -1,32 +1,17 @@
 #include "prs/loads/load_table.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "contact/mechanism_geometry.h"
-#include "contact/thread_surface.h"
 #include "prs/loads/case_groups.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/contact_record.h"
 #include "prs/loads/load_record.h"
 #include "prs/loads/model_summary_record.h"
 #include "prs/loads/warnings.h"
-#include "prs/model/units.h"
 #include "prs/record/quantity_csv.h"
 #include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
-#include "prs/threads/thread_clearance.h"
 
 namespace prs {
 namespace {

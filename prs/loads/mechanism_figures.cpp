@@ -1,9 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "contact/subsurface.h"
 #include "contact/thread_surface.h"
 #include "prs/loads/full_result.h"

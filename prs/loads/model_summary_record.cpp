@@ -1,15 +1,7 @@
 #include "prs/loads/model_summary_record.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
-#include "prs/model/units.h"
 #include "prs/record/record_table.h"
 
 namespace prs {

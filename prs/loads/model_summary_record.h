@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/loads/result.h"
 #include "prs/record/record.h"
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "fe/newton.h"
 #include "prs/loads/heat_result.h"
 #include "prs/loads/running_loads.h"

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <memory>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 #include "prs/model/load_case.h"

@@ -1,10 +1,6 @@
 #include "prs/loads/warnings.h"
 
-#include <fmt/format.h>
-
 #include <map>
-#include <set>
-#include <utility>
 
 #include "prs/loads/case_groups.h"
 #include "prs/loads/case_table.h"

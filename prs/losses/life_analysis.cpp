@@ -1,15 +1,9 @@
 #include "prs/losses/life_analysis.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "prs/heat/warm_parts.h"
 #include "prs/input/force_history.h"
 #include "prs/life/life_record.h"
 #include "prs/loads/load_json.h"
-#include "prs/model/units.h"
 #include "prs/record/figure_parts.h"
 
 namespace prs {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "prs/life/analyze_life.h"
 #include "prs/record/analysis.h"
 #include "prs/record/csv_writer.h"

@@ -1,10 +1,5 @@
 #include "prs/losses/life_analysis.h"
 
-#include <fmt/format.h>
-
-#include <type_traits>
-#include <vector>
-
 #include "prs/life/life_record.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"

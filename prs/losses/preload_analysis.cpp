@@ -1,17 +1,10 @@
 #include "prs/losses/preload_analysis.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "prs/heat/warm_parts.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_json.h"
 #include "prs/loads/warnings.h"
-#include "prs/model/units.h"
 #include "prs/preload/preload_record.h"
-#include "prs/record/csv_writer.h"
 #include "prs/record/figure_parts.h"
 #include "prs/record/table_units.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/preload/analyze_preload.h"
 #include "prs/record/analysis.h"
 #include "prs/record/csv_writer.h"

@@ -1,7 +1,5 @@
 #include "prs/losses/slip_analysis.h"
 
-#include <algorithm>
-
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/heat_record.h"
 #include "prs/loads/load_analysis.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/loads/load_json.h"
 #include "prs/loads/result.h"
 #include "prs/record/csv_writer.h"

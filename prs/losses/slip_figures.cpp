@@ -1,13 +1,6 @@
 #include "prs/losses/slip_pictures.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <map>
-#include <memory>
-#include <utility>
 
 #include "prs/loads/load_pictures.h"
 #include "prs/losses/slip_record.h"

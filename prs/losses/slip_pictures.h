@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
 #include "prs/record/figure.h"

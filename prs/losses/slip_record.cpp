@@ -1,9 +1,6 @@
 #include "prs/losses/slip_record.h"
 #include "prs/record/record_table.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace prs {
 namespace {
 

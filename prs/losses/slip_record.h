@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-#include <vector>
-
 #include "prs/loads/load_record.h"
 #include "prs/loads/result.h"
 

@@ -1,11 +1,5 @@
 #include "prs/losses/slip_analysis.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 #include "prs/loads/case_table.h"
 #include "prs/loads/heat_record.h"
 #include "prs/loads/warnings.h"

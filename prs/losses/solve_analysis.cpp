@@ -1,9 +1,5 @@
 #include "prs/losses/solve_analysis.h"
 
-#include <fmt/format.h>
-
-#include <map>
-
 #include "prs/loads/case_groups.h"
 #include "prs/loads/factorization.h"
 #include "prs/loads/load_analysis.h"

@@ -1,7 +1,6 @@
 #include "prs/measures/analyze_measures.h"
 
 #include <map>
-#include <utility>
 
 #include "prs/life/analyze_life.h"
 

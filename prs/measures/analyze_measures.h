@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "prs/loads/analyze.h"
 #include "prs/measures/measures.h"
 

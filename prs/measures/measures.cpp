@@ -1,26 +1,17 @@
 #include "prs/measures/measures.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <initializer_list>
-#include <numbers>
 
 #include "prs/life/capacity.h"
 #include "prs/life/rating_life.h"
-#include "prs/life/static_limits.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/measures/shaft.h"
 #include "prs/measures/stiffness.h"
 #include "prs/measures/thread_root.h"
 #include "prs/measures/transmission.h"
 #include "prs/measures/yang_distribution.h"
-#include "prs/model/units.h"
 #include "prs/sector/bodies.h"
 #include "prs/slip/slip.h"
-#include "prs/threads/thread_clearance.h"
 
 namespace prs {
 namespace {

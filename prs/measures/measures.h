@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/life/static_limits.h"
 #include "prs/loads/result.h"
 #include "prs/measures/system_stiffness.h"

@@ -1,16 +1,10 @@
 #include "prs/measures/measures_analysis.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "prs/loads/case_groups.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/warnings.h"
 #include "prs/measures/measures_record.h"
-#include "prs/model/units.h"
 #include "prs/model/void_inputs.h"
 #include "prs/record/figure_parts.h"
 
@@ -179,24 +173,26 @@ std::vector<Headline> capacity(const MeasuresResult& r) {
 }
 
 PageSection section(const MeasuresResult& r) {
-  return {.in_cases = {{"measures",
-                        {"solved_static_safety", "solved_static_safety_limit",
-                         "thread_static_safety", "static_safety", "static_safety_limit",
-                         "buckling_safety", "speed_safety", "drive_torque_Nm",
-                         "system_stiffness"}}},
-          .in_document = {{"measures",
-                           {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N",
-                            "weight_kg", "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2",
-                            "shaft_stiffness_N_per_um", "buckling_load_N", "critical_speed_rpm"}}},
-          .folded = {"yang", "stiffness_terms"},
-          .estimates = estimates_in(r)};
+  return {
+      .in_cases = {{"measures",
+                    {"solved_static_safety", "solved_static_safety_limit", "thread_static_safety",
+                     "static_safety", "static_safety_limit", "buckling_safety", "speed_safety",
+                     "drive_torque_Nm", "system_stiffness"}}},
+      .in_document = {{"measures",
+                       {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N", "weight_kg",
+                        "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2",
+                        "shaft_stiffness_N_per_um", "buckling_load_N", "critical_speed_rpm"}}},
+      .folded = {"yang", "stiffness_terms"},
+      .estimates = estimates_in(r)};
 }
 
-constexpr std::string_view kResponses[] = {
-    "measures.dynamic_capacity_N",  "measures.static_capacity_N",
-    "measures.weight_kg",           "measures.force_density_kN_per_kg",
-    "measures.envelope_volume_cm3", "measures.thread_stiffness_N_per_um",
-    "measures.system_stiffness.total_N_per_um"};
+constexpr std::string_view kResponses[] = {"measures.dynamic_capacity_N",
+                                           "measures.static_capacity_N",
+                                           "measures.weight_kg",
+                                           "measures.force_density_kN_per_kg",
+                                           "measures.envelope_volume_cm3",
+                                           "measures.thread_stiffness_N_per_um",
+                                           "measures.system_stiffness.total_N_per_um"};
 
 }  // namespace
 

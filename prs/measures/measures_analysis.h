@@ -1,8 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-
 #include "prs/measures/analyze_measures.h"
 #include "prs/record/analysis.h"
 #include "prs/record/csv_writer.h"

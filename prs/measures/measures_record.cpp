@@ -1,6 +1,5 @@
 #include "prs/measures/measures_record.h"
 
-#include <algorithm>
 #include <initializer_list>
 
 #include "prs/record/record_table.h"

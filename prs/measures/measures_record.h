@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "prs/measures/measures.h"
 #include "prs/record/record.h"
 

@@ -1,13 +1,5 @@
 #include "prs/measures/measures_analysis.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <span>
-#include <vector>
-
 #include "prs/loads/case_table.h"
 #include "prs/loads/warnings.h"
 #include "prs/measures/measures_record.h"
@@ -86,8 +78,8 @@ std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys&
 std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> parts_of_axis(
     const SystemStiffness& axis) {
   const SystemStiffness::Contributions& c = axis.contributions;
-  const std::optional<SystemStiffness::Contribution>* parts[] = {
-      &c.mechanism, &c.shaft, &c.wind_up, &c.support_bearing, &c.housing};
+  const std::optional<SystemStiffness::Contribution>* parts[] = {&c.mechanism, &c.shaft, &c.wind_up,
+                                                                 &c.support_bearing, &c.housing};
   std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> all;
   for (std::size_t k = 0; k < std::size(parts); ++k)
     if (*parts[k])
@@ -107,8 +99,8 @@ std::string axis_rows(std::span<const std::optional<LoadMeasures>> owners) {
     for (const auto& [key, part] : parts_of_axis(*owners[k]->system_stiffness)) {
       const auto row = std::ranges::find(rows, key, [](const auto& r) { return r.first; });
       auto& cells = row == rows.end()
-                        ? rows.emplace_back(key, std::vector<std::string>(
-                                                     owners.size(), std::string(kAbsent)))
+                        ? rows.emplace_back(key, std::vector<std::string>(owners.size(),
+                                                                          std::string(kAbsent)))
                               .second
                         : row->second;
       cells[k] = significant(part.share * per_si::percent);
@@ -206,8 +198,7 @@ std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
   csv.row("load_case", "measure", "unit", "value");
   add_rows(csv, "", result.measures);
   for (std::size_t k = 0; k < result.load_measures.size(); ++k)
-    if (result.load_measures[k])
-    {
+    if (result.load_measures[k]) {
       const std::string& name = result.analysis.load_cases[k].load_case.name;
       const LoadMeasures& measures = *result.load_measures[k];
       add_rows(csv, name, measures);

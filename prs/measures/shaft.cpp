@@ -1,8 +1,5 @@
 #include "prs/measures/shaft.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "prs/model/groove.h"
 #include "prs/sector/section_properties.h"
 

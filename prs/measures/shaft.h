@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "prs/model/materials.h"
 #include "prs/model/measure_options.h"
 #include "prs/model/mechanism.h"

@@ -1,7 +1,5 @@
 #include "prs/measures/stiffness.h"
 
-#include <cmath>
-
 #include "prs/sector/section_properties.h"
 #include "prs/threads/tooth_compliance.h"
 

@@ -1,8 +1,5 @@
 #include "prs/measures/system_stiffness.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "prs/sector/section_properties.h"
 
 namespace prs {

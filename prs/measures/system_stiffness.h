@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "prs/measures/shaft.h"
 
 namespace prs {

@@ -1,8 +1,5 @@
 #include "prs/measures/transmission.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "prs/threads/kinematics.h"
 
 namespace prs {

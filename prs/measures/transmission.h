@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "prs/model/mechanism.h"
 
 namespace prs {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
-#include <cmath>
-#include <cstdint>
 
 #include "prs/sector/section_properties.h"
 

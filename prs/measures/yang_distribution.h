@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "prs/model/load_case.h"
 #include "prs/model/materials.h"

@@ -1,9 +1,6 @@
 #include "prs/mechanism/contacts_around.h"
 
 #include <Eigen/Jacobi>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 #include "fe/lu.h"
 

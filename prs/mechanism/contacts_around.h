@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <cstddef>
-#include <vector>
-
 #include "prs/sector/influence/contact_problem.h"
 
 namespace prs {

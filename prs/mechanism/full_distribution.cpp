@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/rigid_motions.h"
-#include "prs/sector/load_distribution.h"
 
 namespace prs {
 namespace {

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "fe/newton.h"
 #include "prs/mechanism/full_model.h"
 #include "prs/model/detail.h"

@@ -1,17 +1,10 @@
 #include "prs/mechanism/full_influence.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
 
 #include "prs/mechanism/contacts_around.h"
 #include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/rigid_motions.h"
-#include "prs/model/problems.h"
 
 namespace prs {
 namespace {

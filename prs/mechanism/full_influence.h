@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "prs/mechanism/full_distribution.h"
 #include "prs/model/case.h"
 #include "prs/sector/influence/flexibility_around.h"

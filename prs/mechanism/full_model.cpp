@@ -1,8 +1,6 @@
 #include "prs/mechanism/full_model.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "prs/sector/section_properties.h"
 #include "prs/threads/initial_gaps.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "prs/mechanism/nut_harmonics.h"
 #include "prs/model/deviations.h"
 #include "prs/model/lateral.h"

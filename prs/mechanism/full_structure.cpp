@@ -1,7 +1,6 @@
 #include "prs/mechanism/full_structure.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace prs {
 namespace {

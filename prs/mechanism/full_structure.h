@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "fe/model.h"
 #include "prs/mechanism/full_model.h"
 

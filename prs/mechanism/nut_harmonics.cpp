@@ -1,7 +1,5 @@
 #include "prs/mechanism/nut_harmonics.h"
 
-#include <cmath>
-
 #include "fe/oval_shell.h"
 
 namespace prs {

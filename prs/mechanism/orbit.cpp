@@ -1,9 +1,5 @@
 #include "prs/mechanism/orbit.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace prs {
 namespace {
 

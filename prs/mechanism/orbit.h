@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/mechanism/full_distribution.h"
 
 namespace prs {

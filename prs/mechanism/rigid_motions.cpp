@@ -5,7 +5,6 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace prs {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "prs/model/case.h"
 #include "prs/model/command.h"
 #include "prs/model/problems.h"

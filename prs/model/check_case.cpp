@@ -1,7 +1,6 @@
 #include "prs/model/check_case.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "prs/model/block_checks.h"
 #include "prs/model/limits.h"
@@ -49,10 +48,11 @@ void require_load_cases(const Case& c, Command command, Problems& problems) {
 void require_loads(const Case& c, Command command, Problems& problems) {
   for (const LoadCase& load : c.load_cases)
     if (load.axial_force == 0.0)
-      problems.add(load.input_path + ".axial_force",
-                   "got 0 N in case `{}`; expected a force > 0 for `{}`: without a load only `slip` "
-                   "runs, under preload; change it",
-                   load.name, name(command));
+      problems.add(
+          load.input_path + ".axial_force",
+          "got 0 N in case `{}`; expected a force > 0 for `{}`: without a load only `slip` "
+          "runs, under preload; change it",
+          load.name, name(command));
 }
 
 }  // namespace

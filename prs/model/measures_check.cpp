@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "prs/model/block_checks.h"
 #include "prs/model/quantity_text.h"
 

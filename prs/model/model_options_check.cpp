@@ -1,10 +1,6 @@
 #include "prs/model/block_checks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <string_view>
-#include <utility>
 
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cassert>
-#include <utility>
 
 #include "prs/model/viscosity_points.h"
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <numbers>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "contact/film.h"
 #include "contact/journal_bearing.h"
 #include "contact/lubricant.h"

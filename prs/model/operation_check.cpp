@@ -1,12 +1,6 @@
 #include "prs/model/block_checks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-#include <span>
-#include <string_view>
-#include <utility>
 
 #include "contact/viscosity.h"
 #include "prs/model/quantity_text.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/model/load_case.h"
 #include "prs/model/mechanism.h"
 #include "prs/model/structure.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "prs/optimize/optimization_result.h"
 
 namespace prs {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/model/optimization.h"
 #include "prs/study/designs.h"
 

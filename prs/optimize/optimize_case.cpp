@@ -1,7 +1,5 @@
 #include "prs/optimize/optimize_case.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "prs/input/document.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/input/source.h"
 
 namespace prs {

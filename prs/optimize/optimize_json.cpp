@@ -1,6 +1,5 @@
 #include "prs/optimize/optimize_json.h"
 
-#include "prs/record/record_table.h"
 #include "prs/study/study_json.h"
 
 namespace prs {

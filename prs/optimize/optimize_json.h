@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "prs/loads/load_json.h"
 #include "prs/optimize/optimization_result.h"
 #include "prs/record/record.h"

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "prs/record/figure_parts.h"
 #include "prs/record/table_units.h"

@@ -1,14 +1,8 @@
 #include "prs/optimize/optimize_table.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <ranges>
-#include <span>
 
 #include "prs/loads/case_table.h"
-#include "prs/record/csv_writer.h"
 #include "prs/record/table_units.h"
 #include "prs/study/study_csv.h"
 #include "prs/study/study_parts.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/optimize/optimization_result.h"
 #include "prs/record/csv_writer.h"
 

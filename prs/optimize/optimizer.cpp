@@ -1,13 +1,10 @@
 #include "prs/optimize/optimizer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "prs/components/search.h"
 #include "prs/optimize/front.h"
 #include "prs/study/sampling.h"
-#include "prs/study/schedule.h"
 
 namespace prs {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "prs/optimize/optimization_result.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/journal.h"

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <regex>
 #include <system_error>
 #include <thread>

@@ -1,10 +1,6 @@
 #include "prs/output/files.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <cstdlib>
-#include <stdexcept>
 #include <system_error>
 
 #include "prs/components/picture.h"

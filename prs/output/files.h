@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "prs/record/delivery.h"
 #include "prs/record/figure.h"

@@ -1,14 +1,11 @@
 #include "prs/output/run_files.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <boost/algorithm/string/split.hpp>
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 #include "prs/regular_file.h"
 #include "prs/sha256.h"

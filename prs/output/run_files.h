@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <vector>
-
 #include "prs/input/source.h"
 #include "prs/output/file_lock.h"
 #include "prs/output/files.h"

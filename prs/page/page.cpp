@@ -1,14 +1,11 @@
 #include "prs/page/page.h"
 
-#include <fmt/format.h>
 #include <nettle/base64.h>
 
 #include <cctype>
-#include <cstdint>
 
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
-#include "prs/record/table_units.h"
 #include "prs/report/svg.h"
 #include "prs/sha256.h"
 #include "prs/text.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "prs/input/source.h"
 #include "prs/report/report.h"
 

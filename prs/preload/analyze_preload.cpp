@@ -1,11 +1,5 @@
 #include "prs/preload/analyze_preload.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string_view>
-
 #include "prs/loads/load_case_result.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/threads/contact_laws.h"

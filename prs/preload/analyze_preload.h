@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/loads/analyze.h"
 #include "prs/loads/heat_result.h"
 #include "prs/preload/preload_solver.h"

@@ -1,9 +1,5 @@
 #include "prs/preload/both_flanks.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "prs/loads/load_case_result.h"
 #include "prs/threads/contact_laws.h"
 

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
 #include <map>
-#include <optional>
-#include <vector>
 
 #include "prs/loads/result.h"
 #include "prs/preload/preloaded_mechanism.h"

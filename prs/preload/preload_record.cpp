@@ -1,7 +1,5 @@
 #include "prs/preload/preload_record.h"
 
-#include <algorithm>
-
 #include "prs/loads/contact_record.h"
 #include "prs/loads/heat_record.h"
 #include "prs/record/record_table.h"

@@ -1,12 +1,7 @@
 #include "prs/preload/preload_sector.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <functional>
-#include <utility>
 
-#include "prs/model/mechanism.h"
 #include "prs/sector/running_sector.h"
 #include "prs/sector/section_properties.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "fe/model.h"
 #include "prs/model/preload.h"

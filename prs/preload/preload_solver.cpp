@@ -1,10 +1,6 @@
 #include "prs/preload/preload_solver.h"
 
-#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
-#include <cmath>
-#include <limits>
-#include <utility>
 
 namespace prs {
 

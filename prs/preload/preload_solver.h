@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "fe/newton.h"
 #include "prs/preload/preload_sector.h"
 

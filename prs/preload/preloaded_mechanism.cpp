@@ -1,8 +1,5 @@
 #include "prs/preload/preloaded_mechanism.h"
 
-#include <fmt/format.h>
-
-#include "prs/model/problems.h"
 #include "prs/threads/contact_laws.h"
 
 namespace prs {

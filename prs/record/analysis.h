@@ -1,12 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <utility>
-
 #include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/input/source.h"

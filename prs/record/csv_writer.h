@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <type_traits>
 
 #include "prs/model/load_case.h"

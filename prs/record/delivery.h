@@ -1,14 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <typeinfo>
-#include <vector>
 
 #include "prs/model/warning.h"
 #include "prs/record/csv_writer.h"

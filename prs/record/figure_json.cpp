@@ -3,14 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string_view>
 #include <tuple>
 
-#include "prs/record/pictures.h"
 #include "prs/record/schema_parts.h"
 
 namespace prs {

@@ -2,9 +2,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <string>
-#include <string_view>
-
 #include "prs/record/pictures.h"
 
 namespace prs {

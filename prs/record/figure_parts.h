@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <iterator>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "prs/model/part.h"
 #include "prs/record/figure.h"

@@ -1,11 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "prs/model/part.h"
 #include "prs/record/figure.h"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
-#include <type_traits>
 
 #include "prs/record/csv_writer.h"
 #include "prs/record/record.h"

@@ -1,9 +1,6 @@
 #include "prs/record/record.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <functional>
 
 #include "prs/record/record_table.h"
 

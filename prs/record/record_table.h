@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 

@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstddef>
 #include <regex>
 
 #include "prs/input/units.h"
-#include "prs/record/record.h"
 #include "prs/record/table_text.h"
 #include "prs/text.h"
 

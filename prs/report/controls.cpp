@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <map>
-#include <optional>
-#include <tuple>
 
 #include "prs/input/units.h"
 #include "prs/model/void_inputs.h"

@@ -1,18 +1,13 @@
 #include "prs/report/findings.h"
 
 #include <fmt/chrono.h>
-#include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <iterator>
 
 #include "prs/model/void_inputs.h"
 #include "prs/output/run_files.h"
-#include "prs/record/figure.h"
-#include "prs/record/pictures.h"
-#include "prs/record/table_units.h"
 #include "prs/report/svg.h"
 
 namespace prs {

@@ -1,13 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <span>
-#include <string>
-#include <string_view>
 #include <tuple>
-#include <vector>
 
 #include "prs/input/source.h"
 #include "prs/loads/warnings.h"

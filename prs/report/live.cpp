@@ -1,10 +1,5 @@
 #include "prs/report/report.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-
 #include "prs/input/reader.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/report/findings.h"

@@ -1,15 +1,7 @@
 #include "prs/report/report.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <iterator>
-#include <limits>
-#include <map>
-#include <optional>
-#include <set>
 
 #include "prs/compare/compare_analysis.h"
 #include "prs/input/units.h"
@@ -17,7 +9,6 @@
 #include "prs/model/units.h"
 #include "prs/record/figure_json.h"
 #include "prs/record/pictures.h"
-#include "prs/record/table_units.h"
 #include "prs/report/findings.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"

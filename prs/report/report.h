@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "prs/input/source.h"
 #include "prs/record/table_units.h"

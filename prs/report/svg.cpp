@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <set>
-#include <utility>
 
 #include "prs/record/figure_parts.h"
 #include "prs/record/table_units.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/record/figure.h"
 #include "prs/svg/elements.h"
 

@@ -1,10 +1,5 @@
 #include "prs/report/tables.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "prs/loads/case_table.h"

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "prs/record/record.h"
 

@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "prs/report/findings.h"

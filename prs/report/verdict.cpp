@@ -1,9 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "prs/loads/case_groups.h"
 #include "prs/record/table_units.h"
 #include "prs/report/findings.h"

@@ -2,8 +2,6 @@
 
 #include <fmt/ranges.h>
 
-#include <iterator>
-
 #include "modules/module.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/input/study_reader.h"

@@ -1,17 +1,13 @@
 #include "prs/run/commands.h"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-
 #include "prs/compare/compare_analysis.h"
 #include "prs/input/resolved_input.h"
-#include "prs/losses/life_analysis.h"
 #include "prs/loads/load_analysis.h"
+#include "prs/losses/life_analysis.h"
+#include "prs/losses/preload_analysis.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/losses/preload_analysis.h"
 #include "prs/run/check.h"
 #include "prs/version.h"
 

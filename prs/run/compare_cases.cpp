@@ -3,8 +3,6 @@
 #include "prs/input/reader.h"
 #include "prs/input/units.h"
 #include "prs/loads/case_table.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/figure.h"
 #include "prs/record/record_table.h"
 #include "prs/record/table_units.h"
 #include "prs/run/commands.h"

@@ -1,10 +1,5 @@
 #include "prs/run/document_schema.h"
 
-#include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "prs/configurations/configurations_files.h"
 #include "prs/input/schema.h"
 #include "prs/model/command.h"

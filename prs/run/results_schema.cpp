@@ -1,8 +1,5 @@
 #include "prs/run/results_schema.h"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "prs/run/commands.h"
 
 namespace prs {

@@ -1,8 +1,6 @@
 #include "prs/sector/bodies.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "prs/sector/section_properties.h"
 

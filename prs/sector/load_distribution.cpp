@@ -1,8 +1,5 @@
 #include "prs/sector/load_distribution.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace prs {
 
 using fe::Dof;
@@ -61,8 +58,8 @@ LoadDistribution SectorSolver::solve(double axial_force) {
   return result;
 }
 
-fe::NewtonSummary SectorSolver::go_on(double axial_force,
-                                      const std::vector<fe::NodalLoad>& further, bool is_trial) {
+fe::NewtonSummary SectorSolver::go_on(double axial_force, const std::vector<fe::NodalLoad>& further,
+                                      bool is_trial) {
   constexpr int kMostOfTrial = 30;
   const double sector_force = axial_force / sector_.rollers;
   fe::NewtonOptions options = newton_options(axial_force);

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "fe/newton.h"
 #include "prs/sector/sector.h"
 

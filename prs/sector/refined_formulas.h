@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "prs/sector/refined/local_compliance.h"
 #include "prs/sector/refined/nut_formulas.h"
 #include "prs/sector/sector_numbers.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "prs/sector/roller_push.h"
 #include "prs/sector/sector.h"
 

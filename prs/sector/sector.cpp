@@ -1,7 +1,5 @@
 #include "prs/sector/sector.h"
 
-#include <cmath>
-
 namespace prs {
 namespace {
 

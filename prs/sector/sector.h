@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "fe/model.h"
 #include "prs/sector/sector_model.h"
 

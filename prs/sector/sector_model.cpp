@@ -1,7 +1,6 @@
 #include "prs/sector/sector_model.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "prs/model/groove.h"
 #include "prs/sector/refined/local_compliance.h"

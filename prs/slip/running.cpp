@@ -1,15 +1,7 @@
 #include "prs/slip/running.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/QR>
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <utility>
 
-#include "prs/loads/analyze.h"
-#include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/sector/bodies.h"
 #include "prs/sector/running_sector.h"
@@ -361,7 +353,7 @@ class FixedPoint {
   const SlipModels& models_;
   Rollers rollers_;
   LoadCaseResult& loaded_;
-  std::vector<RollerPush> push_;                  ///< On each roller present.
+  std::vector<RollerPush> push_;  ///< On each roller present.
   Anderson rounds_;
   Eigen::VectorXd last_tau_;
   double thread_share_ = 0.0, head_share_ = 0.0;  ///< Of a roller's mass per length [1/m].
@@ -551,7 +543,8 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
                  },
                  [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
                    RollerPush push = per_normal_load.front();
-                   if (!solver.follow(force, turned_loads(solver, force, push))) return std::nullopt;
+                   if (!solver.follow(force, turned_loads(solver, force, push)))
+                     return std::nullopt;
                    const Answer loads = answer_to(push, fe::NewtonStatus::converged);
                    for (const Interface i : kInterfaces)
                      for (std::size_t k = 0; k < threads; ++k) {
@@ -603,8 +596,8 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
   }
   FixedPoint point(conditions_, contacts_, models_, rollers, rest);
   const auto under = [&](const std::vector<RollerPush>& push) {
-    all.loads = full_distribution(load_case, conditions_, contacts_, laws_, solver, Detail::numbers,
-                                  push);
+    all.loads =
+        full_distribution(load_case, conditions_, contacts_, laws_, solver, Detail::numbers, push);
     Answer answer{all.loads.solve.status, {}, {}};
     if (!all.loads.solve.converged()) return answer;
     answer.guide_force = forces_on_guides(all.loads.rings);

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <utility>
-
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
 #include "prs/preload/both_flanks.h"

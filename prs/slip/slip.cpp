@@ -1,19 +1,8 @@
 #include "prs/slip/slip.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
-
 #include "prs/loads/load_case_result.h"
 #include "prs/model/block_checks.h"
-#include "prs/model/problems.h"
 #include "prs/slip/running.h"
-#include "prs/slip/slip_equilibrium.h"
-#include "prs/slip/slip_model.h"
 #include "prs/threads/contact_laws.h"
 
 namespace prs {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "prs/loads/analyze.h"
 #include "prs/slip/slip_model.h"
 
@@ -81,8 +76,9 @@ struct SlipPictures {
   PerInterface<PatchField> most_loaded_thread;  ///< At the result's slip ratio.
 };
 
-/// What friction does from a thousandth to ten times the speed of a load case, loads at rest and the
-/// oil as they are, loads of a running screw found anew; speeds without an equilibrium are left out.
+/// What friction does from a thousandth to ten times the speed of a load case, loads at rest and
+/// the oil as they are, loads of a running screw found anew; speeds without an equilibrium are left
+/// out.
 struct StribeckCurve {
   std::vector<double> speed;                      ///< Magnitude [rad/s], ascending.
   std::vector<double> power;                      ///< Lost in the whole mechanism [W]

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_kernel.h"
 #include "simd/instruction_set.h"

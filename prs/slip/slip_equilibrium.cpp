@@ -1,8 +1,6 @@
 #include "prs/slip/slip_equilibrium.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "prs/slip/slip_search.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "contact/film.h"
 #include "contact/flash_temperature.h"
 #include "contact/journal_bearing.h"

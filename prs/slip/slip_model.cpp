@@ -1,9 +1,6 @@
 #include "prs/slip/slip_model.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "prs/loads/full_result.h"
 #include "prs/sector/bodies.h"

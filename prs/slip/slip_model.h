@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "contact/lubricant.h"
 #include "contact/patch.h"
 #include "prs/loads/result.h"

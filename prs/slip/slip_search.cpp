@@ -1,8 +1,6 @@
 #include "prs/slip/slip_search.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "prs/loads/slip_result.h"
 

@@ -1,19 +1,9 @@
 #include "prs/study/derivatives.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Core>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <memory>
-
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/units.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/model/problems.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_engine.h"

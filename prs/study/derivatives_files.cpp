@@ -1,14 +1,9 @@
 #include "prs/study/derivatives_files.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/warnings.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/record_table.h"
 #include "prs/record/table_units.h"
 #include "prs/study/study_parts.h"
 #include "prs/text.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <vector>
-
 #include "prs/loads/load_json.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/record.h"

@@ -1,7 +1,5 @@
 #include "prs/study/design_batches.h"
 
-#include <algorithm>
-
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/threads/initial_gaps.h"
 #include "prs/threads/threads.h"

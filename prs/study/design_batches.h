@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "prs/loads/load_case_result.h"
 #include "prs/model/case.h"
 #include "prs/sector/chain/bar_designs.h"

@@ -1,28 +1,23 @@
 #include "prs/study/design_engine.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <mutex>
-#include <new>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/heat/warm_parts.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
-#include "prs/losses/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_analysis.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/slip_record.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/analyze_measures.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/mechanism/full_distribution.h"
-#include "prs/model/problems.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
 #include "prs/study/design_reader.h"

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "prs/input/study_reader.h"
 #include "prs/model/study.h"

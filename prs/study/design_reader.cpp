@@ -1,9 +1,6 @@
 #include "prs/study/design_reader.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <map>
 #include <unordered_set>
 
 #include "prs/input/reader.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "prs/input/study_reader.h"
 #include "prs/model/case.h"

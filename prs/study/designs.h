@@ -1,9 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "prs/model/study.h"
 

@@ -4,12 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstdint>
 #include <cstdlib>
 #include <deque>
 #include <exception>
 #include <mutex>
-#include <set>
 #include <thread>
 
 #include "prs/bytes.h"

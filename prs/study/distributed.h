@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "prs/components/communicator.h"
 #include "prs/study/study_run.h"
 

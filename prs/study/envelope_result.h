@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/model/map_axes.h"
 #include "prs/model/study.h"
 #include "prs/study/designs.h"

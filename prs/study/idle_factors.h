@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <span>
-#include <vector>
 
 #include "prs/model/study.h"
 #include "prs/study/designs.h"

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <span>
-#include <stdexcept>
-#include <vector>
 
 #include "prs/file_descriptor.h"
 #include "prs/input/source.h"

@@ -1,8 +1,5 @@
 #include "prs/study/response.h"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "prs/life/life_record.h"
 #include "prs/loads/contact_record.h"
 #include "prs/loads/heat_record.h"

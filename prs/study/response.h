@@ -1,11 +1,6 @@
 #pragma once
 
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "prs/life/analyze_life.h"
 #include "prs/loads/load_case_result.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "prs/model/study.h"
 
 namespace prs {

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "prs/model/study.h"
 

@@ -1,7 +1,5 @@
 #include "prs/study/study_csv.h"
 
-#include "prs/record/csv_writer.h"
-
 namespace prs {
 namespace {
 

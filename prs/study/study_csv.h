@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "prs/model/study.h"
 #include "prs/record/csv_writer.h"
 #include "prs/study/designs.h"

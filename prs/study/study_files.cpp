@@ -1,16 +1,9 @@
 #include "prs/study/study_files.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 
-#include "fe/newton.h"
-#include "prs/loads/slip_result.h"
 #include "prs/output/run_files.h"
 #include "prs/record/table_units.h"
-#include "prs/study/schedule.h"
 #include "prs/study/study_json.h"
 
 namespace prs {

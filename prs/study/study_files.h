@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "prs/components/column_file.h"
 #include "prs/loads/load_json.h"
 #include "prs/model/study.h"

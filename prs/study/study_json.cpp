@@ -1,11 +1,5 @@
 #include "prs/study/study_json.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "prs/record/record_table.h"
-#include "prs/study/designs.h"
 #include "prs/study/schedule.h"
 #include "prs/text.h"
 

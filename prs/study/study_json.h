@@ -1,8 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-
 #include "prs/loads/load_json.h"
 #include "prs/record/record.h"
 #include "prs/study/study_result.h"

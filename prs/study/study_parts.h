@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/model/study.h"
 #include "prs/record/figure_parts.h"
 #include "prs/study/study_result.h"

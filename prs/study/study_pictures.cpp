@@ -1,15 +1,8 @@
 #include "prs/study/study_pictures.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
 #include "prs/losses/slip_pictures.h"
 #include "prs/losses/slip_record.h"
 #include "prs/record/table_units.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
 #include <memory>
-#include <optional>
-#include <span>
-#include <vector>
 
 #include "prs/model/study.h"
 #include "prs/model/warning.h"

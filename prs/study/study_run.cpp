@@ -1,7 +1,6 @@
 #include "prs/study/study_run.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 
 #include <algorithm>

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <vector>
-
 #include "prs/output/file_lock.h"
 #include "prs/study/journal.h"
 #include "prs/study/schedule.h"

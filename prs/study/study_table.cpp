@@ -1,15 +1,10 @@
 #include "prs/study/study_table.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/warnings.h"
 #include "prs/record/table_units.h"
-#include "prs/study/designs.h"
 #include "prs/study/study_json.h"
 #include "prs/study/study_parts.h"
 #include "prs/text.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/study/study_result.h"
 
 namespace prs {

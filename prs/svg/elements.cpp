@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
 #include <iterator>
-#include <string>
 
 #include "prs/svg/layout.h"
 #include "prs/text.h"

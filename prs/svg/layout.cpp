@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
 
 #include "prs/record/figure_parts.h"
 #include "prs/svg/elements.h"

@@ -1,13 +1,8 @@
 #include "prs/svg/map.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
 #include <unordered_map>
-#include <utility>
 
-#include "prs/svg/elements.h"
 #include "prs/svg/palette.h"
 #include "prs/svg/png.h"
 #include "prs/svg/series.h"

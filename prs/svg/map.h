@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "prs/svg/elements.h"
 #include "prs/svg/layout.h"
 

@@ -3,11 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
-#include "prs/svg/elements.h"
 #include "prs/svg/map.h"
 #include "prs/svg/palette.h"
 #include "prs/svg/series.h"

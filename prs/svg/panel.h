@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "prs/svg/elements.h"
 #include "prs/svg/layout.h"
 

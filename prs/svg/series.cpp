@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <utility>
 
 #include "prs/svg/elements.h"
 #include "prs/svg/palette.h"

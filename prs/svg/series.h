@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "prs/svg/layout.h"
 
 namespace prs {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 #include "contact/contact_numbers.h"
 #include "prs/threads/contact_law.h"
 #include "prs/threads/contacts.h"

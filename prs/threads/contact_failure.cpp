@@ -1,9 +1,5 @@
 #include "prs/threads/contact_failure.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "prs/model/units.h"
 
 namespace prs {

@@ -1,11 +1,5 @@
 #include "prs/threads/contact_laws.h"
 
-#include <fmt/format.h>
-
-#include <string>
-#include <string_view>
-
-#include "prs/model/problems.h"
 #include "prs/threads/tooth_compliance.h"
 
 namespace prs {

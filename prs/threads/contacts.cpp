@@ -1,12 +1,7 @@
 #include "prs/threads/contacts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
-#include "prs/model/problems.h"
-#include "prs/model/units.h"
 #include "prs/threads/threads.h"
 
 namespace prs {

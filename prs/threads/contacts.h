@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "contact/hertz.h"
 #include "contact/mechanism_geometry.h"
 #include "contact/subsurface.h"

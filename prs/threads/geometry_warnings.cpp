@@ -1,13 +1,8 @@
 #include "prs/threads/geometry_warnings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "prs/model/quantity_text.h"
-#include "prs/model/units.h"
 
 namespace prs {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <numbers>
-#include <span>
-#include <vector>
-
 #include "prs/model/case.h"
 #include "prs/threads/contacts.h"
 

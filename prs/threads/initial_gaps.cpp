@@ -1,8 +1,6 @@
 #include "prs/threads/initial_gaps.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "prs/threads/threads.h"
 

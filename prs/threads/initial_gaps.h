@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "prs/model/deviations.h"
 #include "prs/model/load_case.h"
 #include "prs/model/materials.h"

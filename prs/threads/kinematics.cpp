@@ -1,7 +1,5 @@
 #include "prs/threads/kinematics.h"
 
-#include <cmath>
-
 namespace prs {
 
 double turning_speed(Mechanism::Type type, double speed) {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <numbers>
-#include <optional>
-
 #include "contact/vectors.h"
 #include "prs/model/mechanism.h"
 #include "prs/model/part.h"

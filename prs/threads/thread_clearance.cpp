@@ -1,7 +1,5 @@
 #include "prs/threads/thread_clearance.h"
 
-#include <cmath>
-
 namespace prs {
 namespace {
 

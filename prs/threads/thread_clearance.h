@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "contact/contact_point.h"
 #include "contact/mechanism_geometry.h"
 #include "contact/thread_surface.h"

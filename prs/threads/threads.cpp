@@ -1,9 +1,5 @@
 #include "prs/threads/threads.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "prs/model/problems.h"
 #include "prs/threads/contact_failure.h"
 

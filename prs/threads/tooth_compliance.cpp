@@ -1,8 +1,5 @@
 #include "prs/threads/tooth_compliance.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "prs/model/groove.h"
 
 namespace prs {

@@ -1,11 +1,8 @@
 #include "prs/validation/csv_table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "prs/validation/reference.h"
 

@@ -1,6 +1,5 @@
 #include "prs/validation/reference.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,17 +1,9 @@
 #include "prs/validation/validate.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
-#include <utility>
 
-#include "prs/input/source.h"
-#include "prs/loads/result.h"
 #include "prs/run/commands.h"
 #include "prs/text.h"
 

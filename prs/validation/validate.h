@@ -1,12 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/loads/load_json.h"
 #include "prs/loads/result.h"
 #include "prs/model/case.h"

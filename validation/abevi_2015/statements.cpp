@@ -1,13 +1,6 @@
 #include "validation/extensions.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <utility>
 
 #include "prs/loads/analyze.h"
 

@@ -1,8 +1,5 @@
 #include "validation/jung_2017/measures.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "contact/hertz.h"
 #include "prs/life/capacity.h"
 #include "prs/model/materials.h"

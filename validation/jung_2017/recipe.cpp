@@ -1,19 +1,8 @@
 #include "validation/jung_2017/recipe.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <numbers>
-
-#include "prs/input/document.h"
-#include "prs/input/units.h"
 #include "prs/life/capacity.h"
-#include "prs/model/units.h"
-#include "prs/record/csv_writer.h"
 #include "prs/validation/csv_table.h"
 
 namespace prs::jung_2017 {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "prs/loads/load_json.h"
 #include "prs/record/csv_writer.h"
 #include "validation/jung_2017/measures.h"

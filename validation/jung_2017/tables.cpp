@@ -1,18 +1,9 @@
 #include "validation/jung_2017/tables.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <numbers>
 
-#include "contact/hertz.h"
 #include "contact/hertz_formulas.h"
-#include "prs/model/units.h"
 #include "validation/extensions.h"
-#include "validation/jung_2017/measures.h"
 #include "validation/jung_2017/recipe.h"
 
 namespace prs::jung_2017 {

@@ -1,15 +1,9 @@
 #include "validation/reference_fe/comparison.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "prs/loads/analyze.h"
 #include "prs/model/problems.h"
-#include "prs/model/units.h"
 #include "prs/validation/csv_table.h"
 
 namespace prs::reference_fe {

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <functional>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "prs/model/case.h"
 #include "prs/model/load_case.h"

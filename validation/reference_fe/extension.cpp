@@ -1,18 +1,7 @@
 #include "validation/reference_fe/extension.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <utility>
-
-#include "prs/model/units.h"
-#include "prs/record/csv_writer.h"
 #include "prs/record/figure_parts.h"
 #include "validation/extensions.h"
-#include "validation/reference_fe/comparison.h"
 
 namespace prs::reference_fe {
 namespace {

@@ -1,19 +1,8 @@
 #include "validation/sandu_2018/reference_example.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <numbers>
-#include <utility>
-
-#include "contact/film.h"
-#include "contact/hertz.h"
 #include "contact/hertz_formulas.h"
 #include "contact/patch.h"
 #include "prs/loads/analyze.h"
-#include "prs/model/units.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_model.h"
 #include "validation/extensions.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "prs/loads/slip_result.h"
 #include "prs/model/case.h"
 #include "prs/validation/validate.h"

@@ -1,12 +1,6 @@
 #include "validation/sandu_2018/reference_example.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
 
 #include "prs/loads/analyze.h"
 #include "prs/model/units.h"

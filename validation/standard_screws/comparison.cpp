@@ -1,17 +1,8 @@
 #include "validation/standard_screws/comparison.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "prs/model/units.h"
 #include "prs/sector/bodies.h"
-#include "prs/threads/contacts.h"
 #include "prs/validation/csv_table.h"
 #include "validation/extensions.h"
 

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "prs/configurations/complete_screw.h"
 #include "prs/life/capacity.h"

@@ -1,21 +1,10 @@
 #include "validation/yao_2023/sensitivity.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <functional>
 #include <iterator>
-#include <nlohmann/json.hpp>
-#include <numbers>
-#include <string_view>
 
 #include "prs/loads/analyze.h"
-#include "prs/model/problems.h"
-#include "prs/model/units.h"
 #include "prs/study/sampling.h"
 #include "prs/study/sensitivity.h"
 #include "validation/extensions.h"

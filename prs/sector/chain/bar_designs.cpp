@@ -1,6 +1,5 @@
 #include "prs/sector/chain/bar_designs.h"
 
-#include <algorithm>
 #include <cassert>
 #include <tuple>
 

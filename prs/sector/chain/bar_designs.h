@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "fe/newton_types.h"
 #include "prs/sector/chain/bar_columns.h"
 #include "prs/sector/chain/instruction_set.h"

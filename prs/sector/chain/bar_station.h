@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "fe/chain_station.h"
 #include "prs/model/structure.h"
 #include "prs/sector/chain/lane_access.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "prs/model/part.h"
 #include "prs/sector/chain/roller_chain.h"
 #include "prs/sector/sector_numbers.h"

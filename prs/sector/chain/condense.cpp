@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fe/shell_formulas.h"
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/nut_condensation.h"
 

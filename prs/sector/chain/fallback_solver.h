@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/sector/sector.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "fe/shell_formulas.h"
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/refined/nut_formulas.h"

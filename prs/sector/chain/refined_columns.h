@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-
 #include "prs/sector/refined/nut_formulas.h"
 #include "prs/sector/sector_numbers.h"
 

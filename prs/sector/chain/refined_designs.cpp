@@ -1,7 +1,5 @@
 #include "prs/sector/chain/refined_designs.h"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 #include <tuple>
 

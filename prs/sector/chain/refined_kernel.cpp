@@ -1,7 +1,6 @@
 #include "prs/sector/chain/refined_kernel.h"
 
 #include "fe/chain_laws.h"
-#include "prs/sector/chain/lane_access.h"
 #include "prs/sector/chain/nut_condensation.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/refined_formulas.h"

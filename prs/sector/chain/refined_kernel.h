@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "fe/chain_station.h"
 #include "fe/newton_types.h"
 #include "prs/sector/chain/refined_columns.h"

@@ -1,10 +1,7 @@
 #include "prs/sector/chain/sector_kernel.h"
 
-#include <type_traits>
-
 #include "fe/chain_laws.h"
 #include "prs/sector/chain/bar_station.h"
-#include "prs/sector/chain/lane_access.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/chain/shell_station.h"
 

@@ -1,7 +1,5 @@
 #include "prs/sector/chain/thread_loads.h"
 
-#include <limits>
-
 #include "prs/sector/load_distribution.h"
 
 namespace prs {

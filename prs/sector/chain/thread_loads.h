@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "fe/newton_types.h"
 #include "prs/model/part.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <stdexcept>
-
 #include "fe/axisymmetric.h"
 #include "prs/model/materials.h"
 

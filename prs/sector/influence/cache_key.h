@@ -1,11 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
 #include <tuple>
-#include <type_traits>
-#include <vector>
 
 #include "prs/model/structure.h"
 #include "prs/sector/influence/flexibility_options.h"

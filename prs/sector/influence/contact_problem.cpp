@@ -1,7 +1,6 @@
 #include "prs/sector/influence/contact_problem.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fe/lu.h"
 

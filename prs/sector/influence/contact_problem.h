@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "prs/model/part.h"
 #include "prs/sector/influence/flexibility.h"
 #include "prs/sector/sector.h"

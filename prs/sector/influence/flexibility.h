@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-
 #include "prs/model/load_case.h"
 #include "prs/model/materials.h"
 #include "prs/model/mechanism.h"

@@ -1,8 +1,6 @@
 #include "prs/sector/influence/flexibility_around.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "prs/sector/influence/body_solver.h"
 #include "prs/sector/influence/loaded_bodies.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "prs/sector/influence/flexibility.h"
 
 namespace prs {

@@ -1,9 +1,7 @@
 #include "prs/sector/influence/grooved_body.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace prs {
 namespace {

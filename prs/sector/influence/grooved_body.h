@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "fe/axisymmetric.h"
 #include "prs/model/groove.h"
 #include "prs/sector/influence/hertz_patch.h"

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/bessel.hpp>
-#include <cmath>
-#include <numbers>
 
 #include "contact/hertz_formulas.h"
 

@@ -1,12 +1,5 @@
 #include "prs/sector/influence/influence_solver.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
-
-#include "prs/model/problems.h"
 #include "prs/threads/initial_gaps.h"
 
 namespace prs {

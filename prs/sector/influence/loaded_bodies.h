@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "prs/sector/influence/cache_key.h"
 #include "prs/sector/influence/flexibility.h"
 

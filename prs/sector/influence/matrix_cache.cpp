@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 
 #include "prs/bytes.h"
 #include "prs/sha256.h"

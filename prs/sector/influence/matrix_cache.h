@@ -1,15 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 

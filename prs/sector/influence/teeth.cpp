@@ -1,11 +1,9 @@
 #include "prs/sector/influence/teeth.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "prs/sector/influence/body_solver.h"
 #include "prs/sector/influence/cache_key.h"
-#include "prs/sector/influence/hertz_patch.h"
 
 namespace prs {
 namespace {

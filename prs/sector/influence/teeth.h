@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
-#include <vector>
-
 #include "fe/axisymmetric.h"
 #include "prs/model/materials.h"
 #include "prs/sector/influence/flexibility_options.h"

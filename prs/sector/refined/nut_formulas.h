@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <numbers>
 #include <span>
 
 #include "fe/shell_formulas.h"

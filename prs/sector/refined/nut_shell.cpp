@@ -1,9 +1,6 @@
 #include "prs/sector/refined/nut_shell.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "prs/model/problems.h"
 #include "prs/sector/refined/nut_formulas.h"
