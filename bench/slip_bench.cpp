@@ -1,10 +1,12 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "bench/function_kernel.h"
 #include "contact/patch.h"
+#include "prs/input/reader.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"
@@ -80,5 +82,24 @@ void AsinhOfOnePatch(benchmark::State& state) {
   }
 }
 BENCHMARK(AsinhOfOnePatch);
+
+/// Slip of 120 loads on a sector of 20 threads, static and running.
+void SlipOfManyLoads(benchmark::State& state, ModelOptions::Loads loads) {
+  Case c = input::read_case_input(input::load_source("configs/09_slip_and_dissipation.yaml", {}),
+                                  Command::slip)
+               .values;
+  LoadCase load = *std::ranges::find_if(c.load_cases, &LoadCase::is_solved);
+  c.load_cases.clear();
+  c.model.loads = loads;
+  for (int k = 1; k <= 120; ++k) {
+    load.axial_force = 200.0 * k;
+    c.load_cases.push_back(load);
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(analyze_slip(c));
+}
+BENCHMARK_CAPTURE(SlipOfManyLoads, at_rest, ModelOptions::Loads::at_rest)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(SlipOfManyLoads, running, ModelOptions::Loads::running)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
