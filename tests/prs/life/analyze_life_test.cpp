@@ -12,9 +12,9 @@
 #include <random>
 
 #include "prs/input/reader.h"
-#include "prs/losses/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
+#include "prs/losses/life_analysis.h"
 #include "prs/model/problems.h"
 #include "prs/record/pictures.h"
 #include "prs/text.h"

@@ -7,9 +7,9 @@
 #include <random>
 
 #include "prs/input/reader.h"
+#include "prs/losses/preload_analysis.h"
 #include "prs/model/problems.h"
 #include "prs/preload/analyze_preload.h"
-#include "prs/losses/preload_analysis.h"
 #include "prs/preload/preload_solver.h"
 #include "prs/sector/load_distribution.h"
 #include "support/count.h"

@@ -159,8 +159,8 @@ TEST(Report, PageAndTableTellTheWorstValueWithItsLoadCase) {
   const std::string rest = ", direction: tension, position: 29.1666667 mm}";
   const input::Source source = lesson_source(
       "09_slip_and_dissipation.yaml", {"load_cases=[{name: low, axial_force: 13.6 kN" + rest +
-                                       ", {name: high, axial_force: 47.5 kN" + rest +
-                                       ", {name: pull, axial_force: 20 kN" + rest + "]",
+                                           ", {name: high, axial_force: 47.5 kN" + rest +
+                                           ", {name: pull, axial_force: 20 kN" + rest + "]",
                                        "model.loads=static"});
   const Delivery slip =
       analysis_of(Command::slip).run(source, input::read_case_input(source, Command::slip));
