@@ -21,12 +21,12 @@ if [[ ${1:-} == --check ]]; then
   exit
 fi
 
-scripts/setup.sh emscripten libfast-float-dev
+scripts/setup.sh emscripten libfast-float-dev zopfli
 cmake --preset wasm
 # What clang 14 writes depends on where its memory lies: without random addresses, and with a compiler
 # cache of its own, the same sources give the same bytes.
 CCACHE_NAMESPACE=engine setarch -R cmake --build --preset wasm
-gzip -n -9 <build/wasm/wasm/engine.wasm >"$module"
+zopfli --i5 -c build/wasm/wasm/engine.wasm >"$module"
 
 mapfile -t sources < <(
   {

@@ -87,12 +87,24 @@ std::string load_cases_csv(const Result& result, const CsvStyle& style) {
     for (const char* key :
          {"most_loaded_thread", "largest_load_rate_percent", "largest_peak_pressure_MPa"})
       csv.text(fmt::format("{}_{}", name(i), key));
+  csv.text("loads");
+  scalar_header<RunningLoads>(csv, "running_");
+  for (const Interface i : kInterfaces)
+    csv.text(fmt::format("static_{}_largest_normal_load_N", name(i)));
+  scalar_header<RunningLoads::AtRest>(csv, "static_");
   csv.end_row();
 
   for (const LoadCaseResult& load_case : result.load_cases) {
     load_fields(csv, load_case.load_case);
     scalar_fields<LoadCaseResult>(csv, &load_case, "converged");
     for (const Interface i : kInterfaces) most_loaded_fields(csv, load_case, i);
+    const RunningLoads* running = load_case.running ? &*load_case.running : nullptr;
+    const bool known = running && running->converged();
+    csv.text(name(load_case.loads));
+    scalar_fields<RunningLoads>(csv, running);
+    for (const Interface i : kInterfaces)
+      csv.number(known ? std::optional(running->at_rest.largest_normal_load[i]) : std::nullopt);
+    scalar_fields<RunningLoads::AtRest>(csv, known ? &running->at_rest : nullptr);
     csv.end_row();
   }
   return csv.take();

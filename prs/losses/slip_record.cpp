@@ -37,7 +37,7 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"wear_mm3_per_km", filled<&InterfaceSlip::wear>,
      "volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear",
      "Archard 1953"},
-    {"flash_temperature_K", of<&InterfaceSlip::flash_temperature>,
+    {"flash_temperature_K", filled<&InterfaceSlip::flash_temperature>,
      "largest rise of the surfaces above their parts while they pass the contact; needs "
      "conductivity, density and specific_heat of the materials",
      "Greenwood 1991; Muzychka, Yovanovich 2001; Blok 1937"},
@@ -112,8 +112,8 @@ constexpr Quantity<RollerHeads> kRollerHeads[] = {
      "of the guides on the roller, near and far end; > 0 outwards"},
     {"bearing_force_N", of<&RollerHeads::bearing_force>,
      "of the bearing, that of the gears and the carrier's drive included"},
-    {"torque_Nmm", of<&RollerHeads::torque>, "that resists; needs carrier.bearing"},
-    {"eccentricity_ratio", of<&RollerHeads::eccentricity_ratio>,
+    {"torque_Nmm", filled<&RollerHeads::torque>, "that resists; needs carrier.bearing"},
+    {"eccentricity_ratio", filled<&RollerHeads::eccentricity_ratio>,
      "e/c; needs a carrier.bearing with a film"},
 };
 

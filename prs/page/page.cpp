@@ -2,7 +2,9 @@
 
 #include <nettle/base64.h>
 
+#include <array>
 #include <cctype>
+#include <cstdint>
 
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
@@ -23,6 +25,24 @@ constexpr ReportRoom kRoomsWithEngine[] = {{500'000, 300'000, 150'000}, {200'000
 std::string base64(std::string_view bytes) {
   std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
   base64_encode_raw(text.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  return text;
+}
+
+/// Five letters for four bytes, a sixteenth less than base64, after their number: those from `(` to
+/// `|`, but `}` and `~` for `<` and the backslash.
+std::string base85(std::string_view bytes) {
+  std::string text = fmt::format("{} ", bytes.size());
+  for (std::size_t k = 0; k < bytes.size(); k += 4) {
+    std::uint32_t four = 0;
+    for (std::size_t j = k; j < k + 4; ++j)
+      four = four << 8 | (j < bytes.size() ? static_cast<std::uint8_t>(bytes[j]) : 0U);
+    std::array<char, 5> five;
+    for (std::size_t j = 5; j-- > 0; four /= 85) {
+      const char letter = static_cast<char>('(' + four % 85);
+      five[j] = letter == '<' ? '}' : letter == '\\' ? '~' : letter;
+    }
+    text.append(five.data(), five.size());
+  }
   return text;
 }
 
@@ -159,7 +179,7 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
         "{}<script type=\"text/plain\" id=\"worker\">{}{}</script>\n"
         "<script type=\"text/plain\" id=\"engine\">{}</script>\n"
         "<script type=\"module\">{}</script>\n",
-        kCopyDialog, engine_loader(), worker_script(), base64(engine), page_script());
+        kCopyDialog, engine_loader(), worker_script(), base85(engine), page_script());
   }
   return text + "</body>\n</html>\n";
 }

@@ -264,10 +264,11 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
                                      double largest) {
   constexpr double kOff = 3e-6;
   const int starts = in.values.mechanism.starts.screw;
-  if (starts == 1 || std::ranges::any_of(in.fields, [](const input::EchoEntry& f) {
-        return !f.is_default && f.path.starts_with("deviations.pitch_error");
-      }))
-    return std::nullopt;
+  const auto has_error = [&](Part part) {
+    const PitchError& e = in.values.deviations.pitch_error[part];
+    return e.linear != 0.0 || e.periodic || !e.list.empty() || !e.lists.empty();
+  };
+  if (starts == 1 || std::ranges::any_of(kParts, has_error)) return std::nullopt;
   const auto with_start = [&](double off) {
     input::CaseInput changed = in;
     std::vector<double>& list = changed.values.deviations.pitch_error.screw.list;

@@ -631,8 +631,8 @@ class RollerHeads(Record):
     __slots__ = ()
     guide_force_N: Array
     bearing_force_N: Array
-    torque_Nmm: Array
-    eccentricity_ratio: Array
+    torque_Nmm: Array | None
+    eccentricity_ratio: Array | None
 
 
 class HottestThread(Record):
@@ -704,7 +704,7 @@ class InterfaceSlip(Record):
     boundary_share: Array | None
     dynamic_normal_load_N: Array
     wear_mm3_per_km: Array | None
-    flash_temperature_K: Array
+    flash_temperature_K: Array | None
 
 
 class SecondNut(Record):

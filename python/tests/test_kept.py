@@ -62,7 +62,8 @@ def test_converged_is_read_off_documents(stem: str, command: str) -> None:
 
 
 def test_what_failed_says_why() -> None:
-    slip = lesson(9).with_({"friction.model": {"coulomb": 50}}).slip().load_cases[0].slip
+    jams = {"friction.model": {"coulomb": 50}, "model.loads": "static"}
+    slip = lesson(9).with_(jams).slip().load_cases[0].slip
     assert slip is not None and not slip.converged
     assert slip.efficiency is None
     with pytest.raises(KeyError, match="'efficiency' is absent: slip ended with 'jammed': .*jams"):

@@ -26,11 +26,20 @@ NEVER_MET = {
     ("WeakestThread", "roller"),
     ("Model", "accuracy"),
     ("ContactResult", "model"),
+    ("SecondNut", "equal_shares"),  # Of load cases without preload.
 }
 
 _WAYS_OUT = ("screw_ambient", "nut_ambient", "rollers_ambient")
 _HEIGHTS = "{addendum: 0.4 mm, dedendum: 0.5 mm}"
 _THREADS = f"{{screw: {_HEIGHTS}, roller: {_HEIGHTS}, nut: {_HEIGHTS}}}"
+
+_PRELOAD = "force: 3 kN, position: 29.1666667 mm, load: {from: -20 kN, to: 20 kN, steps: 5}"
+_TWO_NUTS = (
+    "{arrangement: double_nut, distance: 68.3333333 mm, "
+    f"spacer: {{length: 10 mm, inner_diameter: 36 mm, outer_diameter: 46 mm}}, {_PRELOAD}}}"
+)
+
+_LIGHT = "[{axial_force: 3 kN, direction: tension, position: 29.1666667 mm}]"
 
 #: Documents with names that no lesson has.
 VARIANTS: list[tuple[int, str, dict[str, Any]]] = [
@@ -61,6 +70,36 @@ VARIANTS: list[tuple[int, str, dict[str, Any]]] = [
         {"friction": {"coulomb": 0.1}, "operation": {"speed": "100 rpm"}},
     ),
     (30, "slip", {"heat.conductance": dict.fromkeys(_WAYS_OUT, "1e-6 W/K")}),
+    (9, "slip", {"preload": _TWO_NUTS, "load_cases": _LIGHT}),
+    (9, "slip", {"preload": _TWO_NUTS, "load_cases": _LIGHT, "operation.speed": "-400 rpm"}),
+    (
+        9,
+        "slip",
+        {
+            "preload": f"{{arrangement: single_nut, {_PRELOAD}}}",
+            "materials.conductivity": "45 W/(m K)",
+            "materials.specific_heat": "460 J/(kg K)",
+            "materials.density": "7800 kg/m^3",
+        },
+    ),
+    (30, "preload", {"preload": f"{{arrangement: single_nut, {_PRELOAD}}}"}),
+    (
+        30,
+        "life",
+        {
+            "operation": "{speed: 400 rpm}",
+            "life": "{position: 29.1666667 mm, spectrum: "
+            "[{force: 9 kN, direction: tension, share: 1}]}",
+        },
+    ),
+    (
+        18,
+        "measures",
+        {
+            "measures.system": "{shaft: {length: 300 mm}, support_bearing: 600 N/um, "
+            "housing: 1500 N/um}"
+        },
+    ),
     (
         22,
         "optimize",

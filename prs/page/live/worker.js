@@ -1,9 +1,23 @@
-// The engine in a worker. The first message is the module, gzipped, in base64; each further one a
+// The engine in a worker. The first message is the module, gzipped, in base 85; each further one a
 // question, whose answer is posted, both as objects. `loadEngine` stands in prs/engine/engine.js.
 
+/** See base85 in prs/page/page.cpp. */
+function bytesOf(text) {
+  const [length, letters] = text.trim().split(' ');
+  const view = new DataView(new ArrayBuffer((letters.length / 5) * 4));
+  for (let k = 0; k < letters.length; k += 5) {
+    let four = 0;
+    for (let j = k; j < k + 5; j++) {
+      const code = letters.charCodeAt(j);
+      four = four * 85 + (code === 125 ? 20 : code === 126 ? 52 : code - 40);
+    }
+    view.setUint32((k / 5) * 4, four);
+  }
+  return new Uint8Array(view.buffer, 0, Number(length));
+}
+
 async function start(text) {
-  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('gzip'));
   return loadEngine(await new Response(stream).arrayBuffer());
 }
 
