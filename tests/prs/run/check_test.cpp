@@ -57,8 +57,6 @@ TEST(Check, SaysWhatPerfectPartsHide) {
                                               "thread by [0-9.]+ % and takes [0-9]+ % of the life; "
                                               ".*"));
   EXPECT_EQ(note({"deviations.pitch_error.screw.linear=1 um"}), "");
-  EXPECT_EQ(note({"mechanism.starts.screw=1", "mechanism.starts.roller=1"}).find("start"),
-            std::string::npos);
 }
 
 TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
