@@ -1,6 +1,7 @@
 #include "fe/newton.h"
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
@@ -304,6 +305,29 @@ struct WideSteps : WideNumbers {
   Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
 };
 
+/// The tangent less what the load grows by: K + (B - P)' t B.
+Eigen::SparseMatrix<double> unsymmetric(const SparseSymmetric& tangent, const Equations& equations,
+                                        const FollowingLoad& load, const State& q) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < tangent.size(); ++j)
+    for (int k = at(tangent.column_start, j); k < at(tangent.column_start, j + 1); ++k) {
+      const int i = at(tangent.row, k);
+      entries.emplace_back(i, j, at(tangent.value, k));
+      if (i != j) entries.emplace_back(j, i, at(tangent.value, k));
+    }
+  for (std::size_t k = 0; k < load.per_force.size(); ++k) {
+    const Equations::Spring& spring = equations.springs()[k];
+    const double stiffness = equations.response(q, static_cast<int>(k)).tangent;
+    for (const FollowingLoad::Share& share : load.per_force[k])
+      for (std::size_t i = 0; i < spring.count; ++i)
+        entries.emplace_back(share.equation, spring.equation[i],
+                             -stiffness * share.times * spring.coefficient[i]);
+  }
+  Eigen::SparseMatrix<double> matrix(tangent.size(), tangent.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
 }  // namespace
 
 std::string_view name(NewtonStatus status) {
@@ -399,33 +423,62 @@ NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions&
   return summary;
 }
 
-bool NewtonSolver::follow(const std::function<void(const State&, Eigen::VectorXd&)>& load,
-                          const NewtonOptions& options, State& q) {
+FollowingLoad::FollowingLoad(const Equations& equations, Eigen::VectorXd unchanged,
+                             const std::vector<std::vector<NodalLoad>>& loads)
+    : constant(std::move(unchanged)), per_force(loads.size()) {
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Eigen::VectorXd load = equations.load_vector(loads[k]);
+    for (int i = 0; i < equations.size(); ++i)
+      if (load[i] != 0.0) per_force[k].push_back({i, load[i]});
+  }
+}
+
+bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& options, State& q) {
   constexpr int kMostSteps = 40;
   DoubleNumbers& numbers = doubles_->method.numbers();
-  Eigen::VectorXd& residual = doubles_->residual;
+  Eigen::VectorXd &residual = doubles_->residual, &correction = doubles_->correction;
   const State first = q;
   Eigen::VectorXd f(equations_->size());
-  numbers.tangent(q, 0.0);
-  if (numbers.factorize() != FactorizationStatus::ok) return false;
-  double before = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < kMostSteps; ++step) {
-    load(q, f);
-    equations_->energy_and_residual(q, f, residual);
+  double left = 0.0;  // Of the forces, relative.
+  const auto left_at = [&](const State& state) {
+    f = load.constant;
+    for (std::size_t k = 0; k < load.per_force.size(); ++k) {
+      if (load.per_force[k].empty()) continue;
+      const double force = equations_->response(state, static_cast<int>(k)).force;
+      for (const FollowingLoad::Share& share : load.per_force[k])
+        f[share.equation] += force * share.times;
+    }
+    equations_->energy_and_residual(state, f, residual);
     double largest = 0.0;
     for (int i = 0; i < equations_->size(); ++i)
       largest =
           std::max(largest, std::abs(residual[i]) /
                                 (equations_->kind(i) == Dof::theta ? options.length_scale : 1.0));
-    largest /= options.force_scale;
-    if (!(largest < 0.5 * before) && !(largest <= options.rounding_tolerance)) break;
-    numbers.solve(residual, doubles_->correction);
-    q.set_to_step(State(q), 1.0, doubles_->correction);
-    // This step leaves a tenth of what was found.
-    if (largest <= options.residual_tolerance) return true;
-    before = largest;
+    return largest / options.force_scale;
+  };
+  numbers.tangent(q, 0.0);
+  if (numbers.factorize() != FactorizationStatus::ok) return false;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
+  for (const bool newton : {false, true}) {
+    double before = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < kMostSteps; ++step, before = left) {
+      left = left_at(q);
+      const bool small = left <= options.rounding_tolerance, fast = left < 0.5 * before;
+      if (newton ? !std::isfinite(left) : !small && !fast) break;
+      if (newton) {
+        numbers.tangent(q, 0.0);
+        lu.compute(unsymmetric(numbers.matrix(), *equations_, load, q));
+        if (lu.info() != Eigen::Success) break;
+        correction = lu.solve(residual);
+      } else {
+        numbers.solve(residual, correction);
+      }
+      q.set_to_step(State(q), 1.0, correction);
+      // This step leaves a tenth of what was found.
+      if (left <= options.residual_tolerance || (small && !fast)) return true;
+    }
+    q = first;
   }
-  q = first;
   return false;
 }
 

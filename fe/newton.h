@@ -12,6 +12,20 @@ namespace fe {
 
 class WideNewton;
 
+/// A load that grows with the forces of springs: constant + sum_k force_k per_force[k].
+struct FollowingLoad {
+  struct Share {
+    int equation;
+    double times;
+  };
+  /// `loads`: per force of each spring.
+  FollowingLoad(const Equations& equations, Eigen::VectorXd constant,
+                const std::vector<std::vector<NodalLoad>>& loads);
+
+  Eigen::VectorXd constant;
+  std::vector<std::vector<Share>> per_force;  ///< Of each spring.
+};
+
 /// Newton's method for one set of equations. Holds the workspace (tangent, factorization, vectors),
 /// so that many loads on one model share the symbolic analysis. Where doubles lose the softest
 /// stiffness among the largest, it goes on in wider numbers (WideNewton).
@@ -35,11 +49,10 @@ class NewtonSolver {
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q,
                       const std::function<bool()>& held = {});
 
-  /// Goes on to equilibrium under a load that follows the state, `load(q, f)`, and changes little
-  /// with it: with the tangent at `q`, factorized once. False, and `q` is as it was, where the
-  /// residual does not shrink fast.
-  bool follow(const std::function<void(const State&, Eigen::VectorXd&)>& load,
-              const NewtonOptions& options, State& q);
+  /// Goes on to equilibrium under a load that follows the springs: with the tangent at `q`,
+  /// factorized once, and where the residual does not shrink fast by Newton's method with the
+  /// unsymmetric matrix. False, and `q` is as it was, where that fails too.
+  bool follow(const FollowingLoad& load, const NewtonOptions& options, State& q);
 
   /// State of bilateral linear springs of the given stiffnesses in place of the contacts, gaps
   /// included. False where the structure is singular even so.

@@ -381,7 +381,7 @@ FullSolver& FullSolver::operator=(FullSolver&&) noexcept = default;
 FullDistribution solve(const FullModel& f, Detail detail) { return FullSolver().solve(f, detail); }
 
 FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
-  const FullStructure s = full_structure(f);
+  FullStructure s = full_structure(f);
   if (std::optional<FullDistribution> d = mechanism(f, s)) return *d;
   FullDistribution d;
   if (!parts_) parts_ = std::make_unique<Parts>();
@@ -399,6 +399,18 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   else if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
     q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
   fe::NewtonOptions options = newton_options(f);
+  if (!s.per_force.empty()) {
+    q = parts_->last.back().state;
+    if (!solver.follow({equations, load, s.per_force}, options, q)) return d;
+    d.solve.status = fe::NewtonStatus::converged;
+    parts_->keep(force, q);
+    for (std::size_t k = 0; k < s.per_force.size(); ++k)
+      for (const fe::NodalLoad& of : s.per_force[k])
+        s.loads.push_back(
+            {of.node, of.dof, equations.response(q, static_cast<int>(k)).force * of.value});
+    Solution(f, s, equations, q).read(d);
+    return d;
+  }
   d.solve = solver.solve(load, options, q, [&] { return load_left(f, s) <= kSurelyNotHeld; });
   if (d.solve.status == fe::NewtonStatus::no_equilibrium && load_left(f, s) < kSurelyHeld) {
     // What holds is so soft that it moves far.

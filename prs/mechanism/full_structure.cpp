@@ -265,8 +265,10 @@ class Builder {
          {f_.sector.hertz_constant[i], r.gaps[i][k], f_.sector.contact_compliance(i, k)}});
     if (f_.push.empty()) return;
     const RollerPush& push = f_.push[s_.rollers.size()];
+    std::vector<fe::NodalLoad>& loads =
+        push.per_normal_load ? s_.per_force.emplace_back() : s_.loads;
     for (const fe::Term& t : row(push.axial[i][k], push.radial[i][k]))
-      s_.loads.push_back({t.node, t.dof, -sign * t.coefficient});
+      loads.push_back({t.node, t.dof, -sign * t.coefficient});
   }
 
   /// The nut's contacts lie at an arm from where its wall has its u, and move outwards with it.

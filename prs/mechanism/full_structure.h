@@ -64,6 +64,7 @@ struct FullStructure {
   std::vector<Support> bearings;  ///< As FullModel::bearings; several may hold one freedom.
   int loaded = 0;                 ///< In `screw`.
   std::vector<fe::NodalLoad> loads;
+  std::vector<std::vector<fe::NodalLoad>> per_force;  ///< Loads per force of each spring.
 
   FullStructure() = default;
   FullStructure(FullStructure&&) = default;

@@ -41,8 +41,7 @@ class SectorSolver {
                           bool is_trial);
 
   /// The same under a load that follows the state, see `fe::NewtonSolver::follow`.
-  bool follow(double axial_force,
-              const std::function<void(const fe::State&, Eigen::VectorXd&)>& load) {
+  bool follow(double axial_force, const fe::FollowingLoad& load) {
     return solver_.follow(load, newton_options(axial_force), state_);
   }
 

@@ -12,6 +12,7 @@ struct RollerPush {
   /// T_x and T_y, friction of each thread on the roller; an equal force acts back on screw or nut
   /// [N].
   PerInterface<std::vector<double>> axial, radial;
+  bool per_normal_load = false;  ///< Whether these are T over N [-].
   /// m' c Omega^2 of the orbit, outwards, per length of thread and of heads [N/m].
   double of_thread = 0.0, of_heads = 0.0;
 };

@@ -39,31 +39,18 @@ std::vector<fe::NodalLoad> push_loads(const Sector& s, const RollerPush& push) {
   return loads;
 }
 
-TurnedLoads::TurnedLoads(const SectorSolver& solver, double axial_force,
-                         const RollerPush& per_normal_load)
-    : equations_(solver.equations()), of_spring_(solver.equations().springs().size()) {
+fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force,
+                               const RollerPush& per_normal_load) {
   const Sector& s = solver.sector();
-  std::vector<fe::NodalLoad> loads;
-  add_centrifugal(loads, s, per_normal_load);
-  constant_ = axial_force / s.rollers * solver.unit_load() + equations_.load_vector(loads);
+  const fe::Equations& equations = solver.equations();
+  std::vector<fe::NodalLoad> centrifugal;
+  add_centrifugal(centrifugal, s, per_normal_load);
+  std::vector<std::vector<fe::NodalLoad>> loads(equations.springs().size());
   for (const Interface i : kInterfaces)
-    for (int k = 0; k < s.contacts(); ++k) {
-      loads.clear();
-      add_friction(loads, s, per_normal_load, i, k);
-      for (const fe::NodalLoad& load : loads)
-        if (const int equation = equations_.number(load.node, load.dof);
-            equation >= 0 && load.value != 0.0)
-          of_spring_[static_cast<std::size_t>(s.spring(i, k))].push_back({equation, load.value});
-    }
-}
-
-void TurnedLoads::operator()(const fe::State& state, Eigen::VectorXd& load) const {
-  load = constant_;
-  for (std::size_t k = 0; k < of_spring_.size(); ++k) {
-    if (of_spring_[k].empty()) continue;
-    const double normal = equations_.response(state, static_cast<int>(k)).force;
-    for (const OfNormalLoad& of : of_spring_[k]) load[of.equation] += normal * of.times;
-  }
+    for (int k = 0; k < s.contacts(); ++k)
+      add_friction(loads[static_cast<std::size_t>(s.spring(i, k))], s, per_normal_load, i, k);
+  return {equations,
+          axial_force / s.rollers * solver.unit_load() + equations.load_vector(centrifugal), loads};
 }
 
 }  // namespace prs

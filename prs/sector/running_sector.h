@@ -15,22 +15,8 @@ namespace prs {
 std::vector<fe::NodalLoad> push_loads(const Sector& sector, const RollerPush& push);
 
 /// Loads of a running sector whose friction keeps its proportion to the normal loads.
-class TurnedLoads {
- public:
-  /// `per_normal_load`: T over N of each thread, and the centrifugal force.
-  TurnedLoads(const SectorSolver& solver, double axial_force, const RollerPush& per_normal_load);
-
-  /// Sets the load at a state.
-  void operator()(const fe::State& state, Eigen::VectorXd& load) const;
-
- private:
-  struct OfNormalLoad {
-    int equation;
-    double times;
-  };
-  const fe::Equations& equations_;
-  Eigen::VectorXd constant_;
-  std::vector<std::vector<OfNormalLoad>> of_spring_;
-};
+/// `per_normal_load`: T over N of each thread, and the centrifugal force.
+fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force,
+                               const RollerPush& per_normal_load);
 
 }  // namespace prs

@@ -156,7 +156,7 @@ class FixedPoint {
         else
           centrifugal.assign(push_.size(), force);
       }
-      if (!follow(bodies, turned, centrifugal, answer)) return slip;
+      if (!follow(bodies, turned, centrifugal, anew && r.rounds > 3, answer)) return slip;
       anew = r.rounds > 1 && r.change > 0.3 * before;
       if (r.change > kTolerance || missed > kSlipMissed) continue;
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
@@ -180,8 +180,9 @@ class FixedPoint {
 
   /// Loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is
   /// that of the round. False where there are none.
+  /// `slow`: the last rounds changed them hardly less than those before.
   bool follow(const Bodies& bodies, const Turned& turned, const std::vector<double>& centrifugal,
-              Answer& answer) {
+              bool slow, Answer& answer) {
     RunningLoads& r = running();
     const PerInterface<std::vector<double>> start = answer.normal_load;
     PerInterface<std::vector<double>> before = start;
@@ -200,7 +201,10 @@ class FixedPoint {
       PerInterface<std::vector<double>> unit = start;
       for (const Interface i : kInterfaces) std::ranges::fill(unit[i], 1.0);
       set_in_proportion(unit);
-      take(vector_of(pushes(), centrifugal));
+      Eigen::VectorXd tau = vector_of(pushes(), centrifugal);
+      if (slow) tau = rounds_.next(last_tau_, tau);
+      last_tau_ = tau;
+      take(tau);
       if (std::optional<Answer> found = turned(push_)) {
         answer = std::move(*found);
         r.change = largest_change(answer.normal_load, start);
@@ -358,6 +362,8 @@ class FixedPoint {
   Rollers rollers_;
   LoadCaseResult& loaded_;
   std::vector<RollerPush> push_;                  ///< On each roller present.
+  Anderson rounds_;
+  Eigen::VectorXd last_tau_;
   double thread_share_ = 0.0, head_share_ = 0.0;  ///< Of a roller's mass per length [1/m].
 };
 
@@ -545,7 +551,7 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
                  },
                  [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
                    RollerPush push = per_normal_load.front();
-                   if (!solver.follow(force, TurnedLoads(solver, force, push))) return std::nullopt;
+                   if (!solver.follow(force, turned_loads(solver, force, push))) return std::nullopt;
                    const Answer loads = answer_to(push, fe::NewtonStatus::converged);
                    for (const Interface i : kInterfaces)
                      for (std::size_t k = 0; k < threads; ++k) {
@@ -596,22 +602,30 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
     return all;
   }
   FixedPoint point(conditions_, contacts_, models_, rollers, rest);
+  const auto under = [&](const std::vector<RollerPush>& push) {
+    all.loads = full_distribution(load_case, conditions_, contacts_, laws_, solver, Detail::numbers,
+                                  push);
+    Answer answer{all.loads.solve.status, {}, {}};
+    if (!all.loads.solve.converged()) return answer;
+    answer.guide_force = forces_on_guides(all.loads.rings);
+    for (const Interface i : kInterfaces)
+      for (const std::vector<double>& roller : all.loads.normal_load[i])
+        answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(), roller.end());
+    return answer;
+  };
   all.slip = point
                  .solve(
                      {fe::NewtonStatus::converged,
                       {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
                       forces_on_guides(rest.full->rings)},
-                     [&](const std::vector<RollerPush>& push) {
-                       all.loads = full_distribution(load_case, conditions_, contacts_, laws_,
-                                                     solver, Detail::numbers, push);
-                       Answer answer{all.loads.solve.status, {}, forces_on_guides(all.loads.rings)};
-                       for (const Interface i : kInterfaces)
-                         for (const std::vector<double>& roller : all.loads.normal_load[i])
-                           answer.normal_load[i].insert(answer.normal_load[i].end(), roller.begin(),
-                                                        roller.end());
+                     under,
+                     [&](std::vector<RollerPush> per_normal_load) -> std::optional<Answer> {
+                       for (RollerPush& push : per_normal_load) push.per_normal_load = true;
+                       Answer answer = under(per_normal_load);
+                       if (answer.status != fe::NewtonStatus::converged) return std::nullopt;
                        return answer;
                      },
-                     {}, last_slip_ratio_)
+                     last_slip_ratio_)
                  .front();
   all.push = point.push();
   if (rest.running->converged())

@@ -263,10 +263,35 @@ TEST(RunningLoads, StaticOnesStayOnRequest) {
   EXPECT_GT(r.slip->heads[0][1].guide_force, 300.0);
 }
 
-TEST(RunningLoads, FrictionThatHoldsTheScrewJams) {
-  const LoadCaseResult r = solved(with(running(base()), 1.2, -1.0));
-  EXPECT_FALSE(r.running->converged());
-  EXPECT_FALSE(r.threads);
+/// Friction takes all of a contact's axial force where the screw drives. Where the load does, it
+/// adds to it: loads in balance exist, although their fixed point does not contract.
+TEST(RunningLoads, FrictionJamsTheScrewThatDrivesAlone) {
+  json full = solved_case("lesson-full")["input"];
+  full["load_cases"][0]["speed"] = "400 rpm";
+  for (const double friction : {1.02, 1.3, 2.0})
+    for (const json& input : {base(), full}) {
+      const Case c = running(input);
+      const LoadCaseResult drives = solved(with(c, friction));
+      EXPECT_EQ(drives.running->status, RunningStatus::jammed);
+      EXPECT_FALSE(drives.threads);
+      Case back = with(c, friction, -1.0);
+      if (back.load_cases[0].speed) *back.load_cases[0].speed *= -1.0;
+      const LoadCaseResult driven = solved(back);
+      EXPECT_TRUE(driven.running->converged()) << name(driven.running->status);
+      EXPECT_NEAR(driven.slip->power.total(), driven.slip->power_loss_input_output,
+                  1e-8 * driven.slip->power.total());
+    }
+}
+
+/// Steep flanks turn a small change of friction into a large one of the loads.
+TEST(RunningLoads, AreFoundShortOfTheJam) {
+  json input = base();
+  input["mechanism"]["flank_angle"] = "58 deg";
+  for (const double sense : {1.0, -1.0}) {
+    const LoadCaseResult r = solved(with(running(input), 0.61, sense));
+    EXPECT_TRUE(r.running->converged()) << name(r.running->status);
+    EXPECT_LT(r.running->rounds, 20);
+  }
 }
 
 /// Newton's method on K q + sum (B + (tau_x X + tau_y Y))' N = f, dense and unsymmetric.
