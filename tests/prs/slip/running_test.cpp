@@ -15,6 +15,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/sector/running_sector.h"
 #include "prs/slip/slip.h"
+#include "support/sanitized.h"
 
 namespace prs {
 namespace {
@@ -177,6 +178,31 @@ TEST(RunningLoads, AreInBalance) {
         expect_balance(solved(c), c.mechanism.rollers);
       }
   expect_balance(solved(running(solved_case("lesson-inverted-heads")["input"])), 11);
+}
+
+/// Three threads, whose bodies are meshed once for all that is asked of them here.
+TEST(RunningLoads, OfMeshedBodiesAreThoseOfAnyOther) {
+  SKIP_UNDER_SANITIZERS();
+  json input = base();
+  input["mechanism"]["contacts_per_roller"] = 3;
+  input["model"]["bodies"] = "influence";
+  const Case c = running(input);
+  const auto growth = [&](double friction, ModelOptions::Bodies bodies, double sense) {
+    Case at = with(c, friction, sense);
+    at.model.bodies = bodies;
+    return (*solved(at).threads).screw.running_over_static - 1.0;
+  };
+  using enum ModelOptions::Bodies;
+  EXPECT_NEAR(growth(1e-9, influence, 1.0), 0.0, 1e-8);
+  EXPECT_NEAR(growth(2e-4, influence, 1.0) / growth(1e-4, influence, 1.0), 2.0, 1e-3);
+  for (const double sense : {1.0, -1.0}) {
+    EXPECT_NEAR(growth(0.1, influence, sense) / growth(0.1, refined, sense), 1.0, 0.2);
+    Case heavy = with(c, 0.1, 5.0 * sense);
+    for (const Part p : kParts) (*heavy.materials)[p].density = 7800.0;
+    expect_balance(solved(heavy), 11);
+  }
+  EXPECT_EQ(solved(with(c, 1.3, 1.0)).running->status, RunningStatus::jammed);
+  EXPECT_TRUE(solved(with(c, 1.3, -1.0)).running->converged());
 }
 
 TEST(RunningLoads, AreThoseOfTheMirrorImage) {
