@@ -617,7 +617,8 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
     return all;
   }
   FixedPoint point(conditions_, contacts_, models_, rollers, rest);
-  const auto under = [&](const std::vector<RollerPush>& push) {
+  const auto under = [&](std::vector<RollerPush> push, bool RollerPush::*kind) {
+    for (RollerPush& one : push) one.*kind = true;
     all.loads =
         full_distribution(load_case, conditions_, contacts_, laws_, solver, Detail::numbers, push);
     Answer answer{all.loads.solve.status, {}, {}};
@@ -633,10 +634,11 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
                      {fe::NewtonStatus::converged,
                       {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
                       forces_on_guides(rest.full->rings)},
-                     under,
-                     [&](std::vector<RollerPush> per_normal_load) -> std::optional<Answer> {
-                       for (RollerPush& push : per_normal_load) push.per_normal_load = true;
-                       Answer answer = under(per_normal_load);
+                     [&](const std::vector<RollerPush>& push) {
+                       return under(push, &RollerPush::is_trial);
+                     },
+                     [&](const std::vector<RollerPush>& push) -> std::optional<Answer> {
+                       Answer answer = under(push, &RollerPush::per_normal_load);
                        if (answer.status != fe::NewtonStatus::converged) return std::nullopt;
                        return answer;
                      },

@@ -190,7 +190,7 @@ TEST(RunningLoads, OfMeshedBodiesAreThoseOfAnyOther) {
   const auto growth = [&](double friction, ModelOptions::Bodies bodies, double sense) {
     Case at = with(c, friction, sense);
     at.model.bodies = bodies;
-    return (*solved(at).threads).screw.running_over_static - 1.0;
+    return solved(at).threads->screw.running_over_static.value() - 1.0;
   };
   using enum ModelOptions::Bodies;
   EXPECT_NEAR(growth(1e-9, influence, 1.0), 0.0, 1e-8);
