@@ -156,8 +156,9 @@ class FixedPoint {
         else
           centrifugal.assign(push_.size(), force);
       }
-      if (!follow(bodies, turned, centrifugal, anew && r.rounds > 3, answer)) return slip;
-      anew = r.rounds > 1 && r.change > 0.3 * before;
+      if (!follow(bodies, turned, centrifugal, anew && r.rounds > 3 && before > kTolerance, answer))
+        return slip;
+      anew = r.rounds > 1 && (r.change > 0.3 * before || r.change <= kTolerance);
       if (r.change > kTolerance || missed > kSlipMissed) continue;
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
       r.guide_force = answer.guide_force;
