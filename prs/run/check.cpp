@@ -262,7 +262,7 @@ std::vector<Warning> solved_load_warnings(const input::Source& source, const inp
 /// is worse for the largest load.
 std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in,
                                      double largest) {
-  constexpr double kOff = 3e-6;
+  constexpr double kOff = 3e-6;  ///< [m]
   const int starts = in.values.mechanism.starts.screw;
   const auto has_error = [&](Part part) {
     const PitchError& e = in.values.deviations.pitch_error[part];

@@ -50,7 +50,7 @@ template <class Number>
 struct InterfaceForces {
   contact::Vector3<Number> force{};
   Number spin_torque{};
-  /// Moment about z of forces that act beside the interface's point, about that point.
+  /// About the interface's point, of forces that act beside it: their moment along z [N m].
   Number couple = Number(simd::ValueOf<Number>(0.0));
 };
 
