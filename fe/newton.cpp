@@ -431,7 +431,7 @@ FollowingLoad::FollowingLoad(const Equations& equations, Eigen::VectorXd unchang
 }
 
 bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& options, State& q) {
-  constexpr int kMostSteps = 40;
+  constexpr int kMostSteps = 40, kFullSteps = 10;
   DoubleNumbers& numbers = doubles_->method.numbers();
   Eigen::VectorXd &residual = doubles_->residual, &correction = doubles_->correction;
   const State first = q;
@@ -460,7 +460,9 @@ bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& option
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kMostSteps; ++step, before = left) {
       left = left_at(q);
-      const bool small = left <= options.rounding_tolerance, fast = left < 0.5 * before;
+      const bool fast = left < 0.5 * before;
+      const bool small = left <= options.rounding_tolerance ||
+                         (newton && !fast && numbers.residual_is_rounding(q, residual));
       if (newton ? !std::isfinite(left) : !small && !fast) break;
       if (newton) {
         numbers.tangent(q, 0.0);
@@ -470,7 +472,8 @@ bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& option
       } else {
         numbers.solve(residual, correction);
       }
-      q.set_to_step(State(q), 1.0, correction);
+      // Springs that open and close in turn keep full steps going round.
+      q.set_to_step(State(q), step < kFullSteps || fast ? 1.0 : 0.5, correction);
       // This step leaves a tenth of what was found.
       if (left <= options.residual_tolerance || (small && !fast)) return true;
     }

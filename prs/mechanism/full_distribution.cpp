@@ -19,6 +19,9 @@ constexpr double kRunaway = 100.0;
 /// rounding, and surely is not beyond the second.
 constexpr double kSurelyHeld = 1e-9, kSurelyNotHeld = 1e-6;
 
+/// Linear solves of a load that may have no equilibrium.
+constexpr int kMostOfTrial = 30;
+
 /// Tangents count at least this share of that of equal shares.
 constexpr double kLeastTangent = 1e-7;
 
@@ -407,7 +410,11 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
     Solution(f, s, equations, q).read(d);
     return d;
   }
-  d.solve = solver.solve(load, options, q, [&] { return load_left(f, s) <= kSurelyNotHeld; });
+  const bool is_trial = !f.push.empty() && f.push.front().is_trial;
+  if (is_trial) options.max_iterations = kMostOfTrial;
+  d.solve = solver.solve(load, options, q,
+                         [&] { return !is_trial && load_left(f, s) <= kSurelyNotHeld; });
+  if (is_trial && !d.solve.converged()) return d;
   if (d.solve.status == fe::NewtonStatus::no_equilibrium && load_left(f, s) < kSurelyHeld) {
     // What holds is so soft that it moves far.
     options.largest_approach = std::numeric_limits<double>::infinity();

@@ -42,11 +42,15 @@ struct Conditions {
   std::optional<Heat> heat;
 };
 
+/// All rollers between bodies of `influence` know no friction on their threads.
+inline bool knows_friction(const ModelOptions& model) {
+  return model.bodies != ModelOptions::Bodies::influence ||
+         model.mechanism == ModelOptions::Mechanism::sector;
+}
 /// Whether slip, heat and life take the loads of a running screw, where friction and a speed stand.
-/// The bodies of `influence` know no friction on their threads.
 inline bool slip_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
   return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest &&
-         model.bodies != ModelOptions::Bodies::influence;
+         knows_friction(model);
 }
 /// Whether `solve` does.
 inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {

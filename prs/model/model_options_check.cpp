@@ -118,9 +118,9 @@ void check_bodies(const Case& c, Problems& problems) {
     problems.add("model.roller",
                  "got `rigid_bending` with `bodies: influence`, whose rollers bend; expected "
                  "`flexible`; take `bodies: bars` or `refined` for rollers that stay straight");
-  if (model.bodies == influence && model.loads == ModelOptions::Loads::running)
+  if (!knows_friction(model) && model.loads == ModelOptions::Loads::running)
     problems.add("model.loads",
-                 "got `running` with `bodies: influence`, which takes no friction on its threads; "
+                 "got `running` with `bodies: influence` and all rollers, which take no friction; "
                  "expected `static`; take `bodies: bars` or `refined` for running loads");
   if (model.roller_shear)
     problems.add("model.roller_shear",

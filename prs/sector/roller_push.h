@@ -13,6 +13,7 @@ struct RollerPush {
   /// [N].
   PerInterface<std::vector<double>> axial, radial;
   bool per_normal_load = false;  ///< Whether these are T over N [-].
+  bool is_trial = false;         ///< Whether it may have no equilibrium: given up early.
   /// m' c Omega^2 of the orbit, outwards, per length of thread and of heads [N/m].
   double of_thread = 0.0, of_heads = 0.0;
 };

@@ -148,8 +148,9 @@ class FixedPoint {
         else
           centrifugal.assign(push_.size(), force);
       }
-      if (!follow(bodies, turned, centrifugal, anew && r.rounds > 3, answer)) return slip;
-      anew = r.rounds > 1 && r.change > 0.3 * before;
+      if (!follow(bodies, turned, centrifugal, anew && r.rounds > 3 && before > kTolerance, answer))
+        return slip;
+      anew = r.rounds > 1 && (r.change > 0.3 * before || r.change <= kTolerance);
       if (r.change > kTolerance || missed > kSlipMissed) continue;
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
       r.guide_force = answer.guide_force;
@@ -508,6 +509,9 @@ RunningSolver::SectorAt& RunningSolver::sector_at(Direction d, double position) 
     kept = std::make_unique<SectorAt>(build_sector(
         sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
                      conditions_.model, laws_, d, position, conditions_.deviations)));
+  if (conditions_.model.bodies == ModelOptions::Bodies::influence && !kept->meshed)
+    kept->meshed.emplace(
+        influence_solver(conditions_, contacts_, laws_, d, position, shared_matrix_cache(), true));
   return *kept;
 }
 
@@ -516,8 +520,9 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
   SectorAt& at = sector_at(*load_case.direction, *load_case.position);
   SectorSolver& solver = at.solver;
   const Sector& sector = solver.sector();
-  const double force = load_case.axial_force;
-  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, solver.solve(force));
+  const double force = load_case.axial_force, pitch = axial_pitch(contacts_.mechanism);
+  LoadDistribution last = at.meshed ? at.meshed->solve(force) : solver.solve(force);
+  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, last);
   start(rest);
   if (!rest.threads) return not_running(std::move(rest));
   const auto answer_to = [&](const RollerPush& push, fe::NewtonStatus status) {
@@ -525,7 +530,8 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
     for (const Interface i : kInterfaces)
       for (int k = 0; k < sector.contacts(); ++k)
         answer.normal_load[i].push_back(
-            solver.equations().response(solver.state(), sector.spring(i, k)).force);
+            at.meshed ? last.normal_load[i][static_cast<std::size_t>(k)]
+                      : solver.equations().response(solver.state(), sector.spring(i, k)).force);
     if (at.guides) answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
     return answer;
   };
@@ -539,12 +545,18 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
              .solve(
                  answer_to(no_push(threads), fe::NewtonStatus::converged),
                  [&](const std::vector<RollerPush>& push) {
-                   return answer_to(push.front(), under(push.front(), true).status);
+                   return answer_to(push.front(), at.meshed ? fe::NewtonStatus::no_equilibrium
+                                                            : under(push.front(), true).status);
                  },
                  [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
                    RollerPush push = per_normal_load.front();
-                   if (!solver.follow(force, turned_loads(solver, force, push)))
+                   if (at.meshed) {
+                     LoadDistribution now = at.meshed->solve(force, push, sector.sense, pitch);
+                     if (!now.solve.converged()) return std::nullopt;
+                     last = std::move(now);
+                   } else if (!solver.follow(force, turned_loads(solver, force, push))) {
                      return std::nullopt;
+                   }
                    const Answer loads = answer_to(push, fe::NewtonStatus::converged);
                    for (const Interface i : kInterfaces)
                      for (std::size_t k = 0; k < threads; ++k) {
@@ -557,10 +569,13 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
              .front();
   if (!rest.running->converged()) return not_running(std::move(rest));
   last_slip_ratio_ = slip->balance.motion.slip_ratio;
-  fe::NewtonSummary last = under(point.push().front(), false);
-  LoadDistribution d = solver.at(solver.state(), force);
-  d.solve = std::move(last);
-  return with_friction(solved_result(load_case, contacts_, laws_, std::move(d)), std::move(rest));
+  if (!at.meshed) {
+    fe::NewtonSummary summary = under(point.push().front(), false);
+    last = solver.at(solver.state(), force);
+    last.solve = std::move(summary);
+  }
+  return with_friction(solved_result(load_case, contacts_, laws_, std::move(last)),
+                       std::move(rest));
 }
 
 /// The running loads of all rollers where the carrier stands, and what they are found by.
@@ -595,7 +610,8 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
     return all;
   }
   FixedPoint point(conditions_, contacts_, models_, rollers, rest);
-  const auto under = [&](const std::vector<RollerPush>& push) {
+  const auto under = [&](std::vector<RollerPush> push, bool RollerPush::*kind) {
+    for (RollerPush& one : push) one.*kind = true;
     all.loads =
         full_distribution(load_case, conditions_, contacts_, laws_, solver, Detail::numbers, push);
     Answer answer{all.loads.solve.status, {}, {}};
@@ -611,10 +627,11 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
                      {fe::NewtonStatus::converged,
                       {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
                       forces_on_guides(rest.full->rings)},
-                     under,
-                     [&](std::vector<RollerPush> per_normal_load) -> std::optional<Answer> {
-                       for (RollerPush& push : per_normal_load) push.per_normal_load = true;
-                       Answer answer = under(per_normal_load);
+                     [&](const std::vector<RollerPush>& push) {
+                       return under(push, &RollerPush::is_trial);
+                     },
+                     [&](const std::vector<RollerPush>& push) -> std::optional<Answer> {
+                       Answer answer = under(push, &RollerPush::per_normal_load);
                        if (answer.status != fe::NewtonStatus::converged) return std::nullopt;
                        return answer;
                      },

@@ -3,6 +3,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
 #include "prs/preload/both_flanks.h"
+#include "prs/sector/influence/influence_solver.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_model.h"
@@ -52,7 +53,8 @@ class RunningSolver {
       if (solver.sector().bends()) guides.emplace(solver.sector());
     }
     SectorSolver solver;
-    std::optional<RollerGuides> guides;  ///< None of rollers that stay straight.
+    std::optional<RollerGuides> guides;     ///< None of rollers that stay straight.
+    std::optional<InfluenceSolver> meshed;  ///< Of meshed bodies, in place of `solver`.
   };
 
   SectorAt& sector_at(Direction d, double position);

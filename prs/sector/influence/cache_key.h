@@ -18,7 +18,7 @@ namespace prs {
   }
 PRS_MEMBERS(Groove, internal, pitch, radius, addendum, dedendum, backward, forward)
 PRS_MEMBERS(HertzPatch, profile, circumference)
-PRS_MEMBERS(LoadedFlank, ridge, side, patch, cells)
+PRS_MEMBERS(LoadedFlank, ridge, side, patch, cells, tangential)
 PRS_MEMBERS(PlainEnd, length, radius)
 PRS_MEMBERS(Collar, from, to, radius)
 inline auto members(const std::pair<double, double>& p) { return std::tie(p.first, p.second); }

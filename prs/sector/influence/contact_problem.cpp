@@ -80,7 +80,7 @@ class Equilibrium {
     t.residual.head(n_) =
         (t.y + p_.gap - p_.rigid * t.motion + p_.flexibility * t.loads.value) / length_;
     t.residual.tail<2>() =
-        (p_.rigid.transpose() * t.loads.value - Eigen::Vector2d(force_, 0.0)) / force_;
+        (p_.balance.transpose() * t.loads.value - Eigen::Vector2d(force_, 0.0)) / force_;
   }
 
   void factorize(const Trial& at) {
@@ -88,7 +88,8 @@ class Equilibrium {
     jacobian_.topLeftCorner(n_, n_).diagonal().array() += 1.0;
     jacobian_.topLeftCorner(n_, n_) /= length_;
     jacobian_.topRightCorner(n_, 2) = -p_.rigid / length_;
-    jacobian_.bottomLeftCorner(2, n_) = p_.rigid.transpose() * at.loads.slope.asDiagonal() / force_;
+    jacobian_.bottomLeftCorner(2, n_) =
+        p_.balance.transpose() * at.loads.slope.asDiagonal() / force_;
     jacobian_.bottomRightCorner<2, 2>().setZero();
     lu_.compute(jacobian_);
   }
@@ -117,6 +118,7 @@ ContactProblem contact_problem(const Eigen::MatrixXd& flexibility,
   p.rigid.col(0).head(n).setConstant(std::cos(laws.screw.normal_angle));
   p.rigid.col(1).head(n).setConstant(-std::cos(laws.screw.normal_angle));
   p.rigid.col(1).tail(n).setConstant(std::cos(laws.nut.normal_angle));
+  p.balance = p.rigid;
   p.hertz_constant.head(n).setConstant(laws.screw.hertz_constant);
   p.hertz_constant.tail(n).setConstant(laws.nut.hertz_constant);
   p.gap << Eigen::Map<const Eigen::VectorXd>(gaps.screw.data(), n),
@@ -170,6 +172,13 @@ ContactSolution solve(const ContactProblem& p, double force, const ContactSolveO
   s.roller_motion = at.motion[1];
   if (s.converged()) s.tangent_stiffness = equilibrium.tangent_stiffness(at);
   return s;
+}
+
+double tangent_stiffness(const ContactProblem& p, double force, const Eigen::VectorXd& y) {
+  Equilibrium equilibrium(p, force);
+  Trial at = equilibrium.start();
+  at.loads = loads_at(p, y);
+  return equilibrium.tangent_stiffness(at);
 }
 
 }  // namespace prs

@@ -11,11 +11,13 @@ namespace prs {
 /// three bodies together, U the axial motions of screw and roller along the load and R the approach
 /// that they cause:
 ///
-///     w = R U - C N,   N = k_0 <w - g>^1.5,   R' N = (F, 0).
-/// SI units.
+///     w = R U - C N,   N = k_0 <w - g>^1.5,   Q' N = (F, 0).
+///
+/// Q is R unless friction turns the loads. SI units.
 struct ContactProblem {
-  Eigen::MatrixXd flexibility;     ///< C [m/N], symmetric.
+  Eigen::MatrixXd flexibility;     ///< C [m/N], symmetric without friction.
   Eigen::MatrixXd rigid;           ///< R, first of the screw, then of the roller [-].
+  Eigen::MatrixXd balance;         ///< Q
   Eigen::VectorXd hertz_constant;  ///< k_0 [N/m^1.5]
   Eigen::VectorXd gap;             ///< g, initial gap along the normal [m].
 
@@ -77,5 +79,8 @@ struct ContactSolution : ContactSummary {
 /// meaning. `force` is the axial force on the sector [N], > 0. A few 10 us for 40 contacts.
 ContactSolution solve(const ContactProblem& problem, double force,
                       const ContactSolveOptions& options = {});
+
+/// dF/dU of the screw where the approaches are y = w - g [N/m].
+double tangent_stiffness(const ContactProblem& problem, double force, const Eigen::VectorXd& y);
 
 }  // namespace prs

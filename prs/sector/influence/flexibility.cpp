@@ -29,6 +29,14 @@ std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contac
   return flanks;
 }
 
+/// With friction the same flanks once more, loaded along them.
+std::vector<LoadedFlank> with_friction(const BodyGeometry& b, std::vector<LoadedFlank> flanks) {
+  const std::size_t normal = flanks.size();
+  for (std::size_t k = 0; b.friction && k < normal; ++k)
+    flanks.emplace_back(flanks[k]).tangential = true;
+  return flanks;
+}
+
 /// The innermost first.
 std::vector<int> by_radius(const GroovedBody& body, std::vector<int> nodes) {
   const auto radius = [&](int node) { return body.mesh.nodes[static_cast<std::size_t>(node)].x(); };
@@ -191,9 +199,15 @@ Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction,
   const LoadedFlank flank{0.0, screw ? pushing_flank(direction) : pushed_flank(direction),
                           screw ? b.patches.screw : b.patches.nut, options.mesh.patch_cells};
   const double far = 0.5 * (screw ? b.structure.screw.bore : b.structure.nut.outer_diameter);
-  return {b.grooves[part], far,        elastic(b.materials[part]),
-          {flank},         {false},    b.rollers,
-          b.rollers,       b.contacts, options};
+  return {b.grooves[part],
+          far,
+          elastic(b.materials[part]),
+          with_friction(b, {flank}),
+          std::vector<bool>(b.friction ? 2 : 1, false),
+          b.rollers,
+          b.rollers,
+          b.contacts,
+          options};
 }
 
 LoadedBody loaded_screw(const BodyGeometry& b, Direction direction,
@@ -216,7 +230,8 @@ LoadedBody loaded_screw(const BodyGeometry& b, Direction direction,
   }
   shape.far_radius = 0.5 * screw.bore;
   return {shape,
-          loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells),
+          with_friction(b, loaded_flanks(g, first, b.contacts, side, b.patches.screw,
+                                         options.mesh.patch_cells)),
           elastic(b.materials.screw), options.mesh};
 }
 
@@ -285,11 +300,12 @@ HeldNut held_nut(const BodyGeometry& b, Direction direction, double position,
   shape.sections.push_back(thrust);
   if (nut.shoulder)
     shape.radii = {0.5 * nut.shoulder->inner_diameter, 0.5 * nut.shoulder->outer_diameter};
-  return {
-      {shape, loaded_flanks(g, position, b.contacts, side, b.patches.nut, options.mesh.patch_cells),
-       elastic(b.materials.nut), options.mesh},
-      thrust,
-      nut.shoulder.has_value()};
+  return {{shape,
+           with_friction(b, loaded_flanks(g, position, b.contacts, side, b.patches.nut,
+                                          options.mesh.patch_cells)),
+           elastic(b.materials.nut), options.mesh},
+          thrust,
+          nut.shoulder.has_value()};
 }
 
 Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
@@ -300,7 +316,7 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   const bool unilateral = options.unilateral_thrust && (*whole)[4](0) != 0.0;
   const ThrustFace::Touching touching =
       unilateral
-          ? face.touching_under(Eigen::VectorXd::Ones(b.contacts), face.all()).value_or(face.all())
+          ? face.touching_under(face.equal_loads(b.contacts), face.all()).value_or(face.all())
           : face.all();
 
   Flexibility f;
@@ -368,10 +384,22 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
   const FlankSide screw_side = pushed_flank(direction), nut_side = pushing_flank(direction);
   const bool centred = b.roller_contacts == ModelOptions::RollerContacts::opposite;
   LoadedBody body{{}, {}, elastic(b.materials.roller), options.mesh};
-  for (int k = 0; k < b.contacts; ++k)
-    body.flanks.push_back({k * g.pitch, screw_side, b.patches.screw, options.mesh.patch_cells});
-  for (int k = 0; k < b.contacts; ++k)
-    body.flanks.push_back({k * g.pitch, nut_side, b.patches.nut, options.mesh.patch_cells});
+  // Of a ridge at 0; those of the screw first.
+  const auto types_at = [&](Interface i) {
+    return with_friction(b, {{0.0, i == Interface::screw ? screw_side : nut_side, b.patches[i],
+                              options.mesh.patch_cells}});
+  };
+  std::vector<LoadedFlank> types = types_at(Interface::screw);
+  std::vector<bool> opposite(types.size(), true);
+  for (const LoadedFlank& type : types_at(Interface::nut)) {
+    types.push_back(type);
+    opposite.push_back(false);
+  }
+  for (LoadedFlank flank : types)
+    for (int k = 0; k < b.contacts; ++k) {
+      flank.ridge = k * g.pitch;
+      body.flanks.push_back(flank);
+    }
   GroovedShape& shape = body.shape;
   shape.groove = g;
   shape.start = -0.5 * g.pitch;
@@ -380,20 +408,11 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
   for (int k = 1; k < b.contacts; ++k) shape.sections.push_back((k - 0.5) * g.pitch);
 
   Flexibility f;
-  f.matrix =
-      cached(cache, "stretched roller", body, stretched, is_square)->front() +
+  f.bent =
       cached(cache, "bent roller", GuidedRoller{body, roller.guidance, centred}, bent, is_square_of)
           ->front();
-  const Teeth teeth{g,
-                    0.0,
-                    body.material,
-                    {{0.0, screw_side, b.patches.screw, options.mesh.patch_cells},
-                     {0.0, nut_side, b.patches.nut, options.mesh.patch_cells}},
-                    {true, false},
-                    2,
-                    1,
-                    b.contacts,
-                    options};
+  f.matrix = cached(cache, "stretched roller", body, stretched, is_square)->front() + f.bent;
+  const Teeth teeth{g, 0.0, body.material, types, opposite, 2, 1, b.contacts, options};
   add_teeth(f, teeth, centred, cache);
   return f;
 }

@@ -23,6 +23,7 @@ struct Flexibility {
   Eigen::MatrixXd matrix;
   double half_space = 0.0;         ///< Taken from each diagonal term [m/N]; roller: screw side.
   std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder.
+  Eigen::MatrixXd bent;            ///< Of it what bends a roller.
 };
 
 /// What the flexibilities of the three bodies depend on.
@@ -37,6 +38,9 @@ struct BodyGeometry {
   /// An inverted screw is threaded where its rollers are and plain, at the pitch diameter, before
   /// them; the thread of a standard one goes on at both sides.
   bool endless_screw = false;
+  /// Whether rows and columns of unit forces along the flanks follow those of the normal ones, for
+  /// the contacts of each interface.
+  bool friction = false;
 
   double pitch() const { return grooves.roller.pitch; }
 };

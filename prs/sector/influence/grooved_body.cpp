@@ -378,7 +378,7 @@ GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<Loade
     body.columns_.push_back(std::move(column));
   }
   for (const LoadedFlank& f : flanks)
-    body.patches.push_back(patch_on(meshed, layers, shape.groove, f));
+    body.patches.emplace_back(patch_on(meshed, layers, shape.groove, f)).tangential = f.tangential;
   return body;
 }
 
@@ -396,10 +396,14 @@ Eigen::MatrixXd patch_loads(const GroovedBody& body, int harmonic) {
                                                 static_cast<Eigen::Index>(body.patches.size()));
   Eigen::Index column = 0;
   for (const GroovedBody::Patch& p : body.patches) {
+    const double turn = std::copysign(1.0, p.normal.x() * p.normal.y());
+    const Eigen::Vector2d along = p.tangential
+                                      ? Eigen::Vector2d(turn * p.normal.y(), -turn * p.normal.x())
+                                      : Eigen::Vector2d(-p.normal);
     const auto traction = [&](double r, double z) -> Eigen::Vector3d {
       const double s = (Eigen::Vector2d(r, z) - p.centre).norm();
       const double pressure = pressure_amplitude(p.patch, harmonic, s, r);
-      return {-pressure * p.normal.x(), 0.0, -pressure * p.normal.y()};
+      return {pressure * along.x(), 0.0, pressure * along.y()};
     };
     for (const fe::MeridianEdge& edge : p.edges)
       fe::add_edge_load(body.mesh, edge, harmonic, traction, loads.col(column));

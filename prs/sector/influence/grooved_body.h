@@ -21,8 +21,9 @@ struct MeshDensity {
 struct LoadedFlank {
   double ridge = 0.0;  ///< Axial position of the middle of its ridge [m].
   FlankSide side = FlankSide::backward;
-  HertzPatch patch;     ///< Must fit on the flank (see `fitted`).
-  int patch_cells = 4;  ///< Across the patch.
+  HertzPatch patch;         ///< Must fit on the flank (see `fitted`).
+  int patch_cells = 4;      ///< Across the patch.
+  bool tangential = false;  ///< Loaded along the flank, see `patch_loads`.
 };
 
 /// A plain length of a body next to its threads, up to a radius [m].
@@ -61,6 +62,7 @@ struct GroovedBody {
     std::vector<fe::MeridianEdge> edges;
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    bool tangential = false;
   };
 
   GroovedShape shape;
@@ -99,7 +101,9 @@ GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<Loade
 HertzPatch fitted(HertzPatch patch, const Groove& groove);
 
 /// Consistent nodal loads of harmonic n of one patch that pushes with 1 N along the inward normal
-/// at theta = 0, one column for each patch of the body.
+/// at theta = 0, one column for each patch of the body. A tangential one pushes as much along the
+/// profile: with the axial sense of the inward normal and against its radial one, so that on both
+/// bodies of a contact it is opposite.
 Eigen::MatrixXd patch_loads(const GroovedBody& body, int harmonic);
 
 }  // namespace prs

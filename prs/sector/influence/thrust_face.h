@@ -23,6 +23,12 @@ struct ThrustFace {
   using Touching = std::vector<Eigen::Index>;
 
   Touching all() const;
+  /// 1 N on each of the first `contacts` loads.
+  Eigen::VectorXd equal_loads(int contacts) const {
+    Eigen::VectorXd p = Eigen::VectorXd::Zero(loads.rows());
+    p.head(contacts).setOnes();
+    return p;
+  }
   /// Flexibility at the loads while the given nodes touch.
   Eigen::MatrixXd flexibility(const Touching& touching) const;
   /// The nodes that touch under loads P if the shoulder can only push, found from a first guess by

@@ -168,7 +168,8 @@ TEST(SystemCurves, OfAPreloadedNutSayWhatALoadCaseChanges) {
   EXPECT_THAT(warnings(one, std::nullopt), Not(testing::Contains(HasSubstr("changes nothing"))));
 }
 
-/// Where its force holds, if no load case is asked for.
+/// Where its force holds, if no load case is asked for; under a load that leaves both flanks
+/// closed.
 TEST(SystemCurves, TorqueOfAPreloadedNutIsThatAtItsPosition) {
   const auto torque = [](const std::string& position, const CurveOptions& options) {
     const Case c = lesson_case(
