@@ -296,9 +296,7 @@ int Equations::slot(int i, int j) const { return slot_in(linear_, i, j); }
 
 Eigen::VectorXd Equations::load_vector(const std::vector<NodalLoad>& loads) const {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(size());
-  for (const NodalLoad& load : loads)
-    for_each_term(number(load.node, load.dof),
-                  [&](int equation, double c) { f[equation] += c * load.value; });
+  for_each_load(loads, [&](int equation, double force) { f[equation] += force; });
   return f;
 }
 

@@ -35,6 +35,13 @@ class Equations {
 
   /// Load vector over the free freedoms; loads on fixed ones go into the support.
   Eigen::VectorXd load_vector(const std::vector<NodalLoad>& loads) const;
+  /// Calls visit(equation, force) for what the loads are made of.
+  template <class Visit>
+  void for_each_load(const std::vector<NodalLoad>& loads, Visit visit) const {
+    for (const NodalLoad& load : loads)
+      for_each_term(number(load.node, load.dof),
+                    [&](int equation, double c) { visit(equation, c * load.value); });
+  }
 
   /// A spring by its approach w = sum_i coefficient[i] q[equation[i]] over at most kMost freedoms;
   /// `slot` leads to the values of the tangent for each pair i <= j.

@@ -423,11 +423,10 @@ NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions&
 FollowingLoad::FollowingLoad(const Equations& equations, Eigen::VectorXd unchanged,
                              const std::vector<std::vector<NodalLoad>>& loads)
     : constant(std::move(unchanged)), per_force(loads.size()) {
-  for (std::size_t k = 0; k < loads.size(); ++k) {
-    const Eigen::VectorXd load = equations.load_vector(loads[k]);
-    for (int i = 0; i < equations.size(); ++i)
-      if (load[i] != 0.0) per_force[k].push_back({i, load[i]});
-  }
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    equations.for_each_load(loads[k], [&](int equation, double force) {
+      if (force != 0.0) per_force[k].push_back({equation, force});
+    });
 }
 
 bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& options, State& q) {
