@@ -126,6 +126,12 @@ ReferenceCase read_case(const Node& node, const std::filesystem::path& folder, E
   return c;
 }
 
+PrintedStatement read_statement(const Node& node, ErrorList& errors) {
+  if (!is_map_of(node, {"section", "text", "check", "why"}, errors)) return {};
+  return {required_text(node, "section", errors), required_text(node, "text", errors),
+          required_text(node, "check", errors), optional_text(node, "why", errors)};
+}
+
 }  // namespace
 
 double PrintedNumber::value() const { return number_of(text).value_or(0.0); }
@@ -166,11 +172,14 @@ Reference read_reference(const std::filesystem::path& file) {
   const input::Source source = input::load_source(file.string(), {});
   ErrorList errors(source);
   const Node root = input::read_document(source, errors);
-  Reference reference;
-  if (is_map_of(root, {"source", "cases"}, errors)) {
+  Reference reference{.folder = file.parent_path()};
+  if (is_map_of(root, {"source", "cases", "statements"}, errors)) {
     reference.source = required_text(root, "source", errors);
     for (const Node& c : required_list(root, "cases", errors))
-      reference.cases.push_back(read_case(c, file.parent_path(), errors));
+      reference.cases.push_back(read_case(c, reference.folder, errors));
+    if (input::find(root, "statements") != nullptr)
+      for (const Node& s : required_list(root, "statements", errors))
+        reference.statements.push_back(read_statement(s, errors));
   }
   errors.throw_if_any();
   return reference;

@@ -74,7 +74,11 @@ SourceReport report_on(const std::filesystem::path& folder,
   if (subject == reference.cases.end()) return report;
   const input::Source source = input::load_source(subject->file.string(), {});
   const Case c = input::read_case_input(source, subject->command).values;
-  input::compute_from(source, [&] { add(report, code.supplement(c, folder)); });
+  input::compute_from(source, [&] { add(report, code.supplement(c, reference)); });
+  for (const PrintedStatement& s : reference.statements)
+    if (std::ranges::find(report.statements, s.text, &ComparedStatement::text) ==
+        report.statements.end())
+      throw std::logic_error(fmt::format("{}: no code has the check {}", report.name, s.check));
   return report;
 }
 

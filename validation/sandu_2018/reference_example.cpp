@@ -228,9 +228,9 @@ SourceExtension extension() {
           .derived = derived,
           .tables = [] { return std::vector{ellipticity_approximations()}; },
           .supplement =
-              [](const Case& reference, const std::filesystem::path&) {
+              [](const Case& reference, const Reference& thesis) {
                 return Supplement{
-                    .statements = compare_statements(reference),
+                    .statements = compare_statements(reference, thesis),
                     .tables = {printed_ellipses(reference), patch_convergence(reference),
                                efficiency_fits(reference)}};
               },
