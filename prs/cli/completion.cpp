@@ -8,6 +8,10 @@
 #include <cctype>
 #include <utility>
 
+#include "prs/embed.h"
+
+PRS_EMBED(bash_script, PRS_COMPLETION_OF_BASH)
+
 namespace prs::cli {
 namespace {
 
@@ -109,59 +113,6 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 /// The names in a list of `prs list`, without headings and what is said of them.
 constexpr const char* kNames =
     R"(sed -n -e '/^name  /d' -e '/^path  /d' -e 's/^\([^ ][^ ]*\)\(  .*\)\{0,1\}$/\1/p')";
-
-constexpr const char* kBash = R"sh(# Completion of prs in bash. `prs completion bash` wrote it.
-_prs_words() { mapfile -t COMPREPLY < <(compgen -W "$*" -- "$current"); }
-_prs_list() { _prs_words "$(prs list "$1" 2>/dev/null | @SED@)"; }
-_prs_settings() {
-  compopt -o nospace
-  mapfile -t COMPREPLY < <(compgen -S = -W "$(prs list inputs 2>/dev/null | @SED@)" -- "$current")
-}
-_prs_files() {
-  compopt -o filenames
-  mapfile -t COMPREPLY < <(compgen -f -- "$current")
-}
-_prs_folders() {
-  compopt -o filenames
-  mapfile -t COMPREPLY < <(compgen -d -- "$current")
-}
-_prs_cases() {
-  compopt -o filenames
-  mapfile -t COMPREPLY < <(compgen -W "$*" -- "$current"; compgen -d -- "$current"
-                           compgen -f -X '!*.yaml' -- "$current"
-                           compgen -f -X '!*.yml' -- "$current")
-}
-_prs() {
-  local current=${COMP_WORDS[COMP_CWORD]} before='' command='' word action=: i at=0
-  COMPREPLY=()
-  for ((i = 1; i < COMP_CWORD; ++i)); do
-    word=${COMP_WORDS[i]}
-    case "$command $before" in
-      @VALUES@) before=''; continue ;;
-    esac
-    before=$word
-    case "$command/$word" in
-@COMMANDS@
-      */-*) ;;
-      *) ((++at)) ;;
-    esac
-  done
-  case "$command $before" in
-@OPTIONS@
-    *)
-      case "$command" in
-@ARGUMENTS@
-      esac
-      if [[ $current == -* ]]; then
-        case "$command" in
-@NAMES@
-        esac
-      fi ;;
-  esac
-  [[ $action == : ]] || _prs_$action
-}
-complete -F _prs prs
-)sh";
 
 // zsh.
 
@@ -277,7 +228,7 @@ std::string bash_completion(const CommandText& program) {
   }
   arguments += fmt::format("        '') action='words {}' ;;\n", joined(command_words(program)));
   names += fmt::format("          '') action='words {}' ;;\n", joined(option_words(program)));
-  std::string script = kBash;
+  std::string script(bash_script());
   for (std::string* lines : {&commands, &options, &arguments, &names}) lines->pop_back();
   for (const auto& [mark, text] : {std::pair{"@VALUES@", joined(values, "|")},
                                    {"@COMMANDS@", commands},

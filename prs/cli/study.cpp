@@ -90,7 +90,7 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
       .keeps_figures = true,
       .converged = result.failed == 0,
       .write = [&](const nlohmann::ordered_json& outline,
-                   const TextSink& sink) { sink(study_text(outline, result, threads)); }};
+                   const TextSink& sink) { write_study(outline, result, sink); }};
   return deliver(delivery, info, options);
 }
 
