@@ -1,7 +1,5 @@
 #include "prs/losses/slip_pictures.h"
 
-#include <numeric>
-
 #include "prs/loads/case_groups.h"
 #include "prs/loads/heat_record.h"
 #include "prs/loads/load_pictures.h"

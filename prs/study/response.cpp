@@ -117,7 +117,6 @@ constexpr std::pair<std::string_view, OnDemand> kOnDemand[] = {
     {"film_thickness_nm", OnDemand::films},
     {"central_film_nm", OnDemand::films},
     {"film_factor", OnDemand::films},
-    {"film_factor", OnDemand::films},
     {"film_ratio", OnDemand::films},
     {"boundary_share", OnDemand::films}};
 

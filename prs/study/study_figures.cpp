@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "prs/record/table_units.h"
 #include "prs/study/study_parts.h"
