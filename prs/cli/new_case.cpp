@@ -10,7 +10,6 @@
 #include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
 #include "prs/model/named_lubricants.h"
-#include "prs/model/problems.h"
 #include "prs/model/quantity_text.h"
 #include "prs/output/files.h"
 

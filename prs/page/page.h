@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/input/source.h"
 #include "prs/report/report.h"
 
 namespace prs {

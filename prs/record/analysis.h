@@ -2,8 +2,6 @@
 
 #include "prs/input/document.h"
 #include "prs/input/reader.h"
-#include "prs/input/source.h"
-#include "prs/model/command.h"
 #include "prs/record/delivery.h"
 #include "prs/record/record_table.h"
 

@@ -4,7 +4,6 @@
 
 #include "modules/module.h"
 #include "prs/input/optimize_reader.h"
-#include "prs/input/study_reader.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/contact_record.h"
 #include "prs/loads/load_case_result.h"

@@ -2,7 +2,6 @@
 
 #include "prs/configurations/configurations_files.h"
 #include "prs/input/schema.h"
-#include "prs/model/command.h"
 #include "prs/optimize/optimize_json.h"
 #include "prs/record/figure_json.h"
 #include "prs/record/record_table.h"

@@ -4,7 +4,6 @@
 #include "prs/loads/full_result.h"
 #include "prs/preload/both_flanks.h"
 #include "prs/sector/load_distribution.h"
-#include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_model.h"
 #include "prs/threads/contact_laws.h"
 

@@ -10,7 +10,6 @@
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/measures/measures_record.h"
-#include "prs/record/record.h"
 #include "prs/record/record_table.h"
 
 namespace prs {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "prs/record/table_units.h"
-#include "prs/study/study_parts.h"
 #include "prs/study/study_pictures.h"
 
 namespace prs {

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "prs/loads/load_json.h"
-#include "prs/loads/result.h"
 #include "prs/model/case.h"
 #include "prs/output/files.h"
-#include "prs/record/figure.h"
 #include "prs/validation/reference.h"
 
 namespace prs {

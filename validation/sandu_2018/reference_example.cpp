@@ -1,10 +1,7 @@
 #include "validation/sandu_2018/reference_example.h"
 
 #include "contact/hertz_formulas.h"
-#include "contact/patch.h"
-#include "prs/loads/analyze.h"
 #include "prs/slip/slip.h"
-#include "prs/slip/slip_model.h"
 #include "validation/extensions.h"
 
 namespace prs::sandu_2018 {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/loads/slip_result.h"
-#include "prs/model/case.h"
 #include "prs/validation/validate.h"
 
 namespace prs::sandu_2018 {

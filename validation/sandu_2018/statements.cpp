@@ -2,10 +2,8 @@
 
 #include <fmt/ranges.h>
 
-#include "prs/loads/analyze.h"
 #include "prs/model/units.h"
 #include "prs/slip/slip.h"
-#include "prs/slip/slip_model.h"
 
 namespace prs::sandu_2018 {
 namespace {
