@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <utility>
 
 #include "prs/embed.h"
@@ -69,9 +70,7 @@ Offer offer(const CommandText& program, const OptionText& option) {
   for (const auto& [name, kind] :
        {std::pair{"PATH=VALUE", settings}, {"DIR|FILE", files}, {"FILE", cases}, {"DIR", folders}})
     if (value == name) return {kind, {}};
-  std::string listed = value + "s";
-  std::ranges::transform(listed, listed.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string listed = boost::to_lower_copy(value + "s");
   if (std::ranges::count(list_words(program), listed) > 0) return {list, {listed}};
   return {};
 }
@@ -102,11 +101,7 @@ std::string action(const Actions& actions, const CommandText& program, const Opt
   return fmt::format(fmt::runtime(actions[static_cast<std::size_t>(o.kind)]), joined(o.words));
 }
 
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
-  return text;
-}
+using boost::replace_all_copy;
 
 // bash.
 
@@ -118,14 +113,14 @@ constexpr const char* kNames =
 
 /// Text within an argument of `_arguments`, which stands in single quotes.
 std::string zsh_text(std::string text) {
-  text = replaced(std::move(text), "'", "'\\''");
+  text = replace_all_copy(text, "'", "'\\''");
   for (const char* special : {"[", "]", ":"})
-    text = replaced(std::move(text), special, std::string("\\") + special);
+    text = replace_all_copy(text, special, std::string("\\") + special);
   return text;
 }
 
 std::string zsh_function(const CommandText& command) {
-  return "_prs_" + replaced(own_name(command), " ", "_");
+  return "_prs_" + replace_all_copy(own_name(command), " ", "_");
 }
 
 std::string zsh_option(const CommandText& program, const OptionText& option) {
@@ -164,15 +159,15 @@ std::string zsh_command(const CommandText& program, const CommandText& command) 
 // fish.
 
 std::string fish_text(const std::string& text) {
-  return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+  return "'" + replace_all_copy(replace_all_copy(text, "\\", "\\\\"), "'", "\\'") + "'";
 }
 
 std::string fish_command(const CommandText& program, const CommandText& command) {
   std::string within;
   const std::string name = own_name(command);
   if (!name.empty()) {
-    within =
-        "__fish_seen_subcommand_from " + replaced(name, " ", "; and __fish_seen_subcommand_from ");
+    within = "__fish_seen_subcommand_from " +
+             replace_all_copy(name, " ", "; and __fish_seen_subcommand_from ");
     if (!command.commands.empty())
       within += "; and not __fish_seen_subcommand_from " + joined(command_words(command));
     within = fmt::format(" -n '{}'", within);
@@ -236,7 +231,7 @@ std::string bash_completion(const CommandText& program) {
                                    {"@ARGUMENTS@", arguments},
                                    {"@NAMES@", names},
                                    {"@SED@", std::string(kNames)}})
-    script = replaced(std::move(script), mark, text);
+    script = replace_all_copy(script, mark, text);
   return script;
 }
 
@@ -249,10 +244,11 @@ std::string zsh_completion(const CommandText& program) {
       "_prs_settings() { local -a names=(${(f)\"$(prs list inputs 2>/dev/null | @SED@)\"}); "
       "compadd -S = -a names }\n";
   for (const CommandText* command : all_commands(program)) text += zsh_command(program, *command);
-  text = replaced(std::move(text), "@SED@", kNames);
+  text = replace_all_copy(text, "@SED@", kNames);
   text += "_prs() {\n  local -a commands=(";
   for (const CommandText& command : program.commands)
-    text += fmt::format("\n    '{}:{}'", last_word(command), replaced(command.help, "'", "'\\''"));
+    text += fmt::format("\n    '{}:{}'", last_word(command),
+                        replace_all_copy(command.help, "'", "'\\''"));
   text += "\n  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    _arguments -s";
   for (const OptionText& option : program.options) text += zsh_option(program, option);
   return text +
@@ -267,7 +263,7 @@ std::string fish_completion(const CommandText& program) {
       "function __prs_list\n    prs list $argv 2>/dev/null | @SED@\nend\n"
       "complete -c prs -f\n" +
       fish_command(program, program);
-  text = replaced(std::move(text), "@SED@", kNames);
+  text = replace_all_copy(text, "@SED@", kNames);
   for (const CommandText* command : all_commands(program)) text += fish_command(program, *command);
   return text;
 }

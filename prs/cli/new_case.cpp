@@ -40,23 +40,19 @@ const QuantityOption kQuantities[] = {
 
 /// Screws of the examples that the command writes without options.
 ScrewData example(Mechanism::Type type) {
-  ScrewData d;
-  d.type = type;
   if (type == Mechanism::Type::standard)
-    d = {.type = type,
-         .screw_diameter = 30e-3,
-         .lead = 10e-3,
-         .starts = 5,
-         .nut_diameter = 64e-3,
-         .nut_length = 85e-3};
-  else
-    d = {.type = type,
-         .screw_diameter = 21e-3,
-         .lead = 5e-3,
-         .starts = 3,
-         .nut_diameter = 46e-3,
-         .nut_length = 90e-3};
-  return d;
+    return {.type = type,
+            .screw_diameter = 30e-3,
+            .lead = 10e-3,
+            .starts = 5,
+            .nut_diameter = 64e-3,
+            .nut_length = 85e-3};
+  return {.type = type,
+          .screw_diameter = 21e-3,
+          .lead = 5e-3,
+          .starts = 3,
+          .nut_diameter = 46e-3,
+          .nut_length = 90e-3};
 }
 
 /// `nut_diameter` -> `--nut-diameter`
