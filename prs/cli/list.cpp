@@ -32,9 +32,7 @@ using Json = nlohmann::ordered_json;
 
 /// What `--set` takes.
 std::vector<Item> input_items(const Options&) {
-  std::vector<Item> items;
-  for (const input::InputKey& key : input::input_keys()) items.push_back({key.path, key.meaning});
-  return items;
+  return each(input::input_keys(), [](auto& key) { return Item{key.path, key.meaning}; });
 }
 
 std::string names(const std::vector<Item>& items) {
@@ -64,9 +62,7 @@ std::vector<std::string> responses(const Options& options) {
 }
 
 std::vector<Item> lesson_items(const Options&) {
-  std::vector<Item> items;
-  for (const Lesson& lesson : lessons()) items.push_back({lesson.name, lesson.title});
-  return items;
+  return each(lessons(), [](const Lesson& lesson) { return Item{lesson.name, lesson.title}; });
 }
 
 /// Something to choose from: items, or a table with names at the head of its lines and a document.
@@ -97,9 +93,7 @@ constexpr List kLists[] = {
 }  // namespace
 
 std::vector<std::string> list_words() {
-  std::vector<std::string> words;
-  for (const List& list : kLists) words.emplace_back(list.word);
-  return words;
+  return each(kLists, [](const List& list) { return std::string(list.word); });
 }
 
 std::string list_help() {

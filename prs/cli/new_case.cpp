@@ -113,8 +113,7 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   l.assumed = !o.lubricant;
   if (o.lubricant) {
     l.name = *o.lubricant;
-    std::vector<std::string_view> names;
-    for (const NamedLubricant& known : named_lubricants()) names.push_back(known.name);
+    const auto names = each(named_lubricants(), &NamedLubricant::name);
     if (std::ranges::find(names, l.name) == names.end()) {
       const std::string hint = input::did_you_mean(l.name, names);
       fail_option("--lubricant", "got {}; expected a name of `prs list lubricants`{}{}",

@@ -89,13 +89,11 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
 /// The plan that is one case with its derivatives.
 int derivatives(const input::StudyInput& in, const Options& options) {
   const CaseDerivatives result = run_derivatives(in);
-  std::vector<std::string> notes;
-  for (const Warning& warning : result.warnings) notes.push_back(warning_note(warning));
   const Delivery delivery{
       .file = "derivatives.json",
       .document = [&](const DocumentInfo& info) { return derivatives_json(result, info); },
       .table = [&] { return derivatives_table(result); },
-      .notes = notes,
+      .notes = each(result.warnings, warning_note),
       .files =
           [&](const CsvStyle& style) {
             return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result, style)}};

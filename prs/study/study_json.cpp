@@ -19,9 +19,7 @@ struct FactorOf {
   bool is_sampled = false;
 
   std::vector<FactorOf> companions() const {
-    std::vector<FactorOf> all;
-    for (const Factor& companion : factor->companions) all.push_back({&companion});
-    return all;
+    return each(factor->companions, [](const Factor& f) { return FactorOf{&f}; });
   }
 };
 
@@ -80,9 +78,9 @@ constexpr Quantity<Study> kStudy[] = {
     {"samples", of<&Study::samples, sampled>},
     {"seed", of<&Study::seed, sampled>},
     {"factors", always<[](auto& study) {
-       std::vector<FactorOf> factors;
-       for (const Factor& factor : study.factors) factors.push_back({&factor, sampled(study)});
-       return factors;
+       return each(study.factors, [&](const Factor& factor) {
+         return FactorOf{&factor, sampled(study)};
+       });
      }>},
     {"responses", always<&Study::responses>},
 };
@@ -235,20 +233,17 @@ constexpr Quantity<InPoint> kPoint[] = {
     {"reason", filled<its<&EnvelopePoint::reason>>},
     {"design", of_found<its<&EnvelopePoint::design>>},
     {"settings", filled<[](auto& p) {
-       std::vector<std::string> paths;
-       for (const DrawnInput& drawn : drawn_inputs(p.whole->study))
-         paths.push_back(drawn.input->path);
-       return by_key(paths, p.item->inputs);
+       return by_key(
+           each(drawn_inputs(p.whole->study), [](auto& drawn) { return drawn.input->path; }),
+           p.item->inputs);
      }>,
      "by the paths of the inputs"},
     {"responses",
      of_found<[](auto& p) { return by_key(p.whole->study.responses, p.item->responses); }>,
      "by their paths"},
     {"normalised", of_found<[](auto& p) {
-       std::vector<std::string> responses;
-       for (const MeasureMap& measure : p.whole->summary.envelope->measures)
-         responses.push_back(p.whole->study.responses[measure.response]);
-       return by_key(responses, p.item->normalised);
+       const auto response = [&](auto& m) { return p.whole->study.responses[m.response]; };
+       return by_key(each(p.whole->summary.envelope->measures, response), p.item->normalised);
      }>,
      "by the paths of the responses"},
     {"envelope", of_found<its<&EnvelopePoint::envelope>>},

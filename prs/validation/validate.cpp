@@ -37,10 +37,9 @@ std::vector<Comparison> compare(const ReferenceCase& reference, const SourceExte
   const Json document = document_of(reference, code);
   const std::string name =
       reference.file.empty() ? reference.formulas : reference.file.stem().string();
-  std::vector<Comparison> comparisons;
-  for (const PrintedValue& value : reference.values)
-    comparisons.push_back({name, value, number_at(document, value.quantity)});
-  return comparisons;
+  return each(reference.values, [&](const PrintedValue& value) {
+    return Comparison{name, value, number_at(document, value.quantity)};
+  });
 }
 
 template <class T>
