@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "contact/curvature.h"
-#include "simd/lanes.h"
 
 namespace contact {
 

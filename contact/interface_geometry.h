@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/contact_point.h"
-#include "contact/curvature.h"
 
 namespace contact {
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "contact/contact_point.h"
 #include "contact/interface_geometry.h"
-#include "contact/thread_surface.h"
 
 namespace contact {
 

@@ -1,7 +1,6 @@
 #include "fe/axisymmetric.h"
 
 #include <Eigen/LU>
-#include <cmath>
 #include <numbers>
 
 #include "fe/sparse_pattern.h"

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "fe/sparse_factorization.h"
-#include "fe/sparse_symmetric.h"
 
 namespace fe {
 

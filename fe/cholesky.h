@@ -2,9 +2,7 @@
 
 #include <string_view>
 
-#include "fe/factorization_status.h"
 #include "fe/sparse_factorization.h"
-#include "fe/sparse_symmetric.h"
 
 namespace fe {
 

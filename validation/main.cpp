@@ -8,7 +8,6 @@
 #include "prs/cli/program.h"
 #include "prs/cli/progress_line.h"
 #include "prs/input/document.h"
-#include "prs/validation/validate.h"
 #include "prs/version.h"
 #include "validation/extensions.h"
 #include "validation/jung_2017/recipe.h"

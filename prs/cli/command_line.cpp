@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cctype>
 #include <charconv>
 
@@ -16,12 +17,6 @@ namespace {
 
 using input::did_you_mean;
 using input::shown;
-
-std::string upper(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
 
 bool is_argument(const CLI::Option& option) { return option.get_positional(); }
 
@@ -54,7 +49,7 @@ OptionText text_of(const CLI::Option& option) {
   const bool takes_value = option.get_items_expected_max() > 0;
   if (takes_value) text.value = option.get_type_name();
   text.words = words_of(text.value);
-  if (is_argument(option)) text.value = upper(option.get_name(true));
+  if (is_argument(option)) text.value = boost::to_upper_copy(option.get_name(true));
   text.help = option.get_description();
   text.required = option.get_required();
   text.repeatable = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll ||

@@ -5,8 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <utility>
+
+#include "prs/embed.h"
+
+PRS_EMBED(bash_script, PRS_COMPLETION_OF_BASH)
 
 namespace prs::cli {
 namespace {
@@ -65,9 +70,7 @@ Offer offer(const CommandText& program, const OptionText& option) {
   for (const auto& [name, kind] :
        {std::pair{"PATH=VALUE", settings}, {"DIR|FILE", files}, {"FILE", cases}, {"DIR", folders}})
     if (value == name) return {kind, {}};
-  std::string listed = value + "s";
-  std::ranges::transform(listed, listed.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string listed = boost::to_lower_copy(value + "s");
   if (std::ranges::count(list_words(program), listed) > 0) return {list, {listed}};
   return {};
 }
@@ -98,11 +101,7 @@ std::string action(const Actions& actions, const CommandText& program, const Opt
   return fmt::format(fmt::runtime(actions[static_cast<std::size_t>(o.kind)]), joined(o.words));
 }
 
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
-  return text;
-}
+using boost::replace_all_copy;
 
 // bash.
 
@@ -110,71 +109,18 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 constexpr const char* kNames =
     R"(sed -n -e '/^name  /d' -e '/^path  /d' -e 's/^\([^ ][^ ]*\)\(  .*\)\{0,1\}$/\1/p')";
 
-constexpr const char* kBash = R"sh(# Completion of prs in bash. `prs completion bash` wrote it.
-_prs_words() { mapfile -t COMPREPLY < <(compgen -W "$*" -- "$current"); }
-_prs_list() { _prs_words "$(prs list "$1" 2>/dev/null | @SED@)"; }
-_prs_settings() {
-  compopt -o nospace
-  mapfile -t COMPREPLY < <(compgen -S = -W "$(prs list inputs 2>/dev/null | @SED@)" -- "$current")
-}
-_prs_files() {
-  compopt -o filenames
-  mapfile -t COMPREPLY < <(compgen -f -- "$current")
-}
-_prs_folders() {
-  compopt -o filenames
-  mapfile -t COMPREPLY < <(compgen -d -- "$current")
-}
-_prs_cases() {
-  compopt -o filenames
-  mapfile -t COMPREPLY < <(compgen -W "$*" -- "$current"; compgen -d -- "$current"
-                           compgen -f -X '!*.yaml' -- "$current"
-                           compgen -f -X '!*.yml' -- "$current")
-}
-_prs() {
-  local current=${COMP_WORDS[COMP_CWORD]} before='' command='' word action=: i at=0
-  COMPREPLY=()
-  for ((i = 1; i < COMP_CWORD; ++i)); do
-    word=${COMP_WORDS[i]}
-    case "$command $before" in
-      @VALUES@) before=''; continue ;;
-    esac
-    before=$word
-    case "$command/$word" in
-@COMMANDS@
-      */-*) ;;
-      *) ((++at)) ;;
-    esac
-  done
-  case "$command $before" in
-@OPTIONS@
-    *)
-      case "$command" in
-@ARGUMENTS@
-      esac
-      if [[ $current == -* ]]; then
-        case "$command" in
-@NAMES@
-        esac
-      fi ;;
-  esac
-  [[ $action == : ]] || _prs_$action
-}
-complete -F _prs prs
-)sh";
-
 // zsh.
 
 /// Text within an argument of `_arguments`, which stands in single quotes.
 std::string zsh_text(std::string text) {
-  text = replaced(std::move(text), "'", "'\\''");
+  text = replace_all_copy(text, "'", "'\\''");
   for (const char* special : {"[", "]", ":"})
-    text = replaced(std::move(text), special, std::string("\\") + special);
+    text = replace_all_copy(text, special, std::string("\\") + special);
   return text;
 }
 
 std::string zsh_function(const CommandText& command) {
-  return "_prs_" + replaced(own_name(command), " ", "_");
+  return "_prs_" + replace_all_copy(own_name(command), " ", "_");
 }
 
 std::string zsh_option(const CommandText& program, const OptionText& option) {
@@ -213,15 +159,15 @@ std::string zsh_command(const CommandText& program, const CommandText& command) 
 // fish.
 
 std::string fish_text(const std::string& text) {
-  return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+  return "'" + replace_all_copy(replace_all_copy(text, "\\", "\\\\"), "'", "\\'") + "'";
 }
 
 std::string fish_command(const CommandText& program, const CommandText& command) {
   std::string within;
   const std::string name = own_name(command);
   if (!name.empty()) {
-    within =
-        "__fish_seen_subcommand_from " + replaced(name, " ", "; and __fish_seen_subcommand_from ");
+    within = "__fish_seen_subcommand_from " +
+             replace_all_copy(name, " ", "; and __fish_seen_subcommand_from ");
     if (!command.commands.empty())
       within += "; and not __fish_seen_subcommand_from " + joined(command_words(command));
     within = fmt::format(" -n '{}'", within);
@@ -277,7 +223,7 @@ std::string bash_completion(const CommandText& program) {
   }
   arguments += fmt::format("        '') action='words {}' ;;\n", joined(command_words(program)));
   names += fmt::format("          '') action='words {}' ;;\n", joined(option_words(program)));
-  std::string script = kBash;
+  std::string script(bash_script());
   for (std::string* lines : {&commands, &options, &arguments, &names}) lines->pop_back();
   for (const auto& [mark, text] : {std::pair{"@VALUES@", joined(values, "|")},
                                    {"@COMMANDS@", commands},
@@ -285,7 +231,7 @@ std::string bash_completion(const CommandText& program) {
                                    {"@ARGUMENTS@", arguments},
                                    {"@NAMES@", names},
                                    {"@SED@", std::string(kNames)}})
-    script = replaced(std::move(script), mark, text);
+    script = replace_all_copy(script, mark, text);
   return script;
 }
 
@@ -298,10 +244,11 @@ std::string zsh_completion(const CommandText& program) {
       "_prs_settings() { local -a names=(${(f)\"$(prs list inputs 2>/dev/null | @SED@)\"}); "
       "compadd -S = -a names }\n";
   for (const CommandText* command : all_commands(program)) text += zsh_command(program, *command);
-  text = replaced(std::move(text), "@SED@", kNames);
+  text = replace_all_copy(text, "@SED@", kNames);
   text += "_prs() {\n  local -a commands=(";
   for (const CommandText& command : program.commands)
-    text += fmt::format("\n    '{}:{}'", last_word(command), replaced(command.help, "'", "'\\''"));
+    text += fmt::format("\n    '{}:{}'", last_word(command),
+                        replace_all_copy(command.help, "'", "'\\''"));
   text += "\n  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    _arguments -s";
   for (const OptionText& option : program.options) text += zsh_option(program, option);
   return text +
@@ -316,7 +263,7 @@ std::string fish_completion(const CommandText& program) {
       "function __prs_list\n    prs list $argv 2>/dev/null | @SED@\nend\n"
       "complete -c prs -f\n" +
       fish_command(program, program);
-  text = replaced(std::move(text), "@SED@", kNames);
+  text = replace_all_copy(text, "@SED@", kNames);
   for (const CommandText* command : all_commands(program)) text += fish_command(program, *command);
   return text;
 }

@@ -1,4 +1,3 @@
-#include "prs/configurations/configurations.h"
 
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
@@ -6,7 +5,6 @@
 #include "prs/configurations/configurations_files.h"
 #include "prs/configurations/screw_case.h"
 #include "prs/input/source.h"
-#include "prs/model/problems.h"
 #include "prs/output/files.h"
 #include "prs/version.h"
 

@@ -5,7 +5,6 @@
 
 #include "prs/cli/interruption.h"
 #include "prs/output/run_files.h"
-#include "prs/output/staged_file.h"
 #include "prs/record/figure_json.h"
 
 namespace prs::cli {

@@ -3,7 +3,6 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/option_values.h"
 #include "prs/export/system_model.h"
-#include "prs/loads/load_json.h"
 #include "prs/output/files.h"
 #include "prs/sha256.h"
 #include "prs/text.h"

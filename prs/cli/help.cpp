@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
@@ -86,9 +87,7 @@ std::string plain(const Section& section) {
 }
 
 std::string indented(const std::string& text) {
-  std::string lines = "  ";
-  for (const char c : text) lines += c == '\n' ? std::string("\n  ") : std::string(1, c);
-  return lines + "\n";
+  return "  " + boost::replace_all_copy(text, "\n", "\n  ") + "\n";
 }
 
 // roff.
@@ -124,16 +123,12 @@ std::string lines_of(const std::string& text) {
   return lines;
 }
 
-std::string title(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return fmt::format(".SH {}\n", text);
+std::string title(const std::string& text) {
+  return fmt::format(".SH {}\n", boost::to_upper_copy(text));
 }
 
 std::string page_name(const CommandText& command) {
-  std::string name = command.name;
-  std::ranges::replace(name, ' ', '-');
-  return name;
+  return boost::replace_all_copy(command.name, " ", "-");
 }
 
 }  // namespace

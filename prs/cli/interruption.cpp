@@ -4,7 +4,6 @@
 
 #include <csignal>
 
-#include "prs/file_descriptor.h"
 #include "prs/output/staged_file.h"
 
 namespace prs::cli {

@@ -1,10 +1,8 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/option_values.h"
 #include "prs/cli/package.h"
-#include "prs/cli/printing.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/schema.h"
-#include "prs/input/source.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_json.h"
 #include "prs/measures/measures_analysis.h"
@@ -33,10 +31,8 @@ std::vector<Item> command_items(const Options& options) {
 using Json = nlohmann::ordered_json;
 
 /// What `--set` takes.
-std::vector<Item> input_items() {
-  std::vector<Item> items;
-  for (const input::InputKey& key : input::input_keys()) items.push_back({key.path, key.meaning});
-  return items;
+std::vector<Item> input_items(const Options&) {
+  return each(input::input_keys(), [](auto& key) { return Item{key.path, key.meaning}; });
 }
 
 std::string names(const std::vector<Item>& items) {
@@ -65,53 +61,39 @@ std::vector<std::string> responses(const Options& options) {
   return options.file.empty() ? known_responses() : responses_of(case_source(options));
 }
 
-std::vector<Item> lesson_items() {
-  std::vector<Item> items;
-  for (const Lesson& lesson : lessons()) items.push_back({lesson.name, lesson.title});
-  return items;
+std::vector<Item> lesson_items(const Options&) {
+  return each(lessons(), [](const Lesson& lesson) { return Item{lesson.name, lesson.title}; });
 }
 
-/// Something to choose from: lines that begin with its names, and the same as a document.
+/// Something to choose from: items, or a table with names at the head of its lines and a document.
 struct List {
   const char* word;
   const char* meaning;
-  std::string (*text)(const Options&);
-  Json (*json)(const Options&);
   bool takes_file = false;
+  std::vector<Item> (*items)(const Options&) = nullptr;
+  std::string (*table)(const Options&) = nullptr;
+  Json (*document)(const Options&) = nullptr;
 };
 
 constexpr List kLists[] = {
-    {"commands", "those that take a case; with FILE, those for which it is complete",
-     [](const Options& o) { return names(command_items(o)); },
-     [](const Options& o) {
-       return Json{{"commands", entries(command_items(o))}};
-     },
-     true},
-    {"inputs", "keys of a case, as `--set` takes them",
-     [](const Options&) { return columns(input_items()); },
-     [](const Options&) {
-       return Json{{"inputs", entries(input_items())}};
-     }},
-    {"lubricants", "known by name", [](const Options&) { return lubricants_table(); },
+    {"commands", "those that take a case; with FILE, those for which it is complete", true,
+     command_items, [](const Options& o) { return names(command_items(o)); }},
+    {"inputs", "keys of a case, as `--set` takes them", false, input_items},
+    {"lubricants", "known by name", false, nullptr,
+     [](const Options&) { return lubricants_table(); },
      [](const Options&) { return lubricants_json(); }},
-    {"units", "of the input", [](const Options&) { return units_table(); },
+    {"units", "of the input", false, nullptr, [](const Options&) { return units_table(); },
      [](const Options&) { return units_json(); }},
-    {"responses", "what a study may record; with FILE, what its results have",
+    {"responses", "what a study may record; with FILE, what its results have", true, nullptr,
      [](const Options& o) { return responses_table(responses(o)); },
-     [](const Options& o) { return responses_json(responses(o)); }, true},
-    {"lessons", "that `prs new --lesson` copies",
-     [](const Options&) { return columns(lesson_items()); },
-     [](const Options&) {
-       return Json{{"lessons", entries(lesson_items())}};
-     }},
+     [](const Options& o) { return responses_json(responses(o)); }},
+    {"lessons", "that `prs new --lesson` copies", false, lesson_items},
 };
 
 }  // namespace
 
 std::vector<std::string> list_words() {
-  std::vector<std::string> words;
-  for (const List& list : kLists) words.emplace_back(list.word);
-  return words;
+  return each(kLists, [](const List& list) { return std::string(list.word); });
 }
 
 std::string list_help() {
@@ -125,13 +107,15 @@ int list(const Options& options) {
                                         [](const List& l) { return std::string_view(l.word); });
   if (!options.file.empty() && !list.takes_file)
     throw UsageError("got {}; expected no further word", input::shown(options.file));
-  print(options.json ? json_text(list.json(options)) : list.text(options));
+  if (options.json)
+    print(json_text(list.items ? Json{{list.word, entries(list.items(options))}}
+                               : list.document(options)));
+  else
+    print(list.table ? list.table(options) : columns(list.items(options)));
   return kDone;
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A quantity where it stands in a document.
 struct Place {
@@ -158,22 +142,11 @@ std::vector<Place> all_places() {
   return places;
 }
 
-/// Without what stands in brackets.
-std::string plain_path(std::string_view path) {
-  std::string plain;
-  bool inside = false;
-  for (const char c : path) {
-    inside = c == '[' || (inside && c != ']');
-    if (!inside && c != ']') plain += c;
-  }
-  return plain;
-}
-
 std::vector<Place> places_of(const std::vector<Place>& all, const std::string& name) {
   std::vector<Place> found;
   std::ranges::copy_if(all, std::back_inserter(found), [&](const Place& place) {
-    const std::string path = "." + plain_path(place.path);
-    return path.ends_with("." + plain_path(name));
+    const std::string path = "." + input::without_places(place.path);
+    return path.ends_with("." + input::without_places(name));
   });
   return found;
 }
@@ -182,9 +155,10 @@ std::vector<Place> places_of(const std::vector<Place>& all, const std::string& n
   std::vector<std::string> known;
   for (const Place& place : all) {
     known.push_back(place.quantity["key"]);
-    known.push_back(plain_path(place.path));
+    known.push_back(input::without_places(place.path));
   }
-  const std::string hint = input::did_you_mean(plain_path(name), {known.begin(), known.end()});
+  const std::string hint =
+      input::did_you_mean(input::without_places(name), {known.begin(), known.end()});
   throw UsageError("--explain: got {}; expected a measure or the path of a result; {}",
                    input::shown(name), hint.empty() ? "`prs schema results` lists them" : hint);
 }

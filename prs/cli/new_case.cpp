@@ -10,7 +10,6 @@
 #include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
 #include "prs/model/named_lubricants.h"
-#include "prs/model/problems.h"
 #include "prs/model/quantity_text.h"
 #include "prs/output/files.h"
 
@@ -41,23 +40,19 @@ const QuantityOption kQuantities[] = {
 
 /// Screws of the examples that the command writes without options.
 ScrewData example(Mechanism::Type type) {
-  ScrewData d;
-  d.type = type;
   if (type == Mechanism::Type::standard)
-    d = {.type = type,
-         .screw_diameter = 30e-3,
-         .lead = 10e-3,
-         .starts = 5,
-         .nut_diameter = 64e-3,
-         .nut_length = 85e-3};
-  else
-    d = {.type = type,
-         .screw_diameter = 21e-3,
-         .lead = 5e-3,
-         .starts = 3,
-         .nut_diameter = 46e-3,
-         .nut_length = 90e-3};
-  return d;
+    return {.type = type,
+            .screw_diameter = 30e-3,
+            .lead = 10e-3,
+            .starts = 5,
+            .nut_diameter = 64e-3,
+            .nut_length = 85e-3};
+  return {.type = type,
+          .screw_diameter = 21e-3,
+          .lead = 5e-3,
+          .starts = 3,
+          .nut_diameter = 46e-3,
+          .nut_length = 90e-3};
 }
 
 /// `nut_diameter` -> `--nut-diameter`
@@ -118,8 +113,7 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   l.assumed = !o.lubricant;
   if (o.lubricant) {
     l.name = *o.lubricant;
-    std::vector<std::string_view> names;
-    for (const NamedLubricant& known : named_lubricants()) names.push_back(known.name);
+    const auto names = each(named_lubricants(), &NamedLubricant::name);
     if (std::ranges::find(names, l.name) == names.end()) {
       const std::string hint = input::did_you_mean(l.name, names);
       fail_option("--lubricant", "got {}; expected a name of `prs list lubricants`{}{}",

@@ -1,18 +1,11 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/interruption.h"
-#include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
-#include "prs/input/optimize_reader.h"
 #include "prs/optimize/optimize_json.h"
 #include "prs/optimize/optimize_pictures.h"
 #include "prs/optimize/optimize_table.h"
-#include "prs/output/files.h"
-#include "prs/record/pictures.h"
-#include "prs/run/commands.h"
 #include "prs/run/optimization.h"
-#include "prs/study/schedule.h"
-#include "prs/study/study_run.h"
 
 namespace prs::cli {
 namespace {

@@ -10,9 +10,7 @@
 #include "prs/cli/option_values.h"
 #include "prs/cli/progress_line.h"
 #include "prs/components/picture.h"
-#include "prs/input/source.h"
 #include "prs/output/run_files.h"
-#include "prs/output/staged_file.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/study/journal.h"
 

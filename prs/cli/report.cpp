@@ -9,9 +9,7 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/option_values.h"
 #include "prs/loads/load_json.h"
-#include "prs/output/files.h"
 #include "prs/output/run_files.h"
-#include "prs/output/staged_file.h"
 
 namespace prs::cli {
 namespace {

@@ -4,24 +4,16 @@
 #include "prs/cli/deliver.h"
 #include "prs/cli/interruption.h"
 #include "prs/cli/option_values.h"
-#include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
-#include "prs/input/study_reader.h"
-#include "prs/output/files.h"
 #include "prs/output/run_files.h"
 #include "prs/record/pictures.h"
-#include "prs/run/commands.h"
 #include "prs/run/study.h"
-#include "prs/study/derivatives.h"
 #include "prs/study/derivatives_files.h"
-#include "prs/study/design_engine.h"
 #include "prs/study/distributed.h"
 #include "prs/study/response.h"
 #include "prs/study/study_files.h"
 #include "prs/study/study_json.h"
 #include "prs/study/study_pictures.h"
-#include "prs/study/study_result.h"
-#include "prs/study/study_run.h"
 #include "prs/study/study_table.h"
 #include "prs/text.h"
 #include "prs/version.h"
@@ -90,20 +82,18 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
       .keeps_figures = true,
       .converged = result.failed == 0,
       .write = [&](const nlohmann::ordered_json& outline,
-                   const TextSink& sink) { sink(study_text(outline, result, threads)); }};
+                   const TextSink& sink) { write_study(outline, result, sink); }};
   return deliver(delivery, info, options);
 }
 
 /// The plan that is one case with its derivatives.
 int derivatives(const input::StudyInput& in, const Options& options) {
   const CaseDerivatives result = run_derivatives(in);
-  std::vector<std::string> notes;
-  for (const Warning& warning : result.warnings) notes.push_back(warning_note(warning));
   const Delivery delivery{
       .file = "derivatives.json",
       .document = [&](const DocumentInfo& info) { return derivatives_json(result, info); },
       .table = [&] { return derivatives_table(result); },
-      .notes = notes,
+      .notes = each(result.warnings, warning_note),
       .files =
           [&](const CsvStyle& style) {
             return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result, style)}};

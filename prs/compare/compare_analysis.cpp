@@ -46,9 +46,7 @@ std::optional<MostLoaded> most_loaded(const ComparedModel& m, Interface i) {
 }
 
 std::vector<std::string> model_names(const ModelComparison& c) {
-  std::vector<std::string> names;
-  for (const Result& model : c.models) names.emplace_back(name_of_model(model.model));
-  return names;
+  return each(c.models, [](const Result& r) { return std::string(name_of_model(r.model)); });
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/cmaes.hpp>
 #include <pagmo/algorithms/moead.hpp>

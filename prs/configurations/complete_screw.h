@@ -4,7 +4,6 @@
 
 #include "prs/configurations/roller_spacing.h"
 #include "prs/model/case.h"
-#include "prs/model/heat.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

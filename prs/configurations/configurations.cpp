@@ -4,8 +4,6 @@
 
 #include "prs/configurations/complete_screw.h"
 #include "prs/model/check_case.h"
-#include "prs/model/problems.h"
-#include "prs/threads/contacts.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"
 

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "prs/configurations/roller_spacing.h"
-#include "prs/model/mechanism.h"
 
 namespace prs {
 

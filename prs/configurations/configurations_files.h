@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/configurations/configurations.h"
-#include "prs/record/csv_writer.h"
 #include "prs/record/delivery.h"
 #include "prs/record/record.h"
 

@@ -7,7 +7,6 @@
 #include <new>
 #include <sstream>
 
-#include "prs/input/reader.h"
 #include "prs/input/written_case.h"
 #include "prs/record/figure_json.h"
 #include "prs/report/report.h"

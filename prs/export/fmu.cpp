@@ -13,6 +13,7 @@
 PRS_EMBED(curves_h, PRS_UNIT_SOURCES "/curves.h")
 PRS_EMBED(curves_c, PRS_UNIT_SOURCES "/curves.c")
 PRS_EMBED(fmi2_h, PRS_UNIT_SOURCES "/fmi2.h")
+PRS_EMBED(description, PRS_UNIT_SOURCES "/modelDescription.xml")
 PRS_EMBED(unit_c, PRS_UNIT_SOURCES "/unit.c")
 PRS_EMBED(licence, PRS_LICENCE)
 PRS_EMBED(library, PRS_UNIT_LIBRARY)
@@ -30,53 +31,13 @@ std::string bytes_of(const std::vector<double>& numbers) {
   return bytes;
 }
 
-/// In the order of the value references in unit.c.
-constexpr const char* kVariables = R"(
-    <ScalarVariable name="deflection" valueReference="0" causality="input" variability="continuous" description="Loaded section of the screw against the section that holds the nut, without the travel of the thread; &gt; 0 in tension"><Real unit="m" displayUnit="um" start="0"/></ScalarVariable>
-    <ScalarVariable name="speed" valueReference="1" causality="input" variability="continuous" description="Screw against nut"><Real unit="rad/s" displayUnit="rpm" start="0"/></ScalarVariable>
-    <ScalarVariable name="force" valueReference="2" causality="output" variability="continuous" initial="calculated" description="Axial force on the screw; &gt; 0 in tension"><Real unit="N"/></ScalarVariable>
-    <ScalarVariable name="stiffness" valueReference="3" causality="output" variability="continuous" initial="calculated" description="Change of the force with the deflection"><Real unit="N/m" displayUnit="N/um"/></ScalarVariable>
-    <ScalarVariable name="torque" valueReference="4" causality="output" variability="continuous" initial="calculated" description="Of the drive on the screw; &gt; 0 where it drives a positive force at a positive speed, right-handed"><Real unit="N.m"/></ScalarVariable>)";
-
-constexpr const char* kStructure = R"(
-    <Unknown index="3" dependencies="1" dependenciesKind="dependent"/>
-    <Unknown index="4" dependencies="1" dependenciesKind="dependent"/>
-    <Unknown index="5" dependencies="1 2" dependenciesKind="dependent dependent"/>)";
-
+/// Variables have the order of the value references in unit.c.
 std::string description_xml(const SystemCurves& curves, const ModelText& text,
                             const std::string& guid) {
-  return fmt::format(
-      R"(<?xml version="1.0" encoding="UTF-8"?>
-<fmiModelDescription fmiVersion="2.0" modelName="{name}" guid="{guid}" description="Planetary roller screw of {file}" version="{sha}" generationTool="prs {version}" variableNamingConvention="flat" numberOfEventIndicators="0">
-  <CoSimulation modelIdentifier="{name}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true">
-    <SourceFiles><File name="unit.c"/><File name="curves.c"/></SourceFiles>
-  </CoSimulation>
-  <UnitDefinitions>
-    <Unit name="m"><BaseUnit m="1"/><DisplayUnit name="um" factor="1e6"/></Unit>
-    <Unit name="rad/s"><BaseUnit s="-1" rad="1"/><DisplayUnit name="rpm" factor="9.549296585513721"/></Unit>
-    <Unit name="N"><BaseUnit kg="1" m="1" s="-2"/></Unit>
-    <Unit name="N/m"><BaseUnit kg="1" s="-2"/><DisplayUnit name="N/um" factor="1e-6"/></Unit>
-    <Unit name="N.m"><BaseUnit kg="1" m="2" s="-2"/></Unit>
-  </UnitDefinitions>
-  <LogCategories>
-    <Category name="logStatusWarning" description="An input lies beyond what was computed; {range}"/>
-    <Category name="logStatusError" description="What a call cannot do"/>
-  </LogCategories>
-  <DefaultExperiment startTime="0" stopTime="1" stepSize="0.001"/>
-  <ModelVariables>{variables}
-  </ModelVariables>
-  <ModelStructure>
-    <Outputs>{structure}
-    </Outputs>
-    <InitialUnknowns>{structure}
-    </InitialUnknowns>
-  </ModelStructure>
-</fmiModelDescription>
-)",
-      fmt::arg("name", text.name), fmt::arg("guid", guid), fmt::arg("file", html(text.case_file)),
-      fmt::arg("sha", text.case_sha256), fmt::arg("version", kVersion),
-      fmt::arg("range", html(curves_text(curves))), fmt::arg("variables", kVariables),
-      fmt::arg("structure", kStructure));
+  return fmt::format(fmt::runtime(description()), fmt::arg("name", text.name),
+                     fmt::arg("guid", guid), fmt::arg("file", html(text.case_file)),
+                     fmt::arg("sha", text.case_sha256), fmt::arg("version", kVersion),
+                     fmt::arg("range", html(curves_text(curves))));
 }
 
 std::string documentation(const SystemCurves& curves, const ModelText& text) {

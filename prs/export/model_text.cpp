@@ -3,7 +3,6 @@
 
 #include "prs/export/system_model.h"
 #include "prs/input/document.h"
-#include "prs/input/reader.h"
 #include "prs/run/commands.h"
 #include "prs/sha256.h"
 

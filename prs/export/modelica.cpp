@@ -1,6 +1,5 @@
 #include "prs/embed.h"
 #include "prs/export/system_model.h"
-#include "prs/input/source.h"
 #include "prs/version.h"
 
 PRS_EMBED(modelica_functions, PRS_UNIT_SOURCES "/curves.mo")

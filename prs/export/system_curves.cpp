@@ -7,14 +7,9 @@
 #include "prs/heat/analyze_heat.h"
 #include "prs/heat/case_losses.h"
 #include "prs/input/units.h"
-#include "prs/loads/analyze.h"
-#include "prs/loads/full_result.h"
 #include "prs/model/check_case.h"
-#include "prs/model/problems.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/slip/running.h"
-#include "prs/slip/slip.h"
-#include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {

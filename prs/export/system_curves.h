@@ -2,7 +2,6 @@
 
 #include "prs/export/curves.h"
 #include "prs/model/case.h"
-#include "prs/model/preload.h"
 #include "prs/model/warning.h"
 
 namespace prs {

@@ -1,6 +1,5 @@
 #include "prs/heat/analyze_heat.h"
 
-#include "prs/heat/case_losses.h"
 #include "prs/heat/duty_cycle.h"
 #include "prs/model/quantity_text.h"
 #include "prs/preload/preloaded_mechanism.h"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "prs/heat/case_losses.h"
-#include "prs/heat/thermal_network.h"
-#include "prs/loads/heat_result.h"
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
 

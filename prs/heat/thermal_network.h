@@ -6,7 +6,6 @@
 #include "prs/loads/heat_result.h"
 #include "prs/loads/slip_result.h"
 #include "prs/model/heat.h"
-#include "prs/model/part.h"
 
 namespace prs {
 

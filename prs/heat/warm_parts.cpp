@@ -3,7 +3,6 @@
 #include <map>
 
 #include "prs/heat/analyze_heat.h"
-#include "prs/heat/case_losses.h"
 #include "prs/heat/duty_cycle.h"
 #include "prs/life/contact_loads.h"
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "prs/model/case.h"
 #include "prs/model/limits.h"
 #include "prs/model/optimization.h"
-#include "prs/model/study.h"
 
 namespace prs::input {
 

@@ -3,9 +3,7 @@
 #include <csv.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstring>
-#include <exception>
 #include <new>
 
 namespace prs::input {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/input/source.h"
-#include "prs/model/problems.h"
 
 namespace prs::input {
 

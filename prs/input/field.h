@@ -7,7 +7,6 @@
 #include "prs/input/document.h"
 #include "prs/input/units.h"
 #include "prs/model/lateral.h"
-#include "prs/model/limits.h"
 #include "prs/model/part.h"
 
 /// The vocabulary in which case_fields.cpp describes the input. A description is a function that

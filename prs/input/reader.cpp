@@ -4,7 +4,6 @@
 #include <charconv>
 #include <numeric>
 
-#include "prs/input/case_file.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/field.h"
 #include "prs/input/schema.h"

@@ -1,12 +1,8 @@
 #pragma once
 
 #include "prs/input/echo.h"
-#include "prs/input/source.h"
-#include "prs/model/case.h"
 #include "prs/model/command.h"
 #include "prs/model/limits.h"
-#include "prs/model/problems.h"
-#include "prs/model/warning.h"
 
 namespace prs::input {
 

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "prs/input/document.h"
 #include "prs/input/field.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"

@@ -206,6 +206,16 @@ void add_keys(const Json& schema, const std::string& path, std::vector<InputKey>
 
 }  // namespace
 
+std::string without_places(std::string_view path) {
+  std::string plain;
+  bool inside = false;
+  for (const char c : path) {
+    inside = c == '[' || (inside && c != ']');
+    if (!inside && c != ']') plain += c;
+  }
+  return plain;
+}
+
 const std::vector<InputKey>& input_keys() {
   static const std::vector<InputKey> keys = [] {
     std::vector<InputKey> all;

@@ -17,6 +17,9 @@ struct InputKey {
   std::string path, meaning;
 };
 
+/// The path without what stands in brackets: `load_cases.axial_force`.
+std::string without_places(std::string_view path);
+
 /// All of them, in the order of the schema.
 const std::vector<InputKey>& input_keys();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "prs/input/schema.h"
 #include "prs/model/part.h"
 
 namespace prs::input {
@@ -84,18 +85,6 @@ constexpr UsualValue kUsual[] = {
     {"measures.system.housing", "1 N/um", "1000 kN/um", "housings have 10 N/um to 10 kN/um"},
     {"measures.shaft.length", "5 mm", "20 m", "ten to a hundred screw diameters"},
 };
-
-/// The path without the places of lists.
-std::string without_places(std::string_view path) {
-  std::string text;
-  bool inside = false;
-  for (const char c : path) {
-    if (c == '[') inside = true;
-    if (!inside) text += c;
-    if (c == ']') inside = false;
-  }
-  return text;
-}
 
 /// Whether the path is that of the row, or of one of its parts.
 bool is_of(std::string_view path, std::string_view row) {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "prs/input/document.h"
 #include "prs/input/echo.h"
-#include "prs/input/source.h"
-#include "prs/input/units.h"
 
 namespace prs::input {
 

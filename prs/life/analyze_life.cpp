@@ -4,7 +4,6 @@
 #include "prs/life/share_curve.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/slip/running.h"
-#include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {

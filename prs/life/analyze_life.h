@@ -1,9 +1,7 @@
 #pragma once
 
-#include "prs/life/capacity.h"
 #include "prs/life/load_history.h"
 #include "prs/life/rainflow.h"
-#include "prs/life/rating_life.h"
 #include "prs/life/static_limits.h"
 #include "prs/loads/analyze.h"
 #include "prs/model/preload.h"

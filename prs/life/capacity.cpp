@@ -1,7 +1,5 @@
 #include "prs/life/capacity.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace prs {

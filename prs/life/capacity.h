@@ -2,7 +2,6 @@
 
 #include "contact/hertz.h"
 #include "prs/model/mechanism.h"
-#include "prs/model/part.h"
 #include "prs/model/warning.h"
 
 namespace prs {

@@ -4,7 +4,6 @@
 
 #include "prs/life/rating_life.h"
 #include "prs/loads/distribution_solver.h"
-#include "prs/loads/full_result.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/slip/running.h"
 

@@ -2,7 +2,6 @@
 
 #include <functional>
 
-#include "prs/model/case.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/threads/contact_laws.h"
 

@@ -1,7 +1,5 @@
 #include "prs/life/load_history.h"
 
-#include <algorithm>
-
 namespace prs {
 namespace {
 

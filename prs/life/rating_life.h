@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/life/capacity.h"
-#include "prs/model/part.h"
 
 namespace prs {
 

@@ -6,7 +6,6 @@
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/check_case.h"
-#include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"
 

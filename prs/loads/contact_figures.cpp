@@ -1,10 +1,7 @@
 #include "contact/contact_point.h"
 #include "contact/hertz.h"
-#include "contact/thread_surface.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
-#include "prs/model/units.h"
-#include "prs/record/figure_parts.h"
 
 namespace prs {
 namespace {

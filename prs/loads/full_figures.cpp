@@ -2,7 +2,6 @@
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/model/units.h"
-#include "prs/record/figure_parts.h"
 
 namespace prs {
 namespace {

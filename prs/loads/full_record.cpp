@@ -41,9 +41,7 @@ constexpr Quantity<ScrewEnd> kScrewEnd[] = {
      "about y and z"},
     {"freedoms", of<[](const ScrewEnd& s) {
        static const std::string names[] = {"x", "y", "z", "theta_y", "theta_z"};
-       std::vector<std::string> free;
-       for (const int k : s.freedoms) free.push_back(names[k]);
-       return free;
+       return each(s.freedoms, [](int k) { return names[k]; });
      }>,
      "those that no bearing holds there: the order of both matrices"},
     {"stiffness_SI", of<[](const ScrewEnd& s) { return given(s.stiffness); }>,

@@ -3,8 +3,6 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_groups.h"
 #include "prs/loads/load_record.h"
-#include "prs/model/units.h"
-#include "prs/record/figure_parts.h"
 
 namespace prs {
 

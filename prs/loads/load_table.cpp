@@ -9,7 +9,6 @@
 #include "prs/loads/model_summary_record.h"
 #include "prs/loads/warnings.h"
 #include "prs/record/quantity_csv.h"
-#include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
 

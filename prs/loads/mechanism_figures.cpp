@@ -3,8 +3,6 @@
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
-#include "prs/model/case.h"
-#include "prs/model/units.h"
 #include "prs/threads/threads.h"
 
 namespace prs {

@@ -4,10 +4,7 @@
 #include "prs/loads/heat_result.h"
 #include "prs/loads/running_loads.h"
 #include "prs/loads/slip_result.h"
-#include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
-#include "prs/model/part.h"
-#include "prs/model/warning.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "prs/model/load_case.h"
-#include "prs/model/part.h"
 #include "prs/threads/kinematics.h"
 
 namespace prs {

@@ -1,13 +1,10 @@
 #include "prs/losses/slip_pictures.h"
 
-#include <numeric>
-
 #include "prs/loads/case_groups.h"
 #include "prs/loads/heat_record.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/losses/slip_record.h"
 #include "prs/model/units.h"
-#include "prs/record/figure_parts.h"
 
 namespace prs {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/loads/load_json.h"
-#include "prs/loads/result.h"
 #include "prs/record/csv_writer.h"
 
 namespace prs {

@@ -4,9 +4,7 @@
 
 #include "prs/loads/load_pictures.h"
 #include "prs/losses/slip_record.h"
-#include "prs/model/case.h"
 #include "prs/model/units.h"
-#include "prs/record/figure_parts.h"
 
 namespace prs {
 namespace {

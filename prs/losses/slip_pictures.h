@@ -2,7 +2,6 @@
 
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
-#include "prs/record/figure.h"
 #include "prs/record/pictures.h"
 #include "prs/slip/slip.h"
 

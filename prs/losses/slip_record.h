@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/loads/load_record.h"
-#include "prs/loads/result.h"
 
 namespace prs {
 

@@ -6,7 +6,6 @@
 #include "prs/losses/slip_record.h"
 #include "prs/model/units.h"
 #include "prs/record/quantity_csv.h"
-#include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
 #include "prs/slip/slip.h"
 #include "prs/text.h"

@@ -2,9 +2,7 @@
 
 #include <initializer_list>
 
-#include "prs/life/capacity.h"
 #include "prs/life/rating_life.h"
-#include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/measures/stiffness.h"
 #include "prs/measures/thread_root.h"

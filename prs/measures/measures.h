@@ -4,8 +4,6 @@
 #include "prs/loads/result.h"
 #include "prs/measures/system_stiffness.h"
 #include "prs/model/case.h"
-#include "prs/model/part.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 

@@ -6,7 +6,6 @@
 #include "prs/loads/warnings.h"
 #include "prs/measures/measures_record.h"
 #include "prs/model/void_inputs.h"
-#include "prs/record/figure_parts.h"
 
 namespace prs {
 namespace {

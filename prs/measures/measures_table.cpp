@@ -4,8 +4,6 @@
 #include "prs/loads/warnings.h"
 #include "prs/measures/measures_record.h"
 #include "prs/model/units.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
 

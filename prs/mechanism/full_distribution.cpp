@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 
-#include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/rigid_motions.h"
 
 namespace prs {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fe/newton.h"
 #include "prs/mechanism/full_model.h"
 #include "prs/model/detail.h"
 #include "prs/sector/load_distribution.h"

@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 
 #include "prs/mechanism/contacts_around.h"
-#include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/rigid_motions.h"
 
 namespace prs {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/mechanism/full_distribution.h"
-#include "prs/model/case.h"
 #include "prs/sector/influence/flexibility_around.h"
 #include "prs/sector/influence/influence_solver.h"
 

@@ -1,16 +1,8 @@
 #pragma once
 
 #include "prs/mechanism/nut_harmonics.h"
-#include "prs/model/deviations.h"
-#include "prs/model/lateral.h"
-#include "prs/model/load_case.h"
-#include "prs/model/materials.h"
-#include "prs/model/mechanism.h"
-#include "prs/model/model_options.h"
-#include "prs/model/structure.h"
 #include "prs/sector/roller_push.h"
 #include "prs/sector/sector_model.h"
-#include "prs/threads/contact_law.h"
 
 namespace prs {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "fe/shell.h"
-#include "prs/model/materials.h"
 #include "prs/sector/refined/nut_shell.h"
 
 namespace prs {

@@ -3,14 +3,11 @@
 #include "prs/model/deviations.h"
 #include "prs/model/heat.h"
 #include "prs/model/life.h"
-#include "prs/model/load_case.h"
 #include "prs/model/materials.h"
 #include "prs/model/measure_options.h"
-#include "prs/model/mechanism.h"
 #include "prs/model/model_options.h"
 #include "prs/model/operation.h"
 #include "prs/model/preload.h"
-#include "prs/model/structure.h"
 
 namespace prs {
 

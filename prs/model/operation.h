@@ -2,8 +2,6 @@
 
 #include "contact/film.h"
 #include "contact/journal_bearing.h"
-#include "contact/lubricant.h"
-#include "contact/viscosity.h"
 #include "prs/model/named_lubricants.h"
 #include "prs/model/warning.h"
 

@@ -50,19 +50,10 @@ constexpr Quantity<Factor> kVariableRows[] = {
     {"path", always<&Factor::path>},
     {"label", always<&Factor::label>},
     {"unit", filled<&Factor::unit>},
-    {"values", of<[](auto& variable) {
-       std::vector<std::string> values;
-       for (const Level& level : variable.levels) values.push_back(level.text);
-       return values;
-     },
-                  is_listed>},
+    {"values", of<[](auto& variable) { return each(variable.levels, &Level::text); }, is_listed>},
     {"from", of_end<&Distribution::first>},
     {"to", of_end<&Distribution::second>},
-    {"with", filled<[](auto& variable) {
-       std::vector<std::string> paths;
-       for (const Factor& linked : variable.companions) paths.push_back(linked.path);
-       return paths;
-     }>},
+    {"with", filled<[](auto& variable) { return each(variable.companions, &Factor::path); }>},
 };
 
 using Goal = Within<Optimization, Objective>;
@@ -135,9 +126,9 @@ constexpr Quantity<ConstraintOf> kConstraintRows[] = {
 };
 
 constexpr auto constraints_of = [](const DesignAt& d) {
-  std::vector<ConstraintOf> all;
-  for (const Constraint& c : d.result->optimization.constraints) all.push_back({&d, &c});
-  return all;
+  return each(d.result->optimization.constraints, [&](const Constraint& c) {
+    return ConstraintOf{&d, &c};
+  });
 };
 
 constexpr Quantity<DesignAt> kInitialRows[] = {
@@ -175,10 +166,9 @@ constexpr Quantity<SearchOf> kSearchRows[] = {
     {"without_answer", always<[](auto& s) { return count(*s.search).without_answer; }>},
     {"front", always_table<kNumberedRows,
                            [](auto& s) {
-                             std::vector<DesignAt> front;
-                             for (const std::size_t k : s.search->front)
-                               front.push_back({s.result, &s.search->designs[k], s.first + k});
-                             return front;
+                             return each(s.search->front, [&](std::size_t k) {
+                               return DesignAt{s.result, &s.search->designs[k], s.first + k};
+                             });
                            }>},
 };
 
@@ -215,11 +205,7 @@ constexpr Quantity<OptimizationResult> kResultRows[] = {
                              }>},
     {"compromise", of_table<kChosenRows, [](auto& r) { return design_at(r, r.compromise); }>},
     {"nearest", of_table<kChosenRows, [](auto& r) { return design_at(r, r.nearest); }>},
-    {"front", always<[](auto& r) {
-       std::vector<std::size_t> numbers;
-       for (const std::size_t k : r.front) numbers.push_back(k + 1);
-       return numbers;
-     }>,
+    {"front", always<[](auto& r) { return each(r.front, [](std::size_t k) { return k + 1; }); }>,
      "numbers in history.csv"},
     {"search", always_table<kSearchRows,
                             [](auto& r) {

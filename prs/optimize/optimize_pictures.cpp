@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "prs/record/figure_parts.h"
 #include "prs/record/table_units.h"
 #include "prs/study/study_parts.h"
 

@@ -6,7 +6,6 @@
 #include "prs/record/table_units.h"
 #include "prs/study/study_csv.h"
 #include "prs/study/study_parts.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {

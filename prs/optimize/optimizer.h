@@ -2,7 +2,6 @@
 
 #include "prs/optimize/optimization_result.h"
 #include "prs/study/design_engine.h"
-#include "prs/study/journal.h"
 #include "prs/study/study_run.h"
 
 namespace prs {

@@ -5,7 +5,6 @@
 
 #include "prs/components/picture.h"
 #include "prs/output/run_files.h"
-#include "prs/output/staged_file.h"
 #include "prs/svg/file.h"
 #include "prs/text.h"
 

@@ -6,11 +6,22 @@
 #include <cctype>
 #include <cstdint>
 
+#include "prs/embed.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/report/svg.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
+
+PRS_EMBED(page, PRS_PAGE_FOLDER "/page.html")
+PRS_EMBED(panel, PRS_PAGE_FOLDER "/panel.html")
+PRS_EMBED(thread_form, PRS_PAGE_FOLDER "/thread.html")
+PRS_EMBED(scripts, PRS_PAGE_FOLDER "/scripts.html")
+PRS_EMBED(style_sheet, PRS_PAGE_FOLDER "/page.css")
+PRS_EMBED(script, PRS_PAGE_FOLDER "/page.js")
+PRS_EMBED(worker, PRS_PAGE_FOLDER "/worker.js")
+PRS_EMBED(loader, PRS_PAGE_LOADER)
+PRS_EMBED(engine, PRS_PAGE_ENGINE)
 
 namespace prs {
 namespace {
@@ -100,36 +111,6 @@ std::string sheet_style(const ReportParts& parts) {
       css_string(parts.mark));
 }
 
-/// The panel of the values. It is shown by the script alone.
-std::string panel_html(const ReportParts& parts) {
-  return fmt::format(R"(<aside id="live" aria-label="Other values" hidden>
-<details open><summary>Try other values</summary>
-<p id="state" role="status"></p>
-<p id="trouble" role="alert"></p>
-<form id="controls" autocomplete="off">
-{}</form>
-<p class="buttons"><button type="button" id="reset">Reset</button>
-<button type="button" id="copy-set">Copy as --set</button>
-<button type="button" id="copy-yaml">Copy as YAML</button></p>
-</details></aside>
-)",
-                     parts.controls);
-}
-
-constexpr std::string_view kCopyDialog = R"(<dialog id="copy" aria-labelledby="copy-title">
-<h2 id="copy-title"></h2><p id="copied" role="status"></p>
-<textarea id="copy-text" readonly rows="12" aria-labelledby="copy-title"></textarea>
-<form method="dialog"><button>Close</button></form></dialog>
-)";
-
-constexpr std::string_view kThreadForm =
-    R"(<p>Click a thread in a picture, or choose one here.</p>
-<form id="thread-form" autocomplete="off">
-<label>Load case <select id="thread-case"></select></label>
-<label id="roller-label">Roller <input id="thread-roller" type="number" min="1" value="1"></label>
-<label>Thread <input id="thread-number" type="number" min="1" value="1"></label></form>
-)";
-
 std::string section_html(const ReportSection& section, bool hidden, std::string_view before = {}) {
   return fmt::format(
       "<section id=\"{0}\" aria-labelledby=\"{0}-title\"{3}>\n<h2 id=\"{0}-title\">{1}</h2>\n{4}"
@@ -141,7 +122,7 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
 std::string page_html(const input::Source& source, const ReportParts& parts,
                       std::string_view engine) {
   const bool live = !engine.empty();
-  const std::string style = std::string(page_style()) + svg_style() + sheet_style(parts);
+  const std::string style = std::string(style_sheet()) + svg_style() + sheet_style(parts);
   std::string links, body;
   const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
     links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id,
@@ -150,41 +131,33 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
   };
   for (const ReportSection& section : parts.sections) {
     if (!section.body.empty() || live) add(section, section.body.empty());
-    if (live && section.id == "pressures") add({"thread", "One thread", ""}, true, kThreadForm);
+    if (live && section.id == "pressures") add({"thread", "One thread", ""}, true, thread_form());
   }
-  const std::string scripts =
+  std::string data = data_block("data", parts.shown);
+  if (live)
+    data += data_block("case", case_of(source)) + data_block("threads", parts.threads) +
+            fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine), script());
+  const std::string policy =
       live ? fmt::format(
-                 "; script-src '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src "
-                 "'none'",
-                 policy_hash(page_script()))
+                 "; script-src '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
+                 policy_hash(script()))
            : "";
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"{}>\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'{}'; img-src data:{}; "
-      "base-uri 'none'; form-action 'none'\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"referrer\" content=\"no-referrer\">\n"
-      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}<div class=\"page{}\">\n"
-      "<header>\n{}</header>\n<div class=\"side\"><nav aria-label=\"Contents\"><ol>{}</ol></nav>\n"
-      "{}</div>\n<main>\n{}</main>\n<footer>{}</footer>\n</div>\n",
-      table_system() == UnitSystem::us ? " data-units=\"us\"" : "", policy_hash(style), scripts,
-      html(parts.title), style, live ? "<p id=\"changed\" hidden></p>\n" : "",
-      live ? " is-live" : "", parts.head, links, live ? panel_html(parts) : "", body, parts.foot);
-  text += data_block("data", parts.shown);
-  if (live) {
-    text += data_block("case", case_of(source));
-    text += data_block("threads", parts.threads);
-    text += fmt::format(
-        "{}<script type=\"text/plain\" id=\"worker\">{}{}</script>\n"
-        "<script type=\"text/plain\" id=\"engine\">{}</script>\n"
-        "<script type=\"module\">{}</script>\n",
-        kCopyDialog, engine_loader(), worker_script(), base85(engine), page_script());
-  }
-  return text + "</body>\n</html>\n";
+  return fmt::format(
+      fmt::runtime(page()),
+      fmt::arg("units", table_system() == UnitSystem::us ? " data-units=\"us\"" : ""),
+      fmt::arg("style_hash", policy_hash(style)), fmt::arg("scripts", policy),
+      fmt::arg("title", html(parts.title)), fmt::arg("style", style),
+      fmt::arg("changed", live ? "<p id=\"changed\" hidden></p>\n" : ""),
+      fmt::arg("kind", live ? " is-live" : ""), fmt::arg("head", parts.head),
+      fmt::arg("links", links),
+      // It is shown by the script alone.
+      fmt::arg("panel", live ? fmt::format(fmt::runtime(panel()), parts.controls) : ""),
+      fmt::arg("body", body), fmt::arg("foot", parts.foot), fmt::arg("data", data));
 }
 
 }  // namespace
+
+std::string_view page_engine() { return engine(); }
 
 Report make_report(const input::Source& source, const PageOptions& options) {
   const std::string_view engine = options.live ? page_engine() : std::string_view();

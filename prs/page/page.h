@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/input/source.h"
 #include "prs/report/report.h"
 
 namespace prs {
@@ -30,11 +29,5 @@ Report make_report(const input::Source& source, const PageOptions& options = {})
 
 /// The engine for the page, a WebAssembly module, gzipped; empty where this build has none.
 std::string_view page_engine();
-
-// Files of prs/page/live and the engine, as they were when the program was built.
-std::string_view page_style();
-std::string_view page_script();
-std::string_view worker_script();
-std::string_view engine_loader();
 
 }  // namespace prs

@@ -2,7 +2,6 @@
 
 #include "prs/loads/load_case_result.h"
 #include "prs/preload/preloaded_mechanism.h"
-#include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {

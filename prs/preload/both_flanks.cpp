@@ -1,7 +1,6 @@
 #include "prs/preload/both_flanks.h"
 
 #include "prs/loads/load_case_result.h"
-#include "prs/threads/contact_laws.h"
 
 namespace prs {
 

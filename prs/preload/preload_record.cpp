@@ -92,9 +92,9 @@ constexpr Quantity<CurveOf> kCurve[] = {
     {"lost_motion_um", of<[](const CurveOf& c) { return c.curve->lost_motion; }>,
      "displacement between the lost-motion load in tension and in compression"},
     {"loads", of<[](const CurveOf& c) {
-       std::vector<PreloadPointOf> points;
-       for (const PreloadPoint& point : c.curve->points) points.push_back({c.result, &point});
-       return points;
+       return each(c.curve->points, [&](const PreloadPoint& point) {
+         return PreloadPointOf{c.result, &point};
+       });
      }>,
      "one equilibrium per external load"},
 };

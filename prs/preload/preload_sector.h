@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "fe/model.h"
 #include "prs/model/preload.h"
 #include "prs/sector/roller_push.h"
 #include "prs/sector/sector.h"

@@ -2,8 +2,6 @@
 
 #include "prs/input/document.h"
 #include "prs/input/reader.h"
-#include "prs/input/source.h"
-#include "prs/model/command.h"
 #include "prs/record/delivery.h"
 #include "prs/record/record_table.h"
 
@@ -126,8 +124,8 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in,
     return document_of(analysis, *result, info, false);
   };
   d.write = [&analysis, result](const Json& outline, const TextSink& sink) {
-    write_with_load_cases(
-        outline, [&](std::size_t k) { return analysis.load_case(*result, k); }, sink);
+    write_with_list(
+        outline, "load_cases", [&](std::size_t k) { return analysis.load_case(*result, k); }, sink);
   };
   return d;
 }

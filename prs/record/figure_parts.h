@@ -2,8 +2,6 @@
 
 #include <iterator>
 
-#include "prs/model/part.h"
-#include "prs/record/figure.h"
 #include "prs/record/pictures.h"
 
 namespace prs {

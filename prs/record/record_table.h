@@ -368,6 +368,14 @@ inline constexpr detail::OfTable<quantities, get, nullptr, true> always_table;
 template <const auto& quantities, auto get>
 inline constexpr auto filled_table = of_table<quantities, get, is_filled<get>>;
 
+/// What a function or a member gives of each item.
+template <class F>
+auto each(const auto& items, F f) {
+  std::vector<std::decay_t<std::invoke_result_t<F, decltype(*std::begin(items))>>> all;
+  for (const auto& item : items) all.push_back(std::invoke(f, item));
+  return all;
+}
+
 /// A part of a result with the whole that has its names.
 template <class Whole, class T>
 struct Within {
@@ -376,9 +384,7 @@ struct Within {
 };
 template <class Whole, class T>
 std::vector<Within<Whole, T>> within(const Whole& whole, const std::vector<T>& items) {
-  std::vector<Within<Whole, T>> all;
-  for (const T& item : items) all.push_back({&whole, &item});
-  return all;
+  return each(items, [&](const T& item) { return Within<Whole, T>{&whole, &item}; });
 }
 
 /// What to get of the part: `of<its<&FactorEffect::coefficient>>`.

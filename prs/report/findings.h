@@ -2,9 +2,7 @@
 
 #include <tuple>
 
-#include "prs/input/source.h"
 #include "prs/loads/warnings.h"
-#include "prs/model/command.h"
 #include "prs/report/report.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"

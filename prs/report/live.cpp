@@ -1,4 +1,3 @@
-#include "prs/report/report.h"
 
 #include "prs/input/reader.h"
 #include "prs/mechanism/full_distribution.h"

@@ -8,11 +8,9 @@
 #include "prs/loads/case_groups.h"
 #include "prs/model/units.h"
 #include "prs/record/figure_json.h"
-#include "prs/record/pictures.h"
 #include "prs/report/findings.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"
-#include "prs/run/commands.h"
 #include "prs/run/results_schema.h"
 #include "prs/text.h"
 #include "prs/version.h"
@@ -71,9 +69,9 @@ std::vector<RecordColumn> case_columns(const Json& document) {
     few.resize(std::min(few.size(), kMostColumns));
     chosen = std::move(few);
   }
-  std::vector<RecordColumn> columns;
-  for (const Json* load_case : chosen) columns.push_back({load_case->value("name", ""), load_case});
-  return columns;
+  return each(chosen, [](const Json* load_case) {
+    return RecordColumn{load_case->value("name", ""), load_case};
+  });
 }
 
 std::string case_table_html(const Json& document, const RecordChoice& choice) {
@@ -638,12 +636,11 @@ std::vector<SectionRow> analysis_rows() {
   for (const AnyAnalysis& analysis : analyses())
     if (!analysis.place.title.empty()) shown.push_back(&analysis);
   std::ranges::stable_sort(shown, {}, [](const AnyAnalysis* a) { return a->place.order; });
-  std::vector<SectionRow> rows;
-  for (const AnyAnalysis* analysis : shown)
-    rows.push_back(
-        {name(analysis->command), analysis->place.title,
-         [command = analysis->command](Findings& all) { return answer_html(all, command); }});
-  return rows;
+  return each(shown, [](const AnyAnalysis* analysis) {
+    return SectionRow{
+        name(analysis->command), analysis->place.title,
+        [command = analysis->command](Findings& all) { return answer_html(all, command); }};
+  });
 }
 
 std::span<const SectionRow> section_rows() {

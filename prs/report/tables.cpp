@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/loads/case_table.h"
-#include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
 #include "prs/report/svg.h"
 #include "prs/text.h"

@@ -4,7 +4,6 @@
 
 #include "modules/module.h"
 #include "prs/input/optimize_reader.h"
-#include "prs/input/study_reader.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/contact_record.h"
 #include "prs/loads/load_case_result.h"
@@ -246,13 +245,18 @@ void put_check(Json& document, const CheckResult& result) {
   put_contacts(document, result.geometry.contacts);
 }
 
-/// What `solve` finds unusual about the largest loads, and `life` about those of its block.
-std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in,
-                                          double largest) {
+/// What `solve` gives of the largest loads.
+std::vector<LoadCaseResult> solved_largest(const input::CaseInput& in, double largest) {
   Case c = in.values;
   std::erase_if(c.load_cases,
                 [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
-  std::vector<Warning> warnings = all_warnings({}, analyze(c).load_cases);
+  return analyze(c).load_cases;
+}
+
+/// What `solve` finds unusual about the largest loads, and `life` about those of its block.
+std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in,
+                                          double largest) {
+  std::vector<Warning> warnings = all_warnings({}, solved_largest(in, largest));
   if (input::unmet(in, Command::life).empty())
     std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
   return warnings;
@@ -277,11 +281,8 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
     return changed;
   };
   const auto largest_load = [&](const input::CaseInput& at) {
-    Case c = at.values;
-    std::erase_if(c.load_cases,
-                  [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
     double most = 0.0;
-    for (const LoadCaseResult& loaded : analyze(c).load_cases)
+    for (const LoadCaseResult& loaded : solved_largest(at, largest))
       if (loaded.threads)
         for (const Interface i : kInterfaces)
           most = std::max(most, std::ranges::max((*loaded.threads)[i].normal_load));

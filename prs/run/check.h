@@ -2,10 +2,8 @@
 
 #include "prs/input/echo.h"
 #include "prs/loads/result.h"
-#include "prs/model/command.h"
 #include "prs/model/problems.h"
 #include "prs/record/analysis.h"
-#include "prs/record/record.h"
 #include "prs/run/verdict.h"
 
 namespace prs {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "prs/input/reader.h"
-#include "prs/input/source.h"
 #include "prs/loads/analysis_options.h"
-#include "prs/model/command.h"
 #include "prs/record/analysis.h"
 
 namespace prs {

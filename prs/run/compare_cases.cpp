@@ -1,6 +1,5 @@
 #include "prs/run/compare_cases.h"
 
-#include "prs/input/reader.h"
 #include "prs/input/units.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/record_table.h"

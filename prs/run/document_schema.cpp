@@ -2,7 +2,6 @@
 
 #include "prs/configurations/configurations_files.h"
 #include "prs/input/schema.h"
-#include "prs/model/command.h"
 #include "prs/optimize/optimize_json.h"
 #include "prs/record/figure_json.h"
 #include "prs/record/record_table.h"
@@ -154,8 +153,8 @@ Json whole(Parts d, std::string_view command) {
 
 std::span<const std::string_view> documented_commands() {
   static const std::vector<std::string_view> commands = [] {
-    std::vector<std::string_view> names;
-    for (const AnyAnalysis& analysis : analyses()) names.push_back(name(analysis.command));
+    std::vector<std::string_view> names =
+        each(analyses(), [](const AnyAnalysis& analysis) { return name(analysis.command); });
     names.push_back("configurations");
     return names;
   }();

@@ -2,7 +2,6 @@
 
 #include "prs/input/optimize_reader.h"
 #include "prs/optimize/optimizer.h"
-#include "prs/study/journal.h"
 
 namespace prs {
 

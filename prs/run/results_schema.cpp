@@ -8,27 +8,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string_view name(Kind kind) {
-  switch (kind) {
-    case Kind::number:
-      return "number";
-    case Kind::series:
-      return "series";
-    case Kind::matrix:
-      return "matrix";
-    case Kind::count:
-      return "count";
-    case Kind::flag:
-      return "flag";
-    case Kind::text:
-      return "text";
-    case Kind::texts:
-      return "texts";
-    case Kind::record:
-      return "record";
-    case Kind::records:
-      break;
-  }
-  return "records";
+  constexpr std::array kNames{"number", "series", "matrix", "count",  "flag",
+                              "text",   "texts",  "record", "records"};
+  return kNames.at(static_cast<std::size_t>(kind));
 }
 
 Json quantity_json(const QuantityInfo& q) {

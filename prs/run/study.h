@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/input/study_reader.h"
 #include "prs/study/derivatives.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/schedule.h"

@@ -1,7 +1,6 @@
 #include "prs/sector/roller_guides.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 
 namespace prs {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "prs/model/groove.h"
-#include "prs/sector/refined/local_compliance.h"
 #include "prs/sector/refined_formulas.h"
 #include "prs/sector/section_properties.h"
 #include "prs/threads/initial_gaps.h"

@@ -2,10 +2,7 @@
 
 #include "prs/model/deviations.h"
 #include "prs/model/load_case.h"
-#include "prs/model/materials.h"
 #include "prs/model/mechanism.h"
-#include "prs/model/model_options.h"
-#include "prs/model/structure.h"
 #include "prs/sector/refined/nut_formulas.h"
 #include "prs/sector/refined/nut_shell.h"
 #include "prs/sector/sector_numbers.h"

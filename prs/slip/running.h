@@ -5,7 +5,6 @@
 #include "prs/preload/both_flanks.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/sector/load_distribution.h"
-#include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_model.h"
 #include "prs/threads/contact_laws.h"
 

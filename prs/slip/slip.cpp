@@ -3,7 +3,6 @@
 #include "prs/loads/load_case_result.h"
 #include "prs/model/block_checks.h"
 #include "prs/slip/running.h"
-#include "prs/threads/contact_laws.h"
 
 namespace prs {
 namespace {

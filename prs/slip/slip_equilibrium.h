@@ -1,15 +1,9 @@
 #pragma once
 
-#include "contact/film.h"
 #include "contact/flash_temperature.h"
-#include "contact/journal_bearing.h"
-#include "contact/lubricant.h"
 #include "contact/patch.h"
-#include "prs/loads/slip_result.h"
 #include "prs/model/operation.h"
-#include "prs/model/part.h"
 #include "prs/slip/slip_formulas.h"
-#include "prs/threads/kinematics.h"
 
 namespace prs {
 

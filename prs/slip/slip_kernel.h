@@ -5,7 +5,6 @@
 #include "contact/patch_kernel.h"
 #include "prs/slip/slip_formulas.h"
 #include "prs/slip/slip_search.h"
-#include "simd/architectures.h"
 
 namespace prs {
 

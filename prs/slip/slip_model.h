@@ -1,7 +1,5 @@
 #pragma once
 
-#include "contact/lubricant.h"
-#include "contact/patch.h"
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
 #include "prs/sector/roller_guides.h"

@@ -2,13 +2,9 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/units.h"
-#include "prs/loads/analyze.h"
-#include "prs/loads/load_case_result.h"
-#include "prs/sector/load_distribution.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/response.h"
-#include "prs/threads/contact_laws.h"
 
 namespace prs {
 namespace {

@@ -6,7 +6,6 @@
 #include "prs/loads/warnings.h"
 #include "prs/record/table_units.h"
 #include "prs/study/study_parts.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -112,10 +111,8 @@ Figures elasticities(const CaseDerivatives& result, const FigureOptions& options
         figure.name = "derivatives_" + figure.name;
         figure.title += ": change by 1 % of each factor";
         figure.x = {"Change of the response", "%"};
-        std::vector<std::string> names;
-        std::vector<double> values;
-        for (const auto& [value, name] : bars) values.push_back(value), names.push_back(name);
-        return ranked_bars(std::move(figure), names, values);
+        using Bar = std::pair<double, std::string>;
+        return ranked_bars(std::move(figure), each(bars, &Bar::second), each(bars, &Bar::first));
       });
 }
 

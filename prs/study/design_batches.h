@@ -1,13 +1,11 @@
 #pragma once
 
 #include "prs/loads/load_case_result.h"
-#include "prs/model/case.h"
 #include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/refined_designs.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_designs.h"
 #include "prs/threads/contact_batch.h"
-#include "prs/threads/contact_laws.h"
 
 namespace prs {
 

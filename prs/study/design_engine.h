@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "prs/input/study_reader.h"
-#include "prs/model/study.h"
 #include "prs/study/designs.h"
 #include "simd/instruction_set.h"
 

@@ -5,7 +5,6 @@
 
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
-#include "prs/input/units.h"
 #include "prs/record/record.h"
 
 namespace prs {

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "prs/input/study_reader.h"
-#include "prs/model/case.h"
 #include "prs/study/designs.h"
 
 namespace prs {

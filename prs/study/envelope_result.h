@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/model/map_axes.h"
-#include "prs/model/study.h"
 #include "prs/study/designs.h"
 
 namespace prs {

@@ -2,7 +2,6 @@
 
 #include <functional>
 
-#include "prs/model/study.h"
 #include "prs/study/designs.h"
 #include "prs/study/sensitivity.h"
 

@@ -1,12 +1,10 @@
 #include "prs/study/journal.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 
 #include <boost/crc.hpp>
-#include <cstring>
 #include <system_error>
 
 #include "prs/bytes.h"

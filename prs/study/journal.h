@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "prs/file_descriptor.h"
 #include "prs/input/source.h"
 #include "prs/output/file_lock.h"
 #include "prs/study/designs.h"

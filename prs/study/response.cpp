@@ -10,7 +10,6 @@
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/measures/measures_record.h"
-#include "prs/record/record.h"
 #include "prs/record/record_table.h"
 
 namespace prs {
@@ -116,7 +115,6 @@ constexpr std::pair<std::string_view, OnDemand> kOnDemand[] = {
     {"tangent_stiffness_N_per_um", OnDemand::tangent_stiffness},
     {"film_thickness_nm", OnDemand::films},
     {"central_film_nm", OnDemand::films},
-    {"film_factor", OnDemand::films},
     {"film_factor", OnDemand::films},
     {"film_ratio", OnDemand::films},
     {"boundary_share", OnDemand::films}};

@@ -4,7 +4,6 @@
 
 #include "prs/life/analyze_life.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/loads/result.h"
 #include "prs/measures/measures.h"
 #include "prs/model/command.h"
 #include "prs/slip/slip.h"

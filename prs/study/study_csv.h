@@ -1,8 +1,6 @@
 #pragma once
 
-#include "prs/model/study.h"
 #include "prs/record/csv_writer.h"
-#include "prs/study/designs.h"
 #include "prs/study/envelope_result.h"
 
 namespace prs {

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "prs/record/table_units.h"
-#include "prs/study/study_parts.h"
 #include "prs/study/study_pictures.h"
 
 namespace prs {

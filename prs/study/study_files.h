@@ -2,10 +2,7 @@
 
 #include "prs/components/column_file.h"
 #include "prs/loads/load_json.h"
-#include "prs/model/study.h"
 #include "prs/output/staged_file.h"
-#include "prs/record/csv_writer.h"
-#include "prs/study/designs.h"
 #include "prs/study/study_csv.h"
 #include "prs/study/study_run.h"
 

@@ -26,10 +26,9 @@ nlohmann::ordered_json study_json(const StudyResult& result, const DocumentInfo&
 /// The same with an empty list of designs.
 nlohmann::ordered_json study_outline(const StudyResult& result, const DocumentInfo& info);
 
-/// An outline as text, with the designs of the result in its empty list: what `json_text` gives of
-/// `study_json`, without a JSON value for each number of each design. Rows are written on `threads`
-/// threads.
-std::string study_text(const nlohmann::ordered_json& outline, const StudyResult& result,
-                       std::size_t threads = 1);
+/// An outline with the designs of the result in its empty list: what `json_text` gives of
+/// `study_json`, one design after the other.
+void write_study(const nlohmann::ordered_json& outline, const StudyResult& result,
+                 const TextSink& sink);
 
 }  // namespace prs

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/model/study.h"
 #include "prs/record/figure_parts.h"
 #include "prs/study/study_result.h"
 #include "prs/text.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/output/file_lock.h"
 #include "prs/study/journal.h"
 #include "prs/study/schedule.h"
 

@@ -7,7 +7,6 @@
 #include "prs/record/table_units.h"
 #include "prs/study/study_json.h"
 #include "prs/study/study_parts.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "prs/record/figure_parts.h"
-#include "prs/svg/elements.h"
 #include "prs/svg/palette.h"
 #include "prs/svg/panel.h"
 #include "prs/svg/series.h"

@@ -1,7 +1,5 @@
 #include "prs/svg/layout.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "prs/record/figure_parts.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "contact/hertz.h"
-#include "contact/mechanism_geometry.h"
 #include "contact/subsurface.h"
 #include "prs/model/detail.h"
 #include "prs/model/materials.h"

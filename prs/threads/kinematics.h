@@ -2,7 +2,6 @@
 
 #include "contact/vectors.h"
 #include "prs/model/mechanism.h"
-#include "prs/model/part.h"
 #include "simd/dual.h"
 
 namespace prs {

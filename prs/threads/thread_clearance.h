@@ -1,8 +1,6 @@
 #pragma once
 
-#include "contact/contact_point.h"
 #include "contact/mechanism_geometry.h"
-#include "contact/thread_surface.h"
 #include "prs/model/part.h"
 
 namespace prs {

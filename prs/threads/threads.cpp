@@ -1,6 +1,5 @@
 #include "prs/threads/threads.h"
 
-#include "prs/model/problems.h"
 #include "prs/threads/contact_failure.h"
 
 namespace prs {

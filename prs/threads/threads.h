@@ -1,8 +1,6 @@
 #pragma once
 
-#include "contact/mechanism_geometry.h"
 #include "prs/model/mechanism.h"
-#include "prs/model/part.h"
 
 namespace prs {
 

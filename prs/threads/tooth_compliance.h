@@ -2,7 +2,6 @@
 
 #include "prs/model/materials.h"
 #include "prs/model/mechanism.h"
-#include "prs/model/part.h"
 #include "prs/model/structure.h"
 
 namespace prs {

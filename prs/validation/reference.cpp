@@ -3,28 +3,21 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 
 #include "prs/input/document.h"
+#include "prs/input/units.h"
 
 namespace prs {
 namespace {
 
 using input::ErrorList;
 using input::Node;
+using input::parse_number;
 using Keys = std::initializer_list<std::string_view>;
 
 constexpr int kMostDecimals = 15;
-
-std::optional<double> number_of(const std::string& text) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 /// A map that has no other keys than these; missing ones are told of when they are asked for.
 bool is_map_of(const Node& node, Keys known, ErrorList& errors) {
@@ -64,7 +57,7 @@ const std::vector<Node>& required_list(const Node& map, std::string_view key, Er
 
 PrintedNumber printed_number(const Node& map, std::string_view key, ErrorList& errors) {
   PrintedNumber number{required_text(map, key, errors), {}};
-  if (!number.text.empty() && !number_of(number.text))
+  if (!number.text.empty() && !parse_number(number.text))
     errors.add(input::find(map, key)->place, key, "got {}; expected a number",
                input::shown(number.text));
   return number;
@@ -75,7 +68,8 @@ std::optional<int> stated_decimals(const Node& map, ErrorList& errors) {
   const Node* precision = input::find(map, "precision");
   if (precision == nullptr || !is_map_of(*precision, {"decimals", "because"}, errors)) return {};
   required_text(*precision, "because", errors);
-  const std::optional<double> decimals = number_of(required_text(*precision, "decimals", errors));
+  const std::optional<double> decimals =
+      parse_number(required_text(*precision, "decimals", errors));
   if (decimals && *decimals >= 0.0 && *decimals <= kMostDecimals &&
       *decimals == std::floor(*decimals))
     return static_cast<int>(*decimals);
@@ -126,9 +120,15 @@ ReferenceCase read_case(const Node& node, const std::filesystem::path& folder, E
   return c;
 }
 
+PrintedStatement read_statement(const Node& node, ErrorList& errors) {
+  if (!is_map_of(node, {"section", "text", "check", "why"}, errors)) return {};
+  return {required_text(node, "section", errors), required_text(node, "text", errors),
+          required_text(node, "check", errors), optional_text(node, "why", errors)};
+}
+
 }  // namespace
 
-double PrintedNumber::value() const { return number_of(text).value_or(0.0); }
+double PrintedNumber::value() const { return parse_number(text).value_or(0.0); }
 
 /// Decimal exponent of the last known digit: 3.6062e5 -> 1.
 int PrintedNumber::last_place() const {
@@ -136,7 +136,7 @@ int PrintedNumber::last_place() const {
   const std::size_t exponent_at = text.find_first_of("eE");
   int exponent = 0;
   if (exponent_at != std::string::npos)
-    exponent = static_cast<int>(number_of(text.substr(exponent_at + 1)).value_or(0.0));
+    exponent = static_cast<int>(parse_number(text.substr(exponent_at + 1)).value_or(0.0));
   const std::string mantissa = text.substr(0, exponent_at);
   const std::size_t point = mantissa.find('.');
   if (point == std::string::npos) return exponent;
@@ -166,11 +166,14 @@ Reference read_reference(const std::filesystem::path& file) {
   const input::Source source = input::load_source(file.string(), {});
   ErrorList errors(source);
   const Node root = input::read_document(source, errors);
-  Reference reference;
-  if (is_map_of(root, {"source", "cases"}, errors)) {
+  Reference reference{.folder = file.parent_path()};
+  if (is_map_of(root, {"source", "cases", "statements"}, errors)) {
     reference.source = required_text(root, "source", errors);
     for (const Node& c : required_list(root, "cases", errors))
-      reference.cases.push_back(read_case(c, file.parent_path(), errors));
+      reference.cases.push_back(read_case(c, reference.folder, errors));
+    if (input::find(root, "statements") != nullptr)
+      for (const Node& s : required_list(root, "statements", errors))
+        reference.statements.push_back(read_statement(s, errors));
   }
   errors.throw_if_any();
   return reference;

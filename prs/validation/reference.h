@@ -45,10 +45,20 @@ struct ReferenceCase {
   std::vector<PrintedValue> values;
 };
 
+/// What a source says in words, and the name of its check in the source's code.
+struct PrintedStatement {
+  std::string section;  ///< Where the source makes it.
+  std::string text;     ///< The source's words.
+  std::string check;
+  std::string why = {};  ///< The mechanics behind it where it does not hold; shown only then.
+};
+
 /// `reference.yaml` of one source.
 struct Reference {
+  std::filesystem::path folder;
   std::string source;  ///< Citation.
   std::vector<ReferenceCase> cases;
+  std::vector<PrintedStatement> statements;
 };
 
 /// Reads a `reference.yaml`; unknown, duplicate and missing keys are errors. Throws

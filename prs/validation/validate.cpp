@@ -37,10 +37,9 @@ std::vector<Comparison> compare(const ReferenceCase& reference, const SourceExte
   const Json document = document_of(reference, code);
   const std::string name =
       reference.file.empty() ? reference.formulas : reference.file.stem().string();
-  std::vector<Comparison> comparisons;
-  for (const PrintedValue& value : reference.values)
-    comparisons.push_back({name, value, number_at(document, value.quantity)});
-  return comparisons;
+  return each(reference.values, [&](const PrintedValue& value) {
+    return Comparison{name, value, number_at(document, value.quantity)};
+  });
 }
 
 template <class T>
@@ -74,7 +73,11 @@ SourceReport report_on(const std::filesystem::path& folder,
   if (subject == reference.cases.end()) return report;
   const input::Source source = input::load_source(subject->file.string(), {});
   const Case c = input::read_case_input(source, subject->command).values;
-  input::compute_from(source, [&] { add(report, code.supplement(c, folder)); });
+  input::compute_from(source, [&] { add(report, code.supplement(c, reference)); });
+  for (const PrintedStatement& s : reference.statements)
+    if (std::ranges::find(report.statements, s.text, &ComparedStatement::text) ==
+        report.statements.end())
+      throw std::logic_error(fmt::format("{}: no code has the check {}", report.name, s.check));
   return report;
 }
 

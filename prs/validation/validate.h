@@ -1,10 +1,8 @@
 #pragma once
 
 #include "prs/loads/load_json.h"
-#include "prs/loads/result.h"
 #include "prs/model/case.h"
 #include "prs/output/files.h"
-#include "prs/record/figure.h"
 #include "prs/validation/reference.h"
 
 namespace prs {
@@ -31,14 +29,9 @@ struct ComparedStatement {
   Verdict verdict;
 };
 
-/// A statement in words, turned into a predicate on the results of one variant of the model.
+/// Statements as predicates on the results of one variant of the model, by the names of the checks.
 template <class Results>
-struct Statement {
-  std::string section;  ///< Where the source makes it.
-  std::string text;     ///< The source's words.
-  std::function<Finding(const Results&)> predicate;
-  std::string why = {};  ///< The mechanics behind it where it does not hold; shown only then.
-};
+using Checks = std::map<std::string_view, std::function<Finding(const Results&)>>;
 
 /// A named set of results; the first one of a list is the plain model.
 template <class Results>
@@ -49,12 +42,12 @@ struct Variant {
 
 /// Compares a statement with the plain model first, then with the variants.
 template <class Results>
-Verdict compare(const Statement<Results>& statement,
+Verdict compare(const std::function<Finding(const Results&)>& predicate, const std::string& why,
                 const std::vector<Variant<Results>>& variants) {
   Verdict verdict;
   for (const Variant<Results>& variant : variants) {
     const bool plain = &variant == &variants.front();
-    const Finding finding = statement.predicate(variant.results);
+    const Finding finding = predicate(variant.results);
     if (plain) verdict.evidence = finding.evidence;
     if (!finding.holds) continue;
     if (plain) {
@@ -66,16 +59,19 @@ Verdict compare(const Statement<Results>& statement,
     verdict.kind = Verdict::Kind::holds_only_with;
     verdict.only_with.push_back(variant.name);
   }
-  verdict.why = statement.why;
+  verdict.why = why;
   return verdict;
 }
 
+/// Those of the statements that are checked here.
 template <class Results>
-std::vector<ComparedStatement> compare(const std::vector<Statement<Results>>& statements,
+std::vector<ComparedStatement> compare(const std::vector<PrintedStatement>& statements,
+                                       const Checks<Results>& checks,
                                        const std::vector<Variant<Results>>& variants) {
   std::vector<ComparedStatement> compared;
-  for (const Statement<Results>& s : statements)
-    compared.push_back({s.section, s.text, compare(s, variants)});
+  for (const PrintedStatement& s : statements)
+    if (const auto check = checks.find(s.check); check != checks.end())
+      compared.push_back({s.section, s.text, compare(check->second, s.why, variants)});
   return compared;
 }
 
@@ -136,8 +132,8 @@ struct SourceExtension {
   /// What the source's formulas give without a case, by key.
   std::function<nlohmann::ordered_json()> formulas = {};
   std::function<std::vector<ValidationTable>()> tables = {};
-  /// On the case `subject` and the source's folder.
-  std::function<Supplement(const Case&, const std::filesystem::path&)> supplement = {};
+  /// On the case `subject`.
+  std::function<Supplement(const Case&, const Reference&)> supplement = {};
   /// File of that case; empty for the first one of the reference.
   std::string subject = {};
 };

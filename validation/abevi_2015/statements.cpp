@@ -419,103 +419,41 @@ Finding distribution_is_sensitive_to_everything(const Results& r) {
                       100 * direction, 100 * load, 100 * configuration)};
 }
 
-using AbeviStatement = Statement<Results>;
-
-std::vector<AbeviStatement> statements() {
-  return {
-      {"4.1",
-       "while the screw shaft is moving inside, the axial stiffness increases under tensile "
-       "loading",
-       [](const Results& r) { return stiffness_trend(r, kTension, 1.0); }},
-      {"4.1", "... and decreases under compressive loading",
-       [](const Results& r) { return stiffness_trend(r, kCompression, -1.0); }},
-      {"4.1",
-       "the axial stiffness depends on the configuration of the mechanism and the loading "
-       "direction",
-       stiffness_depends_on_case},
-      {"4.2",
-       "the most critical situation for the threads of the screw appears to be compressive loading",
-       compression_is_worst_for_the_screw},
-      {"4.2", "this is mainly due to the effect of the roller's flexibility",
-       flexibility_makes_compression_worst},
-      {"4.2",
-       "in all configurations, the load decreases from the first thread of the screw to the last",
-       screw_load_falls_from_first_to_last},
-      {"4.2",
-       "at the screw-roller interface, the load distribution varies according to the system "
-       "configuration and the loading direction",
-       screw_distribution_varies},
-      {"4.3",
-       "at the nut-roller interface, the load distribution differs greatly from one configuration "
-       "to another",
-       nut_distribution_differs_between_configurations},
-      {"4.3", "the load ratio on the first thread is higher than that computed in the CC",
-       first_nut_thread_is_higher_in_tension},
-      {"5", "the sum of the distributed loading rates is equal to 100 %", rates_sum_to_one},
-      {"5", "for lower external loads, the load distribution is quite uniform (around 5 %)",
-       low_load_is_uniform,
-       "Hertz approaches fall with F^(2/3) and body deformations with F, so the shares reach 5 % "
-       "only in the limit of vanishing load"},
-      {"5", "when the external load increases, ... the global load distribution becomes nonuniform",
-       spread_grows_with_load},
-      {"5",
-       "the first active thread of the screw shaft is the most loaded one in any configuration",
-       first_screw_thread_is_most_loaded},
-      {"5",
-       "the load ratio increases with the external loading on the shaft and is similar in all "
-       "identified configurations",
-       first_screw_thread_grows_alike},
-      {"5",
-       "the load ratios of the first six threads increase with the external load, the load ratios "
-       "of the last ten threads decrease",
-       first_six_grow_and_last_ten_fall},
-      {"5", "the butterfly wings are not the same as in the case of a nonflexible roller",
-       wings_differ_from_the_rigid_roller},
-      {"5", "the left wing is more split or larger under tensile loading (screw)",
-       [](const Results& r) { return tension_wing_is_larger(r, Interface::screw); },
-       "compression is the worse direction for the screw, as section 4.2 says: it loads the first "
-       "threads more and spreads the shares more"},
-      {"5", "the left wing is more split or larger under tensile loading (nut)",
-       [](const Results& r) { return tension_wing_is_larger(r, Interface::nut); }},
-      {"5",
-       "the load distribution is more sensitive to the flexibility of the roller in [tension] than "
-       "in [compression]",
-       tension_is_more_sensitive_to_bending},
-      {"5", "for the screw, the load on the first thread increases slightly in the TC",
-       first_screw_thread_rises_slightly_in_tension,
-       "in tension the bent roller recedes from the first screw threads and relieves them"},
-      {"5", "... whereas, in the CC, it is reduced by about 40 % with a nonflexible roller",
-       first_screw_thread_falls_by_40_percent_in_compression,
-       "no guidance gives it, and section 6 says that under compression the flexibility has little "
-       "impact"},
-      {"5",
-       "for the nut, in the TC, the first active thread remains the most loaded whether the roller "
-       "is flexible or not",
-       first_nut_thread_is_most_loaded_in_tension},
-      {"5",
-       "the load ratio on the first active thread is almost 1.5 times higher in the flexible "
-       "roller case",
-       bending_raises_first_nut_thread_by_half,
-       "ends held on both nodes, as (10) says, clamp the roller; compliant rings let it tilt"},
-      {"5",
-       "in the compressive loading case, the position of the most loaded thread depends strongly "
-       "on the system configuration and the flexibility of the roller",
-       most_loaded_nut_thread_moves_in_compression,
-       "the last thread stands next to the thrust section and tends to carry most; how far the "
-       "flange around it takes part depends on the nut's shape, which is assumed"},
-      {"6",
-       "under compressive loading, the flexibility of the roller has little impact on the load "
-       "distribution whereas, under tensile loading, it completely modifies it",
-       bending_matters_in_tension_only,
-       "bending matters more in tension than in compression, but not by as much as that"},
-      {"6", "the load distribution was different at each interface of the roller",
-       distribution_differs_at_the_interfaces},
-      {"6",
-       "sensitive to the loading cases (tensile or compressive), the external loading value and "
-       "the type of configuration",
-       distribution_is_sensitive_to_everything},
-  };
-}
+const Checks<Results> kChecks{
+    {"stiffness_rises_in_tension",
+     [](const Results& r) { return stiffness_trend(r, kTension, 1.0); }},
+    {"stiffness_falls_in_compression",
+     [](const Results& r) { return stiffness_trend(r, kCompression, -1.0); }},
+    {"tension_wing_is_larger_at_the_screw",
+     [](const Results& r) { return tension_wing_is_larger(r, Interface::screw); }},
+    {"tension_wing_is_larger_at_the_nut",
+     [](const Results& r) { return tension_wing_is_larger(r, Interface::nut); }},
+    {"stiffness_depends_on_case", stiffness_depends_on_case},
+    {"compression_is_worst_for_the_screw", compression_is_worst_for_the_screw},
+    {"flexibility_makes_compression_worst", flexibility_makes_compression_worst},
+    {"screw_load_falls_from_first_to_last", screw_load_falls_from_first_to_last},
+    {"screw_distribution_varies", screw_distribution_varies},
+    {"nut_distribution_differs_between_configurations",
+     nut_distribution_differs_between_configurations},
+    {"first_nut_thread_is_higher_in_tension", first_nut_thread_is_higher_in_tension},
+    {"rates_sum_to_one", rates_sum_to_one},
+    {"low_load_is_uniform", low_load_is_uniform},
+    {"spread_grows_with_load", spread_grows_with_load},
+    {"first_screw_thread_is_most_loaded", first_screw_thread_is_most_loaded},
+    {"first_screw_thread_grows_alike", first_screw_thread_grows_alike},
+    {"first_six_grow_and_last_ten_fall", first_six_grow_and_last_ten_fall},
+    {"wings_differ_from_the_rigid_roller", wings_differ_from_the_rigid_roller},
+    {"tension_is_more_sensitive_to_bending", tension_is_more_sensitive_to_bending},
+    {"first_screw_thread_rises_slightly_in_tension", first_screw_thread_rises_slightly_in_tension},
+    {"first_screw_thread_falls_by_40_percent_in_compression",
+     first_screw_thread_falls_by_40_percent_in_compression},
+    {"first_nut_thread_is_most_loaded_in_tension", first_nut_thread_is_most_loaded_in_tension},
+    {"bending_raises_first_nut_thread_by_half", bending_raises_first_nut_thread_by_half},
+    {"most_loaded_nut_thread_moves_in_compression", most_loaded_nut_thread_moves_in_compression},
+    {"bending_matters_in_tension_only", bending_matters_in_tension_only},
+    {"distribution_differs_at_the_interfaces", distribution_differs_at_the_interfaces},
+    {"distribution_is_sensitive_to_everything", distribution_is_sensitive_to_everything},
+};
 
 std::vector<Variant<Results>> variants(const Case& screw) {
   const auto guided = [&](Guidance guidance) {
@@ -534,14 +472,8 @@ std::vector<Variant<Results>> variants(const Case& screw) {
           {"vanishing load", Results(screw, 1e-12)}};
 }
 
-/// A statement of section 6 that needs more than the results of one variant.
-ComparedStatement compared(std::string text, Finding finding, std::string why = {}) {
-  const Statement<Finding> statement{"6", std::move(text), std::identity(), std::move(why)};
-  return compare(std::vector{statement}, std::vector<Variant<Finding>>{{"", finding}}).front();
-}
-
 /// The influence of the boundary conditions is a statement on the variants among themselves.
-ComparedStatement boundary_conditions_matter(const std::vector<Variant<Results>>& variants) {
+Finding boundary_conditions_matter(const std::vector<Variant<Results>>& variants) {
   double stiffness = 0.0, share = 0.0;
   for (std::size_t v = 1; v < 5; ++v)
     for_each_case([&](std::size_t c, Direction d) {
@@ -552,16 +484,15 @@ ComparedStatement boundary_conditions_matter(const std::vector<Variant<Results>>
       for (const Interface i : kInterfaces)
         share = std::max(share, largest_difference(plain.rates(i, c, d), other.rates(i, c, d)));
     });
-  return compared(
-      "the BCs have a strong influence on both the load distribution and the axial stiffness",
-      {stiffness > 0.05 && share > 0.005,
-       fmt::format("guidance changes the stiffness by up to {:.1f} % and a thread's share by up to "
-                   "{:.2f} points (judged against 5 % and 0.5 points)",
-                   100 * stiffness, 100 * share)});
+  return {
+      stiffness > 0.05 && share > 0.005,
+      fmt::format("guidance changes the stiffness by up to {:.1f} % and a thread's share by up to "
+                  "{:.2f} points (judged against 5 % and 0.5 points)",
+                  100 * stiffness, 100 * share)};
 }
 
 /// The influence of the nut's shape needs a second nut, without flanges.
-ComparedStatement nut_shape_matters(const Case& screw, const Results& plain) {
+Finding nut_shape_matters(const Case& screw, const Results& plain) {
   Case tube = screw;
   tube.structure->nut.flanges.clear();
   const Results without(tube);
@@ -569,31 +500,29 @@ ComparedStatement nut_shape_matters(const Case& screw, const Results& plain) {
     return largest_difference(plain.rates(Interface::nut, c, d),
                               without.rates(Interface::nut, c, d));
   });
-  return compared(
-      "the shape of the nut has a notable influence on the load distribution as its flanges "
-      "interact with the contacting threads",
-      {share > 0.005,
-       fmt::format("without flanges a nut thread's share changes by up to {:.2f} points (judged "
-                   "against 0.5)",
-                   100 * share)},
-      "with the assumed nut, where the thrust section stands among the threads matters, and the "
-      "larger section of a flange hardly does; the real nut's shape is not published");
+  return {share > 0.005,
+          fmt::format("without flanges a nut thread's share changes by up to {:.2f} points (judged "
+                      "against 0.5)",
+                      100 * share)};
 }
 
 }  // namespace
 
-std::vector<ComparedStatement> compare_statements(const Case& screw) {
+std::vector<ComparedStatement> compare_statements(const Case& screw, const Reference& paper) {
   const std::vector<Variant<Results>> all = variants(screw);
-  std::vector<ComparedStatement> compared = compare(statements(), all);
-  compared.push_back(boundary_conditions_matter(all));
-  compared.push_back(nut_shape_matters(screw, all.front().results));
+  std::vector<ComparedStatement> compared = compare(paper.statements, kChecks, all);
+  // Section 6 says these of the variants among themselves, and of a second nut.
+  const Checks<Case> others{
+      {"boundary_conditions_matter", [&](const Case&) { return boundary_conditions_matter(all); }},
+      {"nut_shape_matters",
+       [&](const Case& c) { return nut_shape_matters(c, all.front().results); }}};
+  std::ranges::move(compare(paper.statements, others, {{"", screw}}), std::back_inserter(compared));
   return compared;
 }
 
 SourceExtension extension() {
-  return {.folder = "abevi_2015",
-          .supplement = [](const Case& screw, const std::filesystem::path&) {
-            return Supplement{.statements = compare_statements(screw)};
+  return {.folder = "abevi_2015", .supplement = [](const Case& screw, const Reference& paper) {
+            return Supplement{.statements = compare_statements(screw, paper)};
           }};
 }
 

@@ -1,8 +1,6 @@
 #include "validation/jung_2017/measures.h"
 
-#include "contact/hertz.h"
 #include "prs/life/capacity.h"
-#include "prs/model/materials.h"
 #include "prs/model/units.h"
 #include "prs/threads/tooth_compliance.h"
 

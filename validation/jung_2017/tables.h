@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/validation/reference.h"
 #include "prs/validation/validate.h"
 #include "validation/jung_2017/measures.h"
 

@@ -4,10 +4,7 @@
 #include <functional>
 
 #include "prs/model/case.h"
-#include "prs/model/load_case.h"
-#include "prs/model/model_options.h"
 #include "prs/model/part.h"
-#include "prs/model/structure.h"
 #include "prs/model/units.h"
 
 namespace prs::reference_fe {

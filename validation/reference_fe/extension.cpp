@@ -81,44 +81,40 @@ Finding stays_within(const ErrorBar& limits, const std::vector<Curve>& curves,
   return {holds, std::move(evidence)};
 }
 
-std::vector<Statement<Fidelities>> statements(int threads) {
+}  // namespace
+
+std::vector<ComparedStatement> compare_statements(const Fidelities& f) {
+  const int count = threads(f);
+  std::vector<ComparedStatement> all;
+  const auto add = [&](const char* section, std::string text, Finding found) {
+    const std::vector<Variant<Finding>> only{{"all cases", std::move(found)}};
+    all.push_back({section, std::move(text), compare<Finding>(std::identity(), "", only)});
+  };
   const auto limits_text = [&](const ErrorBar& limits) {
     return fmt::format(
         "{:g} % of the stiffness and, at every thread, {:g} % of the mean thread load ({} threads)",
-        percent(limits.stiffness), of_mean_load(limits.load_rate, threads), threads);
+        percent(limits.stiffness), of_mean_load(limits.load_rate, count), count);
   };
   const ErrorBar joint = sum(kReferenceError, kInfluenceError);
-  return {
-      {"bars",
-       fmt::format("at full load the paper's bars are {:g} to {:g} % too stiff in tension and {:g} "
-                   "to {:g} % in compression",
-                   percent(kBarsInTension.from), percent(kBarsInTension.to),
-                   percent(kBarsInCompression.from), percent(kBarsInCompression.to)),
-       bars_are_too_stiff},
-      {"bars",
-       fmt::format("at full load the worst thread of a case is {:g} to {:g} % of the mean thread "
-                   "load off ({} threads)",
-                   of_mean_load(kBarsLoadRate.from, threads),
-                   of_mean_load(kBarsLoadRate.to, threads), threads),
-       bars_shift_the_loads},
-      {"refined", "within " + limits_text(kRefinedError) + " of the reference, at all loads",
-       [=](const Fidelities& f) {
-         return stays_within(kRefinedError, f.refined, f.reference, threads);
-       }},
-      {"refined", "within " + limits_text(kRefinedError) + " of the influence model, at all loads",
-       [=](const Fidelities& f) {
-         return stays_within(kRefinedError, f.refined, f.influence, threads);
-       }},
-      {"influence", "within both error bars of the reference at all loads: " + limits_text(joint),
-       [=](const Fidelities& f) { return stays_within(joint, f.influence, f.reference, threads); }},
-  };
-}
-
-}  // namespace
-
-std::vector<ComparedStatement> compare_statements(const Fidelities& fidelities) {
-  const std::vector<Variant<Fidelities>> variants{{"all cases", fidelities}};
-  return compare(statements(threads(fidelities)), variants);
+  add("bars",
+      fmt::format("at full load the paper's bars are {:g} to {:g} % too stiff in tension and {:g} "
+                  "to {:g} % in compression",
+                  percent(kBarsInTension.from), percent(kBarsInTension.to),
+                  percent(kBarsInCompression.from), percent(kBarsInCompression.to)),
+      bars_are_too_stiff(f));
+  add("bars",
+      fmt::format("at full load the worst thread of a case is {:g} to {:g} % of the mean thread "
+                  "load off ({} threads)",
+                  of_mean_load(kBarsLoadRate.from, count), of_mean_load(kBarsLoadRate.to, count),
+                  count),
+      bars_shift_the_loads(f));
+  add("refined", "within " + limits_text(kRefinedError) + " of the reference, at all loads",
+      stays_within(kRefinedError, f.refined, f.reference, count));
+  add("refined", "within " + limits_text(kRefinedError) + " of the influence model, at all loads",
+      stays_within(kRefinedError, f.refined, f.influence, count));
+  add("influence", "within both error bars of the reference at all loads: " + limits_text(joint),
+      stays_within(joint, f.influence, f.reference, count));
+  return all;
 }
 
 namespace {
@@ -507,9 +503,9 @@ std::vector<Figure> displacement_figures(const std::vector<Model>& models,
 
 namespace {
 
-Supplement compared(const Case& screw, const std::filesystem::path& folder) {
+Supplement compared(const Case& screw, const Reference& of) {
   using enum ModelOptions::Bodies;
-  const std::vector<Curve> reference = read_curves(folder / "data" / "curves.csv");
+  const std::vector<Curve> reference = read_curves(of.folder / "data" / "curves.csv");
   const auto curves = [&](ModelOptions::Bodies bodies) {
     return computed_curves(screw, bodies, reference);
   };

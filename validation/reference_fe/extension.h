@@ -1,7 +1,5 @@
 #pragma once
 
-#include "prs/output/files.h"
-#include "prs/record/figure.h"
 #include "prs/validation/validate.h"
 #include "validation/reference_fe/comparison.h"
 

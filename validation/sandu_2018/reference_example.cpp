@@ -1,10 +1,7 @@
 #include "validation/sandu_2018/reference_example.h"
 
 #include "contact/hertz_formulas.h"
-#include "contact/patch.h"
-#include "prs/loads/analyze.h"
 #include "prs/slip/slip.h"
-#include "prs/slip/slip_model.h"
 #include "validation/extensions.h"
 
 namespace prs::sandu_2018 {
@@ -228,9 +225,9 @@ SourceExtension extension() {
           .derived = derived,
           .tables = [] { return std::vector{ellipticity_approximations()}; },
           .supplement =
-              [](const Case& reference, const std::filesystem::path&) {
+              [](const Case& reference, const Reference& thesis) {
                 return Supplement{
-                    .statements = compare_statements(reference),
+                    .statements = compare_statements(reference, thesis),
                     .tables = {printed_ellipses(reference), patch_convergence(reference),
                                efficiency_fits(reference)}};
               },

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/loads/slip_result.h"
-#include "prs/model/case.h"
 #include "prs/validation/validate.h"
 
 namespace prs::sandu_2018 {
@@ -44,6 +43,6 @@ ValidationTable printed_ellipses(const Case& reference);
 /// Statements that chapters 2 and 3 of Sandu 2018 make in words, judged on the reference example of
 /// table 3.2 and around it, with Jacod's friction and with Coulomb's. Ranges that the text does not
 /// give stand in the evidence.
-std::vector<ComparedStatement> compare_statements(const Case& reference);
+std::vector<ComparedStatement> compare_statements(const Case& reference, const Reference& thesis);
 
 }  // namespace prs::sandu_2018

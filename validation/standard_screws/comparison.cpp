@@ -155,57 +155,36 @@ Finding exponent(const Rows& rows, double (*printed)(const Ratios&),
           fmt::format("exponent {:.2f} printed, {:.2f} computed", of_maker, ours)};
 }
 
-/// What the columns say, the digits of a row being those of its class.
-std::vector<Statement<Rows>> statements() {
-  return {
-      {"dynamic capacity", "C_a grows as lead^0.23 where nothing else differs",
-       [](const Rows& rows) { return exponent(rows, printed_dynamic, computed_dynamic, 0.05); },
-       "the rule puts in more rollers at fine pitch, whose crests are lower; the maker does not "
-       "seem to"},
-      {"dynamic capacity", "Lemor's C_a is 0.6 to 1.6 times the maker's",
-       [](const Rows& rows) -> Finding {
-         const Interval i = range(rows, &Ratios::dynamic_capacity);
-         return {within(i, 0.6, 1.6), "computed over printed " + text(i)};
-       },
-       "the smallest screw, 4 x 1, is out: its 82 contacts of 0.33 mm pitch count as fully as "
-       "large ones in Lemor's formula; from 8 mm on 0.7 to 1.3"},
-      {"static capacity", "C_0 hardly depends on the lead",
-       [](const Rows& rows) { return exponent(rows, printed_static, computed_static, 0.05); },
-       "the rule puts in more rollers at fine pitch; with arcs about the rollers' axes, of one "
-       "radius for all leads, C_0 falls with the pitch"},
-      {"static capacity", "the load of 4.0 GPa is 0.5 to 1.8 times the maker's C_0",
-       [](const Rows& rows) -> Finding {
-         const Interval i = range(rows, &Ratios::static_capacity);
-         return {within(i, 0.5, 1.8), "computed over printed " + text(i)};
-       },
-       "the profile radius, which is not printed, decides"},
-      {"static capacity", "at the maker's C_0 the ellipse stays on the flank",
-       [](const Rows& rows) -> Finding {
-         const Interval i = range(rows, &Ratios::flank_edge);
-         return {i.least >= 1.0, "load at the edge of a flank over C_0 " + text(i)};
-       },
-       "crests end 0.15 p beyond the nominal diameter, as outer diameters are printed, and "
-       "ellipses of unbounded flanks are wider: the maker counts on what bears beyond, or on "
-       "another profile; neither is printed"},
-      {"weight", "nut and rollers weigh what plain cylinders do, within 18 %",
-       [](const Rows& rows) -> Finding {
-         const Interval i = range(rows, &Ratios::weight, weight_is_known);
-         return {within(i, 0.82, 1.18),
-                 "where 0.1 kg is less than a fifth: computed over printed " + text(i)};
-       }},
-      {"inertia", "the nut has the inertia of a plain tube, within 18 %",
-       [](const Rows& rows) -> Finding {
-         const Interval i = range(rows, &Ratios::nut_inertia);
-         return {within(i, 0.82, 1.18), "computed over printed " + text(i)};
-       }},
-      {"inertia",
-       "the rollers' inertia seen by the screw is that of their spin and orbit, within 18 %",
-       [](const Rows& rows) -> Finding {
-         const Interval i = range(rows, &Ratios::roller_inertia);
-         return {within(i, 0.82, 1.18), "computed over printed " + text(i)};
-       }},
-  };
+Finding ratio(const Rows& rows, double Ratios::*of, double least, double greatest) {
+  const Interval i = range(rows, of);
+  return {within(i, least, greatest), "computed over printed " + text(i)};
 }
+
+/// The digits of a row are those of its class.
+const Checks<Rows> kChecks{
+    {"dynamic_capacity_and_lead",
+     [](const Rows& rows) { return exponent(rows, printed_dynamic, computed_dynamic, 0.05); }},
+    {"dynamic_capacity",
+     [](const Rows& rows) { return ratio(rows, &Ratios::dynamic_capacity, 0.6, 1.6); }},
+    {"static_capacity_and_lead",
+     [](const Rows& rows) { return exponent(rows, printed_static, computed_static, 0.05); }},
+    {"static_capacity",
+     [](const Rows& rows) { return ratio(rows, &Ratios::static_capacity, 0.5, 1.8); }},
+    {"flank_edge",
+     [](const Rows& rows) -> Finding {
+       const Interval i = range(rows, &Ratios::flank_edge);
+       return {i.least >= 1.0, "load at the edge of a flank over C_0 " + text(i)};
+     }},
+    {"weight",
+     [](const Rows& rows) -> Finding {
+       const Interval i = range(rows, &Ratios::weight, weight_is_known);
+       return {within(i, 0.82, 1.18),
+               "where 0.1 kg is less than a fifth: computed over printed " + text(i)};
+     }},
+    {"nut_inertia", [](const Rows& rows) { return ratio(rows, &Ratios::nut_inertia, 0.82, 1.18); }},
+    {"roller_inertia",
+     [](const Rows& rows) { return ratio(rows, &Ratios::roller_inertia, 0.82, 1.18); }},
+};
 
 ValidationTable table(const Rows& rows, std::string of) {
   ValidationTable table{"Computed over printed, " + std::move(of),
@@ -222,15 +201,15 @@ ValidationTable table(const Rows& rows, std::string of) {
   return table;
 }
 
-Supplement supplement(const Case&, const std::filesystem::path& folder) {
-  const std::vector<CatalogueScrew> catalogue = read_catalogue(folder / "screws.csv");
+Supplement supplement(const Case&, const Reference& maker) {
+  const std::vector<CatalogueScrew> catalogue = read_catalogue(maker.folder / "screws.csv");
   const std::vector<Variant<Rows>> variants{
       {"profile radii of 5 pitches", compare(catalogue, Flanks::by_rule)},
       {"the same and as many rollers at every lead",
        compare(catalogue, Flanks::by_rule, Rollers::as_at_coarsest_lead)},
       {"arcs about the rollers' axes", compare(catalogue, Flanks::centred)}};
   Supplement s;
-  s.statements = compare(statements(), variants);
+  s.statements = compare(maker.statements, kChecks, variants);
   for (const Variant<Rows>& v : variants) s.tables.push_back(table(v.results, v.name));
   return s;
 }

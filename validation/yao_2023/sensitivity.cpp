@@ -292,64 +292,20 @@ Finding stresses_alike(const Ranking& r) {
   return {holds, "screw: " + r.listed(kScrewStress, 7) + "; nut: " + r.listed(kNutStress, 7)};
 }
 
-using YaoStatement = Statement<Ranking>;
-
-std::vector<YaoStatement> statements() {
-  const std::string load =
-      "(27) takes the normal load from the roller's nominal flank angle, so that beta_R moves it. "
-      "Axial equilibrium takes it at the contact point, whose normal is that of the straight flank "
-      "of the screw: beta_S moves it";
-  return {
-      {"3.2",
-       "beta_S contributes most to the deflection angle of the screw and roller, with negative "
-       "effect on the roller but positive effect on the screw",
-       screw_angle_leads},
-      {"3.2", "d_R0, beta_R, P_S and P_R are also sensitive to the deflection angle",
-       screw_angles_follow},
-      {"3.2",
-       "d_R0, beta_R and beta_S play a major role in the contact radius between the screw and "
-       "roller, while other parameters have little influence",
-       screw_radii},
-      {"3.2",
-       "the effects of d_R0 and beta_S on the screw are negative but positive on the roller, and "
-       "the effect of beta_R is exact converse",
-       screw_radii_signs},
-      {"3.2",
-       "the negative effect of d_R0 on the curvature sum between screw and roller accounts for "
-       "50.08 %, while beta_R and beta_S positively contribute 39.23 % and 9.00 %",
-       screw_curvature},
-      {"3.2",
-       "beta_R has the most significant positive effect on the contact stress sigma_HSR, followed "
-       "by d_R0 with greater negative sensitivity",
-       screw_stress_leaders, load},
-      {"3.2",
-       "the positive sensitivity of the applied load F is basically consistent with that of the "
-       "elastic modulus E_R and E_S",
-       load_as_moduli},
-      {"3.2", "nu_S and nu_R rank after beta_S, and they have a positive impact on sigma_HSR",
-       ratios_after_flank_angle, load},
-      {"3.2",
-       "the most sensitive parameters to the deflection angle of roller and nut are P_N, P_R, "
-       "d_R0, beta_R and beta_N in sequence, in which P_N, d_R0 and beta_N have positive effects, "
-       "while P_R and beta_R have negative effects",
-       nut_angles},
-      {"3.2",
-       "d_R0, beta_N and beta_R are the main contributors to the contact radius of roller and nut, "
-       "and d_R0, beta_N and P_N are positive effects and the other two are negative",
-       nut_radii},
-      {"3.2",
-       "d_R0 and beta_R account for 53.13 % and 41.72 % of the negative effects on the curvature "
-       "sum between nut and roller, and beta_N accounts for 4.07 % of the positive effects",
-       nut_curvature,
-       "the magnitudes are these, the signs of the two flank angles are not: a larger beta_R makes "
-       "the roller's arc smaller and the sum larger, as the text on figure 10 says, and a larger "
-       "beta_N makes the nut more hollow"},
-      {"3.2",
-       "the parameters affect the contact stress between the nut and roller in the way similar to "
-       "that between the screw and roller",
-       stresses_alike},
-  };
-}
+const Checks<Ranking> kChecks{
+    {"screw_angle_leads", screw_angle_leads},
+    {"screw_angles_follow", screw_angles_follow},
+    {"screw_radii", screw_radii},
+    {"screw_radii_signs", screw_radii_signs},
+    {"screw_curvature", screw_curvature},
+    {"screw_stress_leaders", screw_stress_leaders},
+    {"load_as_moduli", load_as_moduli},
+    {"ratios_after_flank_angle", ratios_after_flank_angle},
+    {"nut_angles", nut_angles},
+    {"nut_radii", nut_radii},
+    {"nut_curvature", nut_curvature},
+    {"stresses_alike", stresses_alike},
+};
 
 ValidationTable curvature_table(const Ranking& r) {
   ValidationTable table{"Figures 8(e), 9(e): contributions to the curvature sum, in %",
@@ -384,11 +340,11 @@ ValidationTable stress_table(const Rankings& r) {
 
 }  // namespace
 
-Supplement sensitivity(const Case& initial) {
+Supplement sensitivity(const Case& initial, const Reference& paper) {
   const Rankings r = rankings(initial);
   const std::vector<Variant<Ranking>> variants{{"Q = F/|n_z|", r.equilibrium},
                                                {"Q of (27)", r.printed}};
-  return {.statements = compare(statements(), variants),
+  return {.statements = compare(paper.statements, kChecks, variants),
           .tables = {curvature_table(r.equilibrium), stress_table(r)}};
 }
 
@@ -461,8 +417,7 @@ SourceExtension extension() {
   return {.folder = "yao_2023",
           .derived = derived,
           .tables = [] { return std::vector{closure_of_printed_points()}; },
-          .supplement = [](const Case& initial,
-                           const std::filesystem::path&) { return sensitivity(initial); }};
+          .supplement = sensitivity};
 }
 
 }  // namespace prs::yao_2023

@@ -8,6 +8,6 @@ namespace prs::yao_2023 {
 /// response surfaces, contributions. What the text says of figures 8 and 9, judged with the normal
 /// load of axial equilibrium at the contact point and with that of (27), and the contributions
 /// next to the printed ones.
-Supplement sensitivity(const Case& initial);
+Supplement sensitivity(const Case& initial, const Reference& paper);
 
 }  // namespace prs::yao_2023

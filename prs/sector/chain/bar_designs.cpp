@@ -1,7 +1,6 @@
 #include "prs/sector/chain/bar_designs.h"
 
 #include <cassert>
-#include <tuple>
 
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/sector_kernel.h"

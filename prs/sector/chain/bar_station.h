@@ -2,7 +2,6 @@
 
 #include "fe/chain_station.h"
 #include "prs/model/structure.h"
-#include "prs/sector/chain/lane_access.h"
 #include "prs/sector/chain/roller_chain.h"
 
 namespace prs {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "prs/model/part.h"
 #include "prs/sector/chain/roller_chain.h"
-#include "prs/sector/sector_numbers.h"
 
 namespace prs {
 

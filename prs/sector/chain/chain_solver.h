@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fe/newton_types.h"
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/chain/thread_loads.h"
 #include "prs/sector/chain/workspace.h"

@@ -1,9 +1,6 @@
 #pragma once
 
 #include "prs/sector/chain/chain_solver.h"
-#include "prs/sector/load_distribution.h"
-#include "prs/sector/sector.h"
-#include "prs/sector/sector_model.h"
 
 namespace prs {
 

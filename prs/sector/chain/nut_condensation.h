@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fe/shell_formulas.h"
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/refined/nut_formulas.h"
 #include "simd/wide.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fe/newton_types.h"
 #include "prs/sector/chain/instruction_set.h"
 #include "prs/sector/chain/refined_columns.h"
 #include "prs/sector/chain/thread_loads.h"

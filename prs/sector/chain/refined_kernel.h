@@ -1,7 +1,5 @@
 #pragma once
 
-#include "fe/chain_station.h"
-#include "fe/newton_types.h"
 #include "prs/sector/chain/refined_columns.h"
 #include "prs/sector/chain/shell_station.h"
 #include "prs/sector/chain/thread_loads.h"

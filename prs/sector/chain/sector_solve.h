@@ -1,8 +1,6 @@
 #pragma once
 
-#include "fe/chain.h"
 #include "prs/sector/chain/deliver.h"
-#include "prs/sector/chain/lane_access.h"
 #include "prs/sector/sector_numbers.h"
 
 namespace prs {

@@ -3,8 +3,6 @@
 #include <tuple>
 
 #include "prs/model/structure.h"
-#include "prs/sector/influence/flexibility_options.h"
-#include "prs/sector/influence/matrix_cache.h"
 #include "prs/sector/influence/teeth.h"
 
 namespace prs {

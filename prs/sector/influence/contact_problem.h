@@ -1,8 +1,6 @@
 #pragma once
 
-#include "prs/model/part.h"
 #include "prs/sector/influence/flexibility.h"
-#include "prs/sector/sector.h"
 
 namespace prs {
 

@@ -1,15 +1,8 @@
 #pragma once
 
 #include "prs/model/load_case.h"
-#include "prs/model/materials.h"
 #include "prs/model/mechanism.h"
-#include "prs/model/model_options.h"
-#include "prs/model/part.h"
 #include "prs/model/structure.h"
-#include "prs/sector/influence/flexibility_options.h"
-#include "prs/sector/influence/grooved_body.h"
-#include "prs/sector/influence/hertz_patch.h"
-#include "prs/sector/influence/matrix_cache.h"
 #include "prs/sector/influence/teeth.h"
 #include "prs/sector/influence/thrust_face.h"
 #include "prs/sector/sector.h"

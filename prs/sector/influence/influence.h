@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/sector/influence/contact_problem.h"
-#include "prs/sector/influence/flexibility.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

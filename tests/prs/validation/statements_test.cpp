@@ -9,9 +9,10 @@ namespace {
 
 /// What a second, independent computation of the paper found to hold.
 TEST(Abevi2015, StatementsThatHoldWithThePapersOwnGuidance) {
-  const Case screw =
-      input::read_case(PRS_SOURCE_DIR "/validation/abevi_2015/screw.yaml", {}, Command::solve);
-  const std::vector<ComparedStatement> compared = abevi_2015::compare_statements(screw);
+  const std::string folder = PRS_SOURCE_DIR "/validation/abevi_2015/";
+  const Case screw = input::read_case(folder + "screw.yaml", {}, Command::solve);
+  const std::vector<ComparedStatement> compared =
+      abevi_2015::compare_statements(screw, read_reference(folder + "reference.yaml"));
   const auto kind = [&](const std::string& words) {
     for (const ComparedStatement& s : compared)
       if (s.text.find(words) != std::string::npos) return s.verdict.kind;
@@ -31,11 +32,12 @@ TEST(Abevi2015, StatementsThatHoldWithThePapersOwnGuidance) {
 }
 
 TEST(Statements, AreComparedWithThePlainModelFirst) {
-  const Statement<int> even{"1", "is even", [](int n) {
-                              return Finding{n % 2 == 0, std::to_string(n)};
-                            }};
+  const Checks<int> even{{"even", [](int n) { return Finding{n % 2 == 0, std::to_string(n)}; }}};
   const auto compared = [&](int plain, int a, int b) {
-    return compare(even, std::vector<Variant<int>>{{"plain", plain}, {"a", a}, {"b", b}});
+    return compare({{"1", "is even", "even"}, {"1", "is another's", "other"}}, even,
+                   {{"plain", plain}, {"a", a}, {"b", b}})
+        .at(0)
+        .verdict;
   };
   EXPECT_EQ(compared(2, 1, 1).kind, Verdict::Kind::holds);
   EXPECT_EQ(compared(1, 1, 1).kind, Verdict::Kind::does_not_hold);

@@ -222,9 +222,9 @@ TEST(Validation, ASourcesCodeFindsTheFilesBesideItsCase) {
                          return std::vector{ValidationTable{"first", {"a"}, {}}};
                        },
                    .supplement =
-                       [](const Case& subject, const std::filesystem::path& folder) {
+                       [](const Case& subject, const Reference& reference) {
                          EXPECT_EQ(subject.mechanism.rollers, 9);
-                         EXPECT_TRUE(std::filesystem::exists(folder / "case.yaml"));
+                         EXPECT_TRUE(std::filesystem::exists(reference.folder / "case.yaml"));
                          Supplement s;
                          s.statements.push_back({"1", "a statement", {}});
                          s.tables.push_back({"second", {"a"}, {}});
@@ -241,8 +241,7 @@ TEST(Validation, ASourcesCodeFindsTheFilesBesideItsCase) {
 
 TEST(Validation, WhatASourcesCodeFindsWrongWithItsCaseIsToldAtItsPlace) {
   try {
-    report_with({.folder = "here",
-                 .supplement = [](const Case&, const std::filesystem::path&) -> Supplement {
+    report_with({.folder = "here", .supplement = [](const Case&, const Reference&) -> Supplement {
                    throw CaseError("mechanism.rollers", "expected fewer");
                  }});
     FAIL();
