@@ -51,10 +51,8 @@ std::vector<std::string> model_names(const ModelComparison& c) {
 
 }  // namespace
 
-template <>
-Record<MostLoaded> record_of();
-template <>
-Record<ComparedLoad> record_of();
+Record<MostLoaded> record_of(Type<MostLoaded>);
+Record<ComparedLoad> record_of(Type<ComparedLoad>);
 
 namespace {
 
@@ -151,23 +149,19 @@ std::optional<double> pressure_over_best(const ComparedModel& m) {
   return over(largest_pressure(m.result()), largest_pressure(m.best()));
 }
 
-template <>
-Record<MostLoaded> record_of() {
+Record<MostLoaded> record_of(Type<MostLoaded>) {
   return {"MostLoadedThread", "What an interface's threads carry, by one model.", kMostLoaded};
 }
 
-template <>
-Record<ComparedModel> record_of() {
+Record<ComparedModel> record_of(Type<ComparedModel>) {
   return {"ComparedModel", "The answer of one model of the bodies to a load case.", kModel};
 }
 
-template <>
-Record<ComparedLoad> record_of() {
+Record<ComparedLoad> record_of(Type<ComparedLoad>) {
   return {"ComparedLoadCase", "A load case by each model of the bodies.", kLoad};
 }
 
-template <>
-Record<ModelComparison> record_of() {
+Record<ModelComparison> record_of(Type<ModelComparison>) {
   return {"Comparison", "The models of the bodies side by side.", kComparison};
 }
 

@@ -28,10 +28,8 @@ std::optional<double> largest_pressure(const LoadCaseResult& result);
 std::optional<double> stiffness_over_best(const ComparedModel& m);
 std::optional<double> pressure_over_best(const ComparedModel& m);
 
-template <>
-Record<ComparedModel> record_of();
-template <>
-Record<ModelComparison> record_of();
+Record<ComparedModel> record_of(Type<ComparedModel>);
+Record<ModelComparison> record_of(Type<ModelComparison>);
 
 /// A row per load case and model, and the warnings below. Of many load cases the first.
 std::string comparison_table(const ModelComparison& result);

@@ -143,8 +143,7 @@ std::string heading(const ConfigurationQuery& q) {
 
 }  // namespace
 
-template <>
-Record<Configurations> record_of() {
+Record<Configurations> record_of(Type<Configurations>) {
   return {"Configurations", "Starts that give a sound mechanism, and those that do not.",
           kConfigurations};
 }

@@ -9,8 +9,7 @@ namespace prs {
 /// The document of `prs configurations --json`; `number` is what `--write` takes.
 nlohmann::ordered_json configurations_json(const Configurations& all, const DocumentInfo& info);
 
-template <>
-Record<Configurations> record_of();
+Record<Configurations> record_of(Type<Configurations>);
 
 /// `standard` or `inverted`.
 std::string_view type_name(Mechanism::Type type);

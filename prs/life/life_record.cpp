@@ -40,22 +40,14 @@ struct Cycles {
 
 }  // namespace
 
-template <>
-Record<InterfaceLife> record_of();
-template <>
-Record<DirectionLife> record_of();
-template <>
-Record<WeakestLife> record_of();
-template <>
-Record<LifeAtRest> record_of();
-template <>
-Record<Capacity> record_of();
-template <>
-Record<Loads> record_of();
-template <>
-Record<Cycles> record_of();
-template <>
-Record<CycleMatrix> record_of();
+Record<InterfaceLife> record_of(Type<InterfaceLife>);
+Record<DirectionLife> record_of(Type<DirectionLife>);
+Record<WeakestLife> record_of(Type<WeakestLife>);
+Record<LifeAtRest> record_of(Type<LifeAtRest>);
+Record<Capacity> record_of(Type<Capacity>);
+Record<Loads> record_of(Type<Loads>);
+Record<Cycles> record_of(Type<Cycles>);
+Record<CycleMatrix> record_of(Type<CycleMatrix>);
 
 namespace {
 
@@ -364,64 +356,52 @@ LifeInUse in_use(const LifeResult& r, double revolutions) {
   return life;
 }
 
-template <>
-Record<LifeInUse> record_of() {
+Record<LifeInUse> record_of(Type<LifeInUse>) {
   return {"LifeInUse", "A life L10 at the value of the dynamic capacity.", kLifeInUse};
 }
 
-template <>
-Record<ThreadLives> record_of() {
+Record<ThreadLives> record_of(Type<ThreadLives>) {
   return {"ThreadLives", "Lives of the threads of one interface.", kThreadLives};
 }
 
-template <>
-Record<RollerLives> record_of() {
+Record<RollerLives> record_of(Type<RollerLives>) {
   return {"RollerLives", "Lives of the threads of the rollers at one interface.", kRollerLives};
 }
 
-template <>
-Record<InterfaceLife> record_of() {
+Record<InterfaceLife> record_of(Type<InterfaceLife>) {
   return {"InterfaceLife", "Lives of the threads of one interface.", kInterfaceLife};
 }
 
-template <>
-Record<DirectionLife> record_of() {
+Record<DirectionLife> record_of(Type<DirectionLife>) {
   return {"DirectionLife", "Lives under the loads of one direction.", kDirectionLife};
 }
 
-template <>
-Record<WeakestLife> record_of() {
+Record<WeakestLife> record_of(Type<WeakestLife>) {
   return {"WeakestThread", "The thread that fails first, of those that turn under load.",
           kWeakestLife};
 }
 
-template <>
-Record<LifeAtRest> record_of() {
+Record<LifeAtRest> record_of(Type<LifeAtRest>) {
   return {"LifeAtRest", "Lives on the loads of a screw at rest.", kLifeAtRest};
 }
 
-template <>
-Record<Capacity> record_of() {
+Record<Capacity> record_of(Type<Capacity>) {
   return {"Capacity", "What the mechanism can carry.", kCapacity};
 }
 
-template <>
-Record<Loads> record_of() {
+Record<Loads> record_of(Type<Loads>) {
   return {"LifeLoads", "The history or the spectrum.", kLoads};
 }
 
-template <>
-Record<Cycles> record_of() {
+Record<Cycles> record_of(Type<Cycles>) {
   return {"Cycles", "Load cycles of a history: rainflow, ASTM E1049-85.", kCycles};
 }
 
-template <>
-Record<CycleMatrix> record_of() {
+Record<CycleMatrix> record_of(Type<CycleMatrix>) {
   return {"CycleMatrix", "Load cycles by range and mean.", kCycleMatrix};
 }
 
-template <>
-Record<LifeResult> record_of() {
+Record<LifeResult> record_of(Type<LifeResult>) {
   return {"Life", "Lives of mechanism and threads.", kLife};
 }
 

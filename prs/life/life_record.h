@@ -17,13 +17,9 @@ struct LifeInUse {
 
 LifeInUse in_use(const LifeResult& r, double revolutions);
 
-template <>
-Record<LifeInUse> record_of();
-template <>
-Record<RollerLives> record_of();
-template <>
-Record<ThreadLives> record_of();
-template <>
-Record<LifeResult> record_of();
+Record<LifeInUse> record_of(Type<LifeInUse>);
+Record<RollerLives> record_of(Type<RollerLives>);
+Record<ThreadLives> record_of(Type<ThreadLives>);
+Record<LifeResult> record_of(Type<LifeResult>);
 
 }  // namespace prs

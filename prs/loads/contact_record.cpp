@@ -184,53 +184,44 @@ constexpr Quantity<MechanismGeometry> kThreads[] = {
 
 }  // namespace
 
-template <>
-Record<PerPart<double>> record_of() {
+Record<PerPart<double>> record_of(Type<PerPart<double>>) {
   return {"PerPart", "One number each of screw, roller and nut.", kPerPart<double>};
 }
 
-template <>
-Record<PerPart<TwoValues>> record_of() {
+Record<PerPart<TwoValues>> record_of(Type<PerPart<TwoValues>>) {
   return {"PerPartRange", "Smallest and largest value each of screw, roller and nut.",
           kPerPart<TwoValues>};
 }
 
-template <>
-Record<PerInterface<double>> record_of() {
+Record<PerInterface<double>> record_of(Type<PerInterface<double>>) {
   return {"PerInterface", "One number each of the roller's contacts with screw and nut.",
           kPerInterface};
 }
 
-template <>
-Record<PerDirection<double>> record_of() {
+Record<PerDirection<double>> record_of(Type<PerDirection<double>>) {
   return {"PerDirection", "One number for each sense of the load.", kPerDirection<double>};
 }
 
-template <>
-Record<PerDirection<std::optional<double>>> record_of() {
+Record<PerDirection<std::optional<double>>> record_of(Type<PerDirection<std::optional<double>>>) {
   return {"PerDirection", "One number for each sense of the load.",
           kPerDirection<std::optional<double>>};
 }
 
-template <>
-Record<ContactAt> record_of() {
+Record<ContactAt> record_of(Type<ContactAt>) {
   return {"InterfaceContact",
           "Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.",
           kInterfaceContact};
 }
 
-template <>
-Record<Contacts> record_of() {
+Record<Contacts> record_of(Type<Contacts>) {
   return {"Contacts", "Mechanism and contacts of both interfaces.", kContacts};
 }
 
-template <>
-Record<ThreadWidths> record_of() {
+Record<ThreadWidths> record_of(Type<ThreadWidths>) {
   return {"ThreadWidths", "Axial widths of a truncated thread.", kThreadWidths};
 }
 
-template <>
-Record<MechanismGeometry> record_of() {
+Record<MechanismGeometry> record_of(Type<MechanismGeometry>) {
   return {"Threads", "Threads of the parts by themselves; needs their heights.", kThreads};
 }
 

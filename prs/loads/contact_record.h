@@ -22,25 +22,16 @@ struct ContactAt {
 
 // One value per part, interface or sense of the load; their unit is that of the key they stand
 // under.
-template <>
-Record<PerPart<double>> record_of();
-template <>
-Record<PerPart<std::array<double, 2>>> record_of();
-template <>
-Record<PerInterface<double>> record_of();
-template <>
-Record<PerDirection<double>> record_of();
-template <>
-Record<PerDirection<std::optional<double>>> record_of();
+Record<PerPart<double>> record_of(Type<PerPart<double>>);
+Record<PerPart<std::array<double, 2>>> record_of(Type<PerPart<std::array<double, 2>>>);
+Record<PerInterface<double>> record_of(Type<PerInterface<double>>);
+Record<PerDirection<double>> record_of(Type<PerDirection<double>>);
+Record<PerDirection<std::optional<double>>> record_of(Type<PerDirection<std::optional<double>>>);
 
-template <>
-Record<ContactAt> record_of();
-template <>
-Record<Contacts> record_of();
-template <>
-Record<ThreadWidths> record_of();
+Record<ContactAt> record_of(Type<ContactAt>);
+Record<Contacts> record_of(Type<Contacts>);
+Record<ThreadWidths> record_of(Type<ThreadWidths>);
 /// The threads by themselves.
-template <>
-Record<contact::MechanismGeometry> record_of();
+Record<contact::MechanismGeometry> record_of(Type<contact::MechanismGeometry>);
 
 }  // namespace prs

@@ -164,45 +164,35 @@ constexpr Quantity<FullLoads> kFullLoads[] = {
 
 }  // namespace
 
-template <>
-Record<RollerShares> record_of() {
+Record<RollerShares> record_of(Type<RollerShares>) {
   return {"RollerShares", "How the load spreads over the rollers of a full mechanism.",
           kRollerShares};
 }
-template <>
-Record<ScrewEnd> record_of() {
+Record<ScrewEnd> record_of(Type<ScrewEnd>) {
   return {"ScrewEnd", "The loaded section of the screw of a full mechanism.", kScrewEnd};
 }
-template <>
-Record<NutSupport> record_of() {
+Record<NutSupport> record_of(Type<NutSupport>) {
   return {"NutSupport", "What holds the nut.", kNutSupport};
 }
-template <>
-Record<SupportForce> record_of() {
+Record<SupportForce> record_of(Type<SupportForce>) {
   return {"BearingForce", "What a bearing does to the screw.", kSupport};
 }
-template <>
-Record<RingForce> record_of() {
+Record<RingForce> record_of(Type<RingForce>) {
   return {"RingForce", "What a guide ring does to the rollers.", kRing};
 }
-template <>
-Record<Reactions> record_of() {
+Record<Reactions> record_of(Type<Reactions>) {
   return {"Reactions", "Forces of the supports of a full mechanism on its parts.", kReactions};
 }
-template <>
-Record<Symmetric> record_of() {
+Record<Symmetric> record_of(Type<Symmetric>) {
   return {"SymmetricLoads", "The screw under its axial force alone.", kSymmetric};
 }
-template <>
-Record<OrbitLoads> record_of() {
+Record<OrbitLoads> record_of(Type<OrbitLoads>) {
   return {"OrbitLoads", "What a turn of the carrier does at an interface.", kOrbitLoads};
 }
-template <>
-Record<Orbit> record_of() {
+Record<Orbit> record_of(Type<Orbit>) {
   return {"Orbit", "A turn of the carrier of a full mechanism.", kOrbit};
 }
-template <>
-Record<FullLoads> record_of() {
+Record<FullLoads> record_of(Type<FullLoads>) {
   return {"FullLoads", "What the full mechanism adds to a load case.", kFullLoads};
 }
 

@@ -85,31 +85,26 @@ InterfaceNumbers celsius_of(const PerInterface<double>& k) {
   return {k.screw - kZeroCelsius, k.nut - kZeroCelsius};
 }
 
-template <>
-Record<PartNumbers> record_of() {
+Record<PartNumbers> record_of(Type<PartNumbers>) {
   return {"PartNumbers", "A number of each part.", kPartNumbers};
 }
 
-template <>
-Record<PartSeries> record_of() {
+Record<PartSeries> record_of(Type<PartSeries>) {
   return {"PartSeries", "Numbers of each part over time.", kPartSeries};
 }
 
-template <>
-Record<InterfaceNumbers> record_of() {
+Record<InterfaceNumbers> record_of(Type<InterfaceNumbers>) {
   return {"InterfaceNumbers", "A number of each interface.", kInterfaceNumbers};
 }
 
-template <>
-Record<HeatResult> record_of() {
+Record<HeatResult> record_of(Type<HeatResult>) {
   return {"Heat",
           "Steady temperatures: what friction puts into the parts flows off through the "
           "conductances.",
           kHeat};
 }
 
-template <>
-Record<HeatCycle> record_of() {
+Record<HeatCycle> record_of(Type<HeatCycle>) {
   return {"HeatCycle", "The state of a duty that repeats itself from cycle to cycle.", kHeatCycle};
 }
 

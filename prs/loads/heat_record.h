@@ -24,15 +24,10 @@ PartNumbers celsius_of(const PerPart<double>& kelvin);
 PartSeries celsius_of(const PerPart<std::vector<double>>& kelvin);
 InterfaceNumbers celsius_of(const PerInterface<double>& kelvin);
 
-template <>
-Record<PartNumbers> record_of();
-template <>
-Record<PartSeries> record_of();
-template <>
-Record<InterfaceNumbers> record_of();
-template <>
-Record<HeatResult> record_of();
-template <>
-Record<HeatCycle> record_of();
+Record<PartNumbers> record_of(Type<PartNumbers>);
+Record<PartSeries> record_of(Type<PartSeries>);
+Record<InterfaceNumbers> record_of(Type<InterfaceNumbers>);
+Record<HeatResult> record_of(Type<HeatResult>);
+Record<HeatCycle> record_of(Type<HeatCycle>);
 
 }  // namespace prs

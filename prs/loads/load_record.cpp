@@ -125,12 +125,9 @@ struct FlankSide {
 
 }  // namespace
 
-template <>
-Record<FlankSide> record_of();
-template <>
-Record<FlankOf> record_of();
-template <>
-Record<PerDirection<FlankOf>> record_of();
+Record<FlankSide> record_of(Type<FlankSide>);
+Record<FlankOf> record_of(Type<FlankOf>);
+Record<PerDirection<FlankOf>> record_of(Type<PerDirection<FlankOf>>);
 
 namespace {
 
@@ -223,56 +220,46 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
 
 }  // namespace
 
-template <>
-Record<FlankSide> record_of() {
+Record<FlankSide> record_of(Type<FlankSide>) {
   return {"FlankThreads", "Threads of a flank of one roller at an interface.", kFlankSide};
 }
 
-template <>
-Record<FlankOf> record_of() {
+Record<FlankOf> record_of(Type<FlankOf>) {
   return {"Flank", "A flank of a nut under preload.", kFlank};
 }
 
-template <>
-Record<BothFlanks> record_of() {
+Record<BothFlanks> record_of(Type<BothFlanks>) {
   return {"Flanks", "Both flanks of a nut under preload.", kFlanks};
 }
 
-template <>
-Record<FrictionForces> record_of() {
+Record<FrictionForces> record_of(Type<FrictionForces>) {
   return {"FrictionForces", "Friction of each thread on the roller.", kFrictionForces};
 }
 
-template <>
-Record<RunningLoads> record_of() {
+Record<RunningLoads> record_of(Type<RunningLoads>) {
   return {"Running", "How loads of a running screw and their friction were found.", kRunning};
 }
 
-template <>
-Record<LargestAtRest> record_of() {
+Record<LargestAtRest> record_of(Type<LargestAtRest>) {
   return {"LargestAtRest", "Threads of an interface of a screw at rest.", kLargestAtRest};
 }
 
-template <>
-Record<RunningLoads::AtRest> record_of() {
+Record<RunningLoads::AtRest> record_of(Type<RunningLoads::AtRest>) {
   return {"AtRest", "What a running load case is at rest.", kAtRest};
 }
 
-template <>
-Record<InterfaceLoads> record_of() {
+Record<InterfaceLoads> record_of(Type<InterfaceLoads>) {
   return {
       "InterfaceLoads",
       "Threads of one interface of one roller; thread 1 is next to the loaded end of the screw.",
       kInterfaceLoads};
 }
 
-template <>
-Record<NewtonIteration> record_of() {
+Record<NewtonIteration> record_of(Type<NewtonIteration>) {
   return {"NewtonIteration", "One linear solve of the load distribution.", kNewtonIteration};
 }
 
-template <>
-Record<LoadCaseResult> record_of() {
+Record<LoadCaseResult> record_of(Type<LoadCaseResult>) {
   return {
       "LoadCase",
       "The answer to one load case; one that did not converge has its status and residual alone.",

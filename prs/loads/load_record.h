@@ -6,22 +6,14 @@
 
 namespace prs {
 
-template <>
-Record<FrictionForces> record_of();
-template <>
-Record<RunningLoads> record_of();
-template <>
-Record<RunningLoads::AtRest> record_of();
-template <>
-Record<InterfaceLoads> record_of();
-template <>
-Record<RollerShares> record_of();
-template <>
-Record<FullLoads> record_of();
-template <>
-Record<fe::NewtonIteration> record_of();
-template <>
-Record<LoadCaseResult> record_of();
+Record<FrictionForces> record_of(Type<FrictionForces>);
+Record<RunningLoads> record_of(Type<RunningLoads>);
+Record<RunningLoads::AtRest> record_of(Type<RunningLoads::AtRest>);
+Record<InterfaceLoads> record_of(Type<InterfaceLoads>);
+Record<RollerShares> record_of(Type<RollerShares>);
+Record<FullLoads> record_of(Type<FullLoads>);
+Record<fe::NewtonIteration> record_of(Type<fe::NewtonIteration>);
+Record<LoadCaseResult> record_of(Type<LoadCaseResult>);
 
 /// How the solve of a case ended; equal shares need no solve and count as converged.
 inline std::string_view status_name(const LoadCaseResult& result) {

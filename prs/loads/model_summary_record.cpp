@@ -88,8 +88,7 @@ constexpr Quantity<ModelSummary> kModelSummary[] = {
 
 }  // namespace
 
-template <>
-Record<ModelSummary> record_of() {
+Record<ModelSummary> record_of(Type<ModelSummary>) {
   return {"Model", "How the loads were solved.", kModelSummary};
 }
 

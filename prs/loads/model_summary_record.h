@@ -10,8 +10,7 @@ struct ModelSummary {
   const Result* result = nullptr;
 };
 
-template <>
-Record<ModelSummary> record_of();
+Record<ModelSummary> record_of(Type<ModelSummary>);
 
 /// The same as a line for the terminal; empty where nothing was solved.
 std::string model_line(const Result& result);

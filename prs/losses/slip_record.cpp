@@ -221,61 +221,51 @@ std::optional<HottestThread> hottest_thread(const SlipResult& slip) {
                        entry(threads.power, thread), *density};
 }
 
-template <>
-Record<InterfaceSlip> record_of() {
+Record<InterfaceSlip> record_of(Type<InterfaceSlip>) {
   return {"InterfaceSlip",
           "Threads of one interface of one roller: slip, friction, film and power; Sandu 2018, "
           "chapter 3.",
           kInterfaceSlip};
 }
 
-template <>
-Record<PowerBySource> record_of() {
+Record<PowerBySource> record_of(Type<PowerBySource>) {
   return {"PowerShares", "Where power is lost.", kPowerShares};
 }
 
-template <>
-Record<RollerMoments> record_of() {
+Record<RollerMoments> record_of(Type<RollerMoments>) {
   return {"RollerMoments",
           "Moments on one roller about its axis; they add up to zero in equilibrium. Sandu 2018, "
           "(3.39) to (3.42).",
           kRollerMoments};
 }
 
-template <>
-Record<RollerForces> record_of() {
+Record<RollerForces> record_of(Type<RollerForces>) {
   return {"RollerForces",
           "Forces on one roller across its axis, x away from the screw's axis, y along the orbit.",
           kRollerForces};
 }
 
-template <>
-Record<RollerHeads> record_of() {
+Record<RollerHeads> record_of(Type<RollerHeads>) {
   return {"RollerHeads", "The heads of a roller in the carrier, or of each roller.", kRollerHeads};
 }
 
-template <>
-Record<SlipEstimates> record_of() {
+Record<SlipEstimates> record_of(Type<SlipEstimates>) {
   return {"SlipRatioEstimates", "Slip ratios by formulas of geometry alone.", kSlipEstimates};
 }
 
-template <>
-Record<HottestThread> record_of() {
+Record<HottestThread> record_of(Type<HottestThread>) {
   return {"HottestThread", "The thread of the largest power density.", kHottestThread};
 }
 
-template <>
-Record<EqualShareSlip> record_of() {
+Record<EqualShareSlip> record_of(Type<EqualShareSlip>) {
   return {"EqualShareSlip", "Slip if all threads carried the same load.", kEqualShares};
 }
 
-template <>
-Record<SecondNut> record_of() {
+Record<SecondNut> record_of(Type<SecondNut>) {
   return {"SecondNut", "Slip of the rollers of a second nut.", kSlipOf<SecondNut>};
 }
 
-template <>
-Record<SlipResult> record_of() {
+Record<SlipResult> record_of(Type<SlipResult>) {
   static const std::vector<Quantity<SlipResult>> all = [] {
     const auto& of_one_nut = kSlipOf<SlipResult>;
     std::vector<Quantity<SlipResult>> quantities(std::begin(of_one_nut), std::end(of_one_nut));

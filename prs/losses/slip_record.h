@@ -13,24 +13,15 @@ struct HottestThread {
   double power_density = 0.0;         ///< [W/m^2]
 };
 
-template <>
-Record<InterfaceSlip> record_of();
-template <>
-Record<PowerBySource> record_of();
-template <>
-Record<RollerMoments> record_of();
-template <>
-Record<RollerForces> record_of();
-template <>
-Record<SlipEstimates> record_of();
-template <>
-Record<HottestThread> record_of();
-template <>
-Record<EqualShareSlip> record_of();
-template <>
-Record<SlipResult> record_of();
-template <>
-Record<SecondNut> record_of();
+Record<InterfaceSlip> record_of(Type<InterfaceSlip>);
+Record<PowerBySource> record_of(Type<PowerBySource>);
+Record<RollerMoments> record_of(Type<RollerMoments>);
+Record<RollerForces> record_of(Type<RollerForces>);
+Record<SlipEstimates> record_of(Type<SlipEstimates>);
+Record<HottestThread> record_of(Type<HottestThread>);
+Record<EqualShareSlip> record_of(Type<EqualShareSlip>);
+Record<SlipResult> record_of(Type<SlipResult>);
+Record<SecondNut> record_of(Type<SecondNut>);
 
 /// The sources of friction, in the order of the documents; titles are those of tables and figures.
 struct PowerSource {

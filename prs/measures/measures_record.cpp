@@ -403,29 +403,24 @@ std::vector<std::string> estimates_beside(const Computed& computed) {
   return keys;
 }
 
-template <>
-Record<Measures> record_of() {
+Record<Measures> record_of(Type<Measures>) {
   return {"Measures", "Design measures of the mechanism that no load changes.", kMeasures};
 }
 
-template <>
-Record<SystemStiffness::Contribution> record_of() {
+Record<SystemStiffness::Contribution> record_of(Type<SystemStiffness::Contribution>) {
   return {"StiffnessContribution", "A part of an axis and its share of what gives way.",
           kContribution};
 }
 
-template <>
-Record<SystemStiffness::Contributions> record_of() {
+Record<SystemStiffness::Contributions> record_of(Type<SystemStiffness::Contributions>) {
   return {"StiffnessContributions", "Parts of an axis in series.", kContributions};
 }
 
-template <>
-Record<SystemStiffness> record_of() {
+Record<SystemStiffness> record_of(Type<SystemStiffness>) {
   return {"SystemStiffness", "Axial stiffness of an axis.", kSystemStiffness};
 }
 
-template <>
-Record<LoadMeasures> record_of() {
+Record<LoadMeasures> record_of(Type<LoadMeasures>) {
   return {"LoadMeasures", "Design measures under one load.", kLoadMeasures};
 }
 

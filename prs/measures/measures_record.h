@@ -6,16 +6,11 @@
 namespace prs {
 
 // With a group, a title, a formula as the meaning, validity and source each.
-template <>
-Record<Measures> record_of();
-template <>
-Record<LoadMeasures> record_of();
-template <>
-Record<SystemStiffness> record_of();
-template <>
-Record<SystemStiffness::Contributions> record_of();
-template <>
-Record<SystemStiffness::Contribution> record_of();
+Record<Measures> record_of(Type<Measures>);
+Record<LoadMeasures> record_of(Type<LoadMeasures>);
+Record<SystemStiffness> record_of(Type<SystemStiffness>);
+Record<SystemStiffness::Contributions> record_of(Type<SystemStiffness::Contributions>);
+Record<SystemStiffness::Contribution> record_of(Type<SystemStiffness::Contribution>);
 
 /// What is computed from the thread loads of a case.
 struct Computed {

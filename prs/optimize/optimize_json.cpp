@@ -223,8 +223,7 @@ constexpr Quantity<OptimizationResult> kResultRows[] = {
 
 }  // namespace
 
-template <>
-Record<OptimizationResult> record_of() {
+Record<OptimizationResult> record_of(Type<OptimizationResult>) {
   return {"Optimization", "What was asked for, and the best designs.", kResultRows};
 }
 

@@ -6,8 +6,7 @@
 
 namespace prs {
 
-template <>
-Record<OptimizationResult> record_of();
+Record<OptimizationResult> record_of(Type<OptimizationResult>);
 
 /// The document of `prs optimize --json`: what was asked for, the file's own design, the
 /// compromise with changes in percent, the front by numbers of its designs, of each search its own

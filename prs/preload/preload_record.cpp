@@ -24,14 +24,10 @@ struct CurveOf {
 
 }  // namespace
 
-template <>
-Record<SideOf> record_of();
-template <>
-Record<PerDirection<SideOf>> record_of();
-template <>
-Record<CurveOf> record_of();
-template <>
-Record<WarmOf> record_of();
+Record<SideOf> record_of(Type<SideOf>);
+Record<PerDirection<SideOf>> record_of(Type<PerDirection<SideOf>>);
+Record<CurveOf> record_of(Type<CurveOf>);
+Record<WarmOf> record_of(Type<WarmOf>);
 
 namespace {
 
@@ -157,33 +153,27 @@ constexpr Quantity<PreloadResult> kPreload[] = {
 
 }  // namespace
 
-template <>
-Record<SideOf> record_of() {
+Record<SideOf> record_of(Type<SideOf>) {
   return {"PreloadSide", "Contacts that carry one sense of the load.", kSide};
 }
 
-template <>
-Record<PerDirection<SideOf>> record_of() {
+Record<PerDirection<SideOf>> record_of(Type<PerDirection<SideOf>>) {
   return {"PreloadSides", "Contacts by the sense of the load that they carry.", kSides};
 }
 
-template <>
-Record<PreloadPointOf> record_of() {
+Record<PreloadPointOf> record_of(Type<PreloadPointOf>) {
   return {"PreloadPoint", "Equilibrium under one external load.", kPoint};
 }
 
-template <>
-Record<CurveOf> record_of() {
+Record<CurveOf> record_of(Type<CurveOf>) {
   return {"WithoutPreload", "The same nut without preload.", kCurve};
 }
 
-template <>
-Record<WarmOf> record_of() {
+Record<WarmOf> record_of(Type<WarmOf>) {
   return {"WarmPreload", "A fit at the temperatures of the parts.", kWarm};
 }
 
-template <>
-Record<PreloadResult> record_of() {
+Record<PreloadResult> record_of(Type<PreloadResult>) {
   return {"Preload", "The preloaded nut: forces and displacements are > 0 in tension.", kPreload};
 }
 

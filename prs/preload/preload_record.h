@@ -11,9 +11,7 @@ struct PreloadPointOf {
   const PreloadPoint* point = nullptr;
 };
 
-template <>
-Record<PreloadPointOf> record_of();
-template <>
-Record<PreloadResult> record_of();
+Record<PreloadPointOf> record_of(Type<PreloadPointOf>);
+Record<PreloadResult> record_of(Type<PreloadResult>);
 
 }  // namespace prs

@@ -115,7 +115,7 @@ template <class Owner>
 struct Quantity;
 struct RecordInfo;
 
-/// The list of a result type: `template <> Record<T> record_of()` stands once for each.
+/// The list of a result type: `Record<T> record_of(Type<T>)` stands once for each.
 template <class Owner>
 struct Record {
   std::string_view name;     ///< In Python and in the reference.
@@ -124,7 +124,12 @@ struct Record {
 };
 
 template <class Owner>
-Record<Owner> record_of();
+struct Type {};
+
+template <class Owner>
+Record<Owner> record_of() {
+  return record_of(Type<Owner>());
+}
 
 /// Reads a number as documents show it.
 template <class Owner>

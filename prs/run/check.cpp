@@ -223,8 +223,7 @@ std::string head(const CheckResult& result) {
 
 }  // namespace
 
-template <>
-Record<CheckResult> record_of() {
+Record<CheckResult> record_of(Type<CheckResult>) {
   return {"Check", "What a case is ready for, and what follows from it.", kCheck};
 }
 

@@ -25,8 +25,7 @@ struct CheckResult {
 };
 
 /// Without contacts and threads.
-template <>
-Record<CheckResult> record_of();
+Record<CheckResult> record_of(Type<CheckResult>);
 
 /// With the verdict, for which it runs what the case is ready for.
 const Analysis<CheckResult>& check_analysis();

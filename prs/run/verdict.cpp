@@ -546,13 +546,11 @@ constexpr Quantity<CaseVerdict> kVerdict[] = {
 
 }  // namespace
 
-template <>
-Record<CaseVerdict> record_of() {
+Record<CaseVerdict> record_of(Type<CaseVerdict>) {
   return {"Verdict", "Whether the case meets its limits.", kVerdict};
 }
 
-template <>
-Record<Criterion> record_of() {
+Record<Criterion> record_of(Type<Criterion>) {
   return {"Criterion", "A value, the limit that it is held against, and how it stands to it.",
           kCriterion};
 }

@@ -87,9 +87,7 @@ std::string not_computed(const CaseVerdict& verdict);
 /// `limits.static_safety`, `physical limit`, `recommended`.
 std::string origin(const Criterion& criterion);
 
-template <>
-Record<CaseVerdict> record_of();
-template <>
-Record<Criterion> record_of();
+Record<CaseVerdict> record_of(Type<CaseVerdict>);
+Record<Criterion> record_of(Type<Criterion>);
 
 }  // namespace prs

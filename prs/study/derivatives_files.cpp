@@ -118,8 +118,7 @@ Figures elasticities(const CaseDerivatives& result, const FigureOptions& options
 
 }  // namespace
 
-template <>
-Record<CaseDerivatives> record_of() {
+Record<CaseDerivatives> record_of(Type<CaseDerivatives>) {
   return {"Derivatives", "What each factor does to each response.", kDerivatives};
 }
 

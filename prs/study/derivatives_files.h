@@ -7,8 +7,7 @@
 
 namespace prs {
 
-template <>
-Record<CaseDerivatives> record_of();
+Record<CaseDerivatives> record_of(Type<CaseDerivatives>);
 
 /// The document of `prs study --json` with `plan: derivatives`: under `derivatives` one entry a
 /// response, with its value and what each factor does to it.

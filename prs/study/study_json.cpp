@@ -25,8 +25,7 @@ struct FactorOf {
 
 }  // namespace study_document
 
-template <>
-Record<study_document::FactorOf> record_of();
+Record<study_document::FactorOf> record_of(Type<study_document::FactorOf>);
 
 namespace study_document {
 
@@ -326,18 +325,15 @@ constexpr Quantity<StudyDocument> kDocument[] = {
 
 }  // namespace study_document
 
-template <>
-Record<Level> record_of() {
+Record<Level> record_of(Type<Level>) {
   return {"Level", "As in the file; the number in the unit of the factor.", study_document::kLevel};
 }
 
-template <>
-Record<study_document::FactorOf> record_of() {
+Record<study_document::FactorOf> record_of(Type<study_document::FactorOf>) {
   return {"Factor", "An input that varies.", study_document::kFactor};
 }
 
-template <>
-Record<StudyDocument> record_of() {
+Record<StudyDocument> record_of(Type<StudyDocument>) {
   return {"Study", "What a study finds.", study_document::kDocument};
 }
 

@@ -14,10 +14,8 @@ struct StudyDocument {
   const StudyResult* result = nullptr;
   bool with_rows = true;
 };
-template <>
-Record<StudyDocument> record_of();
-template <>
-Record<Level> record_of();
+Record<StudyDocument> record_of(Type<StudyDocument>);
+Record<Level> record_of(Type<Level>);
 
 /// The document of `prs study --json`: the study; under `summary` what the designs say together,
 /// under `envelope` the envelope of a study that has one, and under `designs` what each of those

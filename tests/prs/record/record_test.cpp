@@ -80,17 +80,14 @@ constexpr Quantity<Mapped> kMapped[] = {
 
 }  // namespace sample
 
-template <>
-Record<sample::Mapped> record_of() {
+Record<sample::Mapped> record_of(Type<sample::Mapped>) {
   return {"Mapped", "Of a test.", sample::kMapped};
 }
 
-template <>
-Record<sample::Inner> record_of() {
+Record<sample::Inner> record_of(Type<sample::Inner>) {
   return {"Inner", "Of a test.", sample::kInner};
 }
-template <>
-Record<sample::Outer> record_of() {
+Record<sample::Outer> record_of(Type<sample::Outer>) {
   return {"Outer", "Of a test.", sample::kOuter};
 }
 
