@@ -28,8 +28,6 @@ std::vector<Item> command_items(const Options& options) {
   return items;
 }
 
-using Json = nlohmann::ordered_json;
-
 /// What `--set` takes.
 std::vector<Item> input_items(const Options&) {
   return each(input::input_keys(), [](auto& key) { return Item{key.path, key.meaning}; });

@@ -16,8 +16,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// The question is wrong, not its case.
 class QuestionError : public std::runtime_error {
  public:

@@ -7,8 +7,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Documents of more cases leave the histories out.
 constexpr std::size_t kMostHistories = 100;
 

@@ -256,7 +256,7 @@ const Analysis<LifeResult>& life_analysis() {
                 const input::CaseInput& in) { return life_of(source, in); },
       .places = places,
       .put =
-          [](nlohmann::ordered_json& document, const LifeResult& r) {
+          [](Json& document, const LifeResult& r) {
             put_contacts(document, r.contacts);
             document["life"] = object_of(r);
           },

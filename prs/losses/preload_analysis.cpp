@@ -233,7 +233,7 @@ const Analysis<PreloadResult>& preload_analysis() {
                 const input::CaseInput& in) { return analyze_warm_preload(in.values); },
       .places = places,
       .put =
-          [](nlohmann::ordered_json& document, const PreloadResult& r) {
+          [](Json& document, const PreloadResult& r) {
             put_contacts(document, r.contacts);
             document["preload"] = object_of(r);
           },

@@ -11,8 +11,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
   if (!has_both_flanks(in.values, LoadCase::Share::solved))

@@ -127,8 +127,6 @@ Figures stiffness_terms(const MeasuresResult& result) {
   return {std::move(figure)};
 }
 
-using Json = nlohmann::ordered_json;
-
 template <class Owner>
 void put_explanations(Json& list, std::string_view of) {
   for (const Quantity<Owner>& q : record_of<Owner>().quantities)

@@ -27,6 +27,6 @@ std::string yang_csv(const MeasuresResult& result, const CsvStyle& style = {});
 const Analysis<MeasuresResult>& measures_analysis();
 
 /// Formula, validity and source of every measure, with the key under which documents show it.
-nlohmann::ordered_json measure_explanations_json();
+Json measure_explanations_json();
 
 }  // namespace prs

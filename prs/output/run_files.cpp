@@ -14,7 +14,6 @@ namespace prs {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// Longest list that is read [bytes].
 constexpr std::size_t kLongestList = std::size_t{16} << 20;

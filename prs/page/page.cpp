@@ -26,8 +26,6 @@ PRS_EMBED(engine, PRS_PAGE_ENGINE)
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kLargestLivePage = 2'500'000;  ///< Bytes.
 
 /// What the engine leaves for the rest, and what is tried where that is still too much.

@@ -41,8 +41,8 @@ struct Analysis {
   std::span<const Place> places;
   /// Puts the result into its document behind the head, at the places; lists of load cases empty
   /// where `load_case` gives their items.
-  void (*put)(nlohmann::ordered_json&, const R&) = nullptr;
-  std::optional<nlohmann::ordered_json> (*load_case)(const R&, std::size_t) = nullptr;
+  void (*put)(Json&, const R&) = nullptr;
+  std::optional<Json> (*load_case)(const R&, std::size_t) = nullptr;
   std::string (*table)(const R&) = nullptr;
   std::string (*full_table)(const R&) = nullptr;  ///< With `--all`, where there is more.
   /// To whom the document is printed; without it the warnings.
@@ -63,9 +63,9 @@ struct Analysis {
 
 /// The document of a result: the origin, then what the analysis puts into it.
 template <class R>
-nlohmann::ordered_json document_of(const Analysis<R>& analysis, const R& result,
-                                   const DocumentInfo& info, bool is_whole = true) {
-  nlohmann::ordered_json document = document_head(info, analysis.warnings(result));
+Json document_of(const Analysis<R>& analysis, const R& result, const DocumentInfo& info,
+                 bool is_whole = true) {
+  Json document = document_head(info, analysis.warnings(result));
   analysis.put(document, result);
   if (analysis.load_case && is_whole)
     for (std::size_t k = 0; auto item = analysis.load_case(result, k); ++k)
@@ -92,7 +92,6 @@ struct AnyAnalysis {
 template <class R, class Run>
 Delivery delivered(const input::Source& source, const input::CaseInput& in,
                    const Analysis<R>& analysis, const Run& run) {
-  using Json = nlohmann::ordered_json;
   R computed = input::compute_from(source, [&] { return run(source, in); });
   put_first(in.warnings, analysis.warnings(computed));
   Delivery d{std::string(analysis.file)};

@@ -5,8 +5,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Malformed UTF-8 is replaced.
 std::string dumped(const Json& document) {
   return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace));

@@ -19,23 +19,22 @@ struct DocumentInfo {
   std::string command = {};                 ///< The command that was run.
   std::string case_file = {};               ///< As it was given.
   /// The case with overrides and defaults in place; asked for once per document.
-  std::function<nlohmann::ordered_json()> resolved_input = {};
+  std::function<Json()> resolved_input = {};
 };
 
 /// How every document begins: its origin and the warnings on the whole input.
-nlohmann::ordered_json document_head(const DocumentInfo& info,
-                                     const std::vector<Warning>& warnings);
+Json document_head(const DocumentInfo& info, const std::vector<Warning>& warnings);
 
 /// Text of a document, two spaces deep, with a newline at the end. Malformed UTF-8 becomes U+FFFD.
-std::string json_text(const nlohmann::ordered_json& document);
+std::string json_text(const Json& document);
 
 /// Takes the pieces of a text.
 using TextSink = std::function<void(std::string_view)>;
 
 /// What `json_text` gives of a document whose list under `key` is empty in `outline` and filled by
 /// `item`, one after the other: memory for one of them is enough.
-void write_with_list(const nlohmann::ordered_json& outline, std::string_view key,
-                     const std::function<std::optional<nlohmann::ordered_json>(std::size_t)>& item,
+void write_with_list(const Json& outline, std::string_view key,
+                     const std::function<std::optional<Json>(std::size_t)>& item,
                      const TextSink& sink);
 
 struct OutputFile {
@@ -84,7 +83,7 @@ struct Headline {
 /// asked for.
 struct Delivery {
   std::string file;  ///< Name of the document in the output folder: `slip.json`.
-  std::function<nlohmann::ordered_json(const DocumentInfo&)> document = {};
+  std::function<Json(const DocumentInfo&)> document = {};
   std::function<std::string()> table = {};              ///< On a terminal.
   std::vector<std::string> notes = {};                  ///< To whom the document is printed.
   std::function<std::vector<Warning>()> warnings = {};  ///< Those of load cases name them.
@@ -95,9 +94,9 @@ struct Delivery {
   bool converged = true;
   std::function<std::string()> full_table = {};  ///< With `--all`, where there is more.
   /// The document without the lists that `write` fills; empty: `document`.
-  std::function<nlohmann::ordered_json(const DocumentInfo&)> outline = {};
+  std::function<Json(const DocumentInfo&)> outline = {};
   /// The document as text, piece by piece, from its outline; empty: `json_text`.
-  std::function<void(const nlohmann::ordered_json&, const TextSink&)> write = {};
+  std::function<void(const Json&, const TextSink&)> write = {};
   std::function<std::vector<Headline>()> headlines = {};
   std::function<PageSection()> section = {};  ///< On the page.
 

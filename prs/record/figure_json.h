@@ -7,10 +7,10 @@
 namespace prs {
 
 /// A description as documents have it under `figures`; what has its default is absent.
-nlohmann::ordered_json to_json(const Figure& figure);
+Json to_json(const Figure& figure);
 
 /// What documents have under `figures`.
-nlohmann::ordered_json to_json(const Figures& figures);
+Json to_json(const Figures& figures);
 
 /// Descriptions in a file, of which `figures_of` makes the figures again; none where the text is no
 /// such file. Numbers have seven digits.
@@ -22,6 +22,6 @@ Figures figures_of(std::string_view text);
 FigureOptions figure_options(const std::string& text);
 
 /// JSON Schema of a description.
-nlohmann::ordered_json figure_schema();
+Json figure_schema();
 
 }  // namespace prs

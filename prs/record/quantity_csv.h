@@ -38,7 +38,7 @@ void scalar_fields(CsvWriter& csv, const std::type_identity_t<Owner>* owner,
       csv.number(owner ? q.value.number(*owner) : std::nullopt, q.unit.factor);
       continue;
     }
-    const auto json = owner ? q.value.json(*owner, q.unit) : nlohmann::ordered_json();
+    const auto json = owner ? q.value.json(*owner, q.unit) : Json();
     csv.text(json.is_null()     ? std::string()
              : json.is_string() ? json.template get<std::string>()
                                 : json.dump());

@@ -88,8 +88,8 @@ SeriesReader summary_named(std::string_view word, double factor) {
 
 namespace detail {
 
-nlohmann::ordered_json array_of(std::span<const double> si, const ShownUnit& unit) {
-  auto array = nlohmann::ordered_json::array();
+Json array_of(std::span<const double> si, const ShownUnit& unit) {
+  auto array = Json::array();
   for (const double value : si)
     if (std::isfinite(value))
       array.push_back(value * unit.factor);
@@ -98,10 +98,9 @@ nlohmann::ordered_json array_of(std::span<const double> si, const ShownUnit& uni
   return array;
 }
 
-nlohmann::ordered_json arrays_of(std::span<const double> si, std::size_t row,
-                                 const ShownUnit& unit) {
+Json arrays_of(std::span<const double> si, std::size_t row, const ShownUnit& unit) {
   if (row == 0) return array_of(si, unit);
-  auto rows = nlohmann::ordered_json::array();
+  auto rows = Json::array();
   for (std::size_t first = 0; first < si.size(); first += row)
     rows.push_back(array_of(si.subspan(first, row), unit));
   return rows;

@@ -17,6 +17,8 @@
 
 namespace prs {
 
+using Json = nlohmann::ordered_json;
+
 /// A unit of results: how the keys of documents end in it, how people write it, and shown = SI *
 /// factor.
 struct ShownUnit {
@@ -141,8 +143,6 @@ struct Reader {
 /// How a quantity is got from its owner: made by `of`, see record_table.h.
 template <class Owner>
 struct Getter {
-  using Json = nlohmann::ordered_json;
-
   Kind kind = Kind::number;
   /// SI; absent where the case does not define it.
   std::optional<double> (*number)(const Owner&) = nullptr;

@@ -18,18 +18,18 @@ inline constexpr std::string_view kLife = "Jung 2017, (8.25); ISO 281";
 
 /// Adds quantities of an object to a document: what is absent or not finite is left out.
 template <class Owner>
-void put_quantities(nlohmann::ordered_json& document, std::span<const Quantity<Owner>> quantities,
-                    const Owner& owner, const ShownUnit& inherited = kNoUnit);
+void put_quantities(Json& document, std::span<const Quantity<Owner>> quantities, const Owner& owner,
+                    const ShownUnit& inherited = kNoUnit);
 
 /// All of them.
 template <class Owner>
-void put_object(nlohmann::ordered_json& document, const Owner& owner) {
+void put_object(Json& document, const Owner& owner) {
   put_quantities(document, record_of<Owner>().quantities, owner);
 }
 
 /// The document of an object.
 template <class Owner>
-nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited = kNoUnit);
+Json object_of(const Owner& owner, const ShownUnit& inherited = kNoUnit);
 
 /// The number at a path of this document: `slip.screw.power_W.max`.
 template <class Owner>
@@ -80,10 +80,9 @@ const auto* pointer_to(const T& value) {
     return &value;
 }
 
-nlohmann::ordered_json array_of(std::span<const double> si, const ShownUnit& unit);
+Json array_of(std::span<const double> si, const ShownUnit& unit);
 /// In rows of that length; 0: in one.
-nlohmann::ordered_json arrays_of(std::span<const double> si, std::size_t row,
-                                 const ShownUnit& unit);
+Json arrays_of(std::span<const double> si, std::size_t row, const ShownUnit& unit);
 
 /// What an optional or a pointer holds.
 template <class T>
@@ -104,9 +103,9 @@ std::size_t row_length(const Owner& owner) {
 }
 
 template <class T>
-nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
+Json json_of(const T& value, const ShownUnit& unit) {
   if constexpr (is_by_key<T>) {
-    auto object = nlohmann::ordered_json::object();
+    auto object = Json::object();
     for (const auto& [key, held] : value)
       if (const auto* item = pointer_to(held))
         if (auto json = json_of(*item, unit); !json.is_null()) object[key] = std::move(json);
@@ -115,7 +114,7 @@ nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
                        std::is_same_v<T, std::vector<std::string>>) {
     return value;
   } else if constexpr (std::is_floating_point_v<T>) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value * unit.factor) : nullptr;
+    return std::isfinite(value) ? Json(value * unit.factor) : nullptr;
   } else if constexpr (std::is_enum_v<T>) {
     return std::string(name(value));
   } else if constexpr (Text<T>) {
@@ -123,7 +122,7 @@ nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
   } else if constexpr (Numbers<T>) {
     return array_of(std::vector<double>(value.begin(), value.end()), unit);
   } else if constexpr (is_vector<T>) {
-    auto array = nlohmann::ordered_json::array();
+    auto array = Json::array();
     for (const auto& item : value) array.push_back(json_of(item, unit));
     return array;
   } else {
@@ -248,9 +247,8 @@ struct Access {
                 [](const std::vector<double>& values) { return std::span(values); });
   }
 
-  static nlohmann::ordered_json json(const Owner& owner, const ShownUnit& unit) {
-    return used(owner, nlohmann::ordered_json(),
-                [&](const Item& item) { return json_of(item, unit); });
+  static Json json(const Owner& owner, const ShownUnit& unit) {
+    return used(owner, Json(), [&](const Item& item) { return json_of(item, unit); });
   }
 
   static std::optional<Reader<Owner>> reader(std::string_view path, const ShownUnit& unit) {
@@ -303,12 +301,12 @@ struct Of {
 };
 
 template <const auto& quantities, class T>
-nlohmann::ordered_json json_by(const T& value, const ShownUnit& unit) {
-  auto json = nlohmann::ordered_json::object();
+Json json_by(const T& value, const ShownUnit& unit) {
+  auto json = Json::object();
   if constexpr (is_by_key<T>) {
     for (const auto& [key, held] : value) json[key] = json_by<quantities>(held, unit);
   } else if constexpr (is_vector<T>) {
-    json = nlohmann::ordered_json::array();
+    json = Json::array();
     for (const auto& held : value) json.push_back(json_by<quantities>(held, unit));
   } else {
     put_quantities<T>(json, quantities, value, unit);
@@ -328,7 +326,7 @@ struct OfTable {
     Getter<Owner> getter{is_vector<Item> && !is_by_key<Item> ? Kind::records : Kind::record};
     getter.form = {.required = always, .by_key = is_by_key<Item>, .optional = All::kOptional};
     getter.json = [](const Owner& owner, const ShownUnit& unit) {
-      return All::used(owner, nlohmann::ordered_json(),
+      return All::used(owner, Json(),
                        [&](const Item& item) { return json_by<quantities>(item, unit); });
     };
     getter.record = []() -> const RecordInfo& {
@@ -405,8 +403,8 @@ template <auto member, auto side>
 inline constexpr auto of_side = of<[](const auto& owner) { return (owner.*member)[side]; }>;
 
 template <class Owner>
-void put_quantities(nlohmann::ordered_json& document, std::span<const Quantity<Owner>> quantities,
-                    const Owner& owner, const ShownUnit& inherited) {
+void put_quantities(Json& document, std::span<const Quantity<Owner>> quantities, const Owner& owner,
+                    const ShownUnit& inherited) {
   for (const Quantity<Owner>& q : quantities) {
     if (q.value.number) {
       if (const auto value = shown_number(q, owner, inherited)) document[q.key] = *value;
@@ -414,7 +412,7 @@ void put_quantities(nlohmann::ordered_json& document, std::span<const Quantity<O
       if (const auto series = q.value.series(owner); !series.empty())
         document[q.key] =
             detail::arrays_of(series, detail::row_length(owner), q.shown_in(inherited));
-    } else if (nlohmann::ordered_json json = q.value.json(owner, q.shown_in(inherited));
+    } else if (Json json = q.value.json(owner, q.shown_in(inherited));
                q.key.empty() && !json.is_null()) {
       document.update(json);
     } else if (!json.is_null()) {
@@ -424,8 +422,8 @@ void put_quantities(nlohmann::ordered_json& document, std::span<const Quantity<O
 }
 
 template <class Owner>
-nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited) {
-  auto object = nlohmann::ordered_json::object();
+Json object_of(const Owner& owner, const ShownUnit& inherited) {
+  auto object = Json::object();
   put_quantities(object, record_of<Owner>().quantities, owner, inherited);
   return object;
 }

@@ -9,8 +9,6 @@
 /// Parts of JSON Schemas, draft 2020-12.
 namespace prs::schema_parts {
 
-using Json = nlohmann::ordered_json;
-
 inline constexpr std::string_view kDialect = "https://json-schema.org/draft/2020-12/schema";
 
 /// A map with these keys and no other.

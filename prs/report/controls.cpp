@@ -9,8 +9,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 enum class Span { factor, about, whole };
 
 /// An input that a page moves. `[]` in its path stands for any item.

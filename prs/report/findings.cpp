@@ -13,8 +13,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::vector<WarningGroup> warnings_of(const Findings& all) {
   std::vector<Warning> warnings = all.of_check;
   for (const CommandAnswer& answer : all.answers)  // The page shows the loads of the case's model.

@@ -15,7 +15,7 @@ class FullSolver;
 struct CommandAnswer {
   Command command;
   Delivery delivery;
-  nlohmann::ordered_json document;
+  Json document;
   Pictures pictures = {};
 };
 
@@ -33,7 +33,7 @@ struct Findings {
   input::Source source;
   ReportOptions options;
   std::string date;
-  nlohmann::ordered_json check;
+  Json check;
   std::vector<CommandAnswer> answers;
   std::vector<StoredRun> studies;
   std::vector<Warning> of_check;       ///< What it warns of.
@@ -78,7 +78,7 @@ Findings findings_of(input::Source source, ReportOptions options,
 Findings quick_findings_of(input::Source source, FullSolver& full);
 
 /// What stands under a key; null where there is nothing.
-const nlohmann::ordered_json& under(const nlohmann::ordered_json& json, const std::string& key);
+const Json& under(const Json& json, const std::string& key);
 
 /// Value of an input as the file could have it; empty where there is none.
 std::string input_value(const Findings& all, std::string_view path);
@@ -101,7 +101,7 @@ std::string thread_html(Findings& all, const ThreadChoice& choice);
 std::string head_html(const Findings& all);
 
 /// The load cases whose threads can be looked at, and the most loaded thread; null where none can.
-nlohmann::ordered_json thread_choices(const Findings& all);
+Json thread_choices(const Findings& all);
 
 /// The figure that the place of a picture shows, before it is written: with what stood there
 /// before behind it.
@@ -121,6 +121,6 @@ std::span<const SectionRow> section_rows();
 ReportSection section_of(Findings& all, const SectionRow& row);
 
 /// Every document, by its command under `results`.
-nlohmann::ordered_json documents_of(const Findings& all);
+Json documents_of(const Findings& all);
 
 }  // namespace prs

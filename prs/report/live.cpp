@@ -79,8 +79,7 @@ std::map<Command, std::string> unmoved(const input::Source& report, const input:
 }
 
 LiveAnswer answer_of(Findings& all, const LiveQuestion& question) {
-  LiveAnswer answer{
-      nlohmann::ordered_json::object(), {}, nullptr, all.unmoved.empty(), all.notes, all.converged};
+  LiveAnswer answer{Json::object(), {}, nullptr, all.unmoved.empty(), all.notes, all.converged};
   for (const SectionRow& row : section_rows()) {
     if (!is_wanted(question, row)) continue;
     std::string body = section_of(all, row).body;

@@ -41,8 +41,6 @@ std::string download_link(std::string_view name, std::string_view type, std::str
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kMostColumns = 6;  ///< Load cases side by side in a table.
 
 // Load cases

@@ -35,11 +35,11 @@ struct ReportParts {
   std::string head;   ///< HTML above the sections.
   std::vector<ReportSection> sections;
   std::string foot;
-  std::string controls;            ///< HTML of the sliders.
-  nlohmann::ordered_json threads;  ///< Which threads can be looked at; null where none can.
+  std::string controls;  ///< HTML of the sliders.
+  Json threads;          ///< Which threads can be looked at; null where none can.
   /// The documents that the page was made of, by their commands, under `results`; `shown` lacks
   /// those that are too long for a page.
-  nlohmann::ordered_json data, shown;
+  Json data, shown;
   std::vector<std::string> notes;  ///< What could not be computed or was left out, a line each.
   bool converged = true;
 };
@@ -67,11 +67,11 @@ struct LiveQuestion {
 };
 
 struct LiveAnswer {
-  nlohmann::ordered_json sections;  ///< HTML, by their names; empty where nothing is to be shown.
-  std::string head;                 ///< HTML above them; empty in a quick answer.
-  nlohmann::ordered_json threads;   ///< As in `ReportParts`; null in a quick answer.
-  bool all_follow = true;           ///< Whether no section keeps loads of its own.
-  std::vector<std::string> notes;   ///< What could not be computed.
+  Json sections;                   ///< HTML, by their names; empty where nothing is to be shown.
+  std::string head;                ///< HTML above them; empty in a quick answer.
+  Json threads;                    ///< As in `ReportParts`; null in a quick answer.
+  bool all_follow = true;          ///< Whether no section keeps loads of its own.
+  std::vector<std::string> notes;  ///< What could not be computed.
   bool converged = true;
 };
 

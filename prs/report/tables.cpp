@@ -10,8 +10,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kLongestList = 3;  ///< Of longer ones tables show the range.
 
 struct Rows {

@@ -27,13 +27,12 @@ ReportUnit report_unit(std::string_view key, std::string_view unit,
 std::string report_number(double value, std::string_view unit);
 
 /// What a document says, as HTML: of long arrays their range; empty where it is no number or text.
-std::string report_value(const nlohmann::ordered_json& value, const ReportUnit& unit,
-                         bool is_range = false);
+std::string report_value(const Json& value, const ReportUnit& unit, bool is_range = false);
 
 /// A column of a table of quantities.
 struct RecordColumn {
   std::string title;
-  const nlohmann::ordered_json* record = nullptr;
+  const Json* record = nullptr;
 };
 
 /// Which quantities a table shows.

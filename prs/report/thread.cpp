@@ -9,7 +9,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using ThreadRows = std::vector<std::vector<std::string>>;
 
 /// The entries of an array, those of arrays in it one after the other: roller after roller.

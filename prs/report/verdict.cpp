@@ -8,8 +8,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string number_html(const std::string& value, std::string_view unit) {
   return value + (unit.empty() ? "" : fmt::format(" <small>{}</small>", html(unit)));
 }

@@ -21,8 +21,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Lengths that follow from the mechanism.
 constexpr Quantity<Mechanism> kDerived[] = {
     {"axial_pitch_mm", always<axial_pitch>},

@@ -11,7 +11,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Paths = std::vector<std::string>;
 
 /// What a reader compares first of a command's document: of each load case, and of the whole.

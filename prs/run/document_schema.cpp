@@ -161,7 +161,7 @@ std::span<const std::string_view> documented_commands() {
   return commands;
 }
 
-nlohmann::ordered_json document_schema(std::string_view command) {
+Json document_schema(std::string_view command) {
   using documents::Json;
   Json schema{{"$schema", schema_parts::kDialect},
               {"title", std::string("What `prs ").append(command).append(" --json` prints")}};

@@ -11,6 +11,6 @@ std::span<const std::string_view> documented_commands();
 
 /// JSON Schema (draft 2020-12) of the document of one of them. It knows every key; which of them a
 /// case defines is left open.
-nlohmann::ordered_json document_schema(std::string_view command);
+Json document_schema(std::string_view command);
 
 }  // namespace prs

@@ -13,8 +13,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kUnitsAt = 60;
 
 }  // namespace
@@ -145,7 +143,7 @@ std::vector<std::string> responses_of(const input::Source& source) {
     const Command command = analysis.command;
     if (analysis.responses.empty()) continue;
     if (in.study ? *in.study != command : !input::missing(in, command).empty()) continue;
-    const nlohmann::ordered_json document = run(analysis, source).document({});
+    const Json document = run(analysis, source).document({});
     for (std::string& path : response_paths(document))
       if (std::ranges::find(paths, path) == paths.end()) paths.push_back(std::move(path));
   }

@@ -8,15 +8,15 @@
 namespace prs {
 
 std::string lubricants_table();
-nlohmann::ordered_json lubricants_json();
+Json lubricants_json();
 
 /// Units of the input by dimension, with their spellings.
 std::string units_table();
-nlohmann::ordered_json units_json();
+Json units_json();
 
 /// Responses that a study may record, with unit and title.
 std::string responses_table(const std::vector<std::string>& paths);
-nlohmann::ordered_json responses_json(const std::vector<std::string>& paths);
+Json responses_json(const std::vector<std::string>& paths);
 
 /// Every path that a study may record, from the table of quantities; of a series thread by thread
 /// `.max` only.

@@ -5,8 +5,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string_view name(Kind kind) {
   constexpr std::array kNames{"number", "series", "matrix", "count",  "flag",
                               "text",   "texts",  "record", "records"};

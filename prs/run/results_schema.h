@@ -15,7 +15,7 @@ std::vector<DocumentRecord> records_at(std::span<const Place> places);
 
 /// The table of results as a document: `documents`, where each record stands, `records`, what each
 /// quantity is, and `analyses`, what each command is, its class in Python and its places.
-nlohmann::ordered_json results_schema();
+Json results_schema();
 
 /// The record at a path of documents, `life` or `load_cases[]`; null where none stands.
 const RecordInfo* record_at(std::string_view path);

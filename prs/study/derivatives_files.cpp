@@ -10,8 +10,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kFactorWidth = 40;
 
 /// Factors that have an elasticity of a response, the strongest first, then those that are 0.

@@ -11,7 +11,7 @@ Record<CaseDerivatives> record_of(Type<CaseDerivatives>);
 
 /// The document of `prs study --json` with `plan: derivatives`: under `derivatives` one entry a
 /// response, with its value and what each factor does to it.
-nlohmann::ordered_json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info);
+Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info);
 
 /// `derivatives.csv`: one row per response and factor.
 std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style = {});

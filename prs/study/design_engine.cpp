@@ -24,7 +24,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Bodies = ModelOptions::Bodies;
 
 Result analyze_for(Command command, const Conditions& c, Contacts contacts,

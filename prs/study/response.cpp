@@ -15,8 +15,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Numbers, or rows of numbers.
 bool is_series(const Json& json) {
   return json.is_array() && !json.empty() && std::ranges::all_of(json, [](const Json& entry) {

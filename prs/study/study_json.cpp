@@ -1,11 +1,7 @@
 #include "prs/study/study_json.h"
 
 namespace prs {
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-}  // namespace
+namespace {}  // namespace
 
 namespace study_document {
 

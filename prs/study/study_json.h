@@ -20,13 +20,12 @@ Record<Level> record_of(Type<Level>);
 /// The document of `prs study --json`: the study; under `summary` what the designs say together,
 /// under `envelope` the envelope of a study that has one, and under `designs` what each of those
 /// kept gave, with `designs_shown` where that is not all of them.
-nlohmann::ordered_json study_json(const StudyResult& result, const DocumentInfo& info);
+Json study_json(const StudyResult& result, const DocumentInfo& info);
 /// The same with an empty list of designs.
-nlohmann::ordered_json study_outline(const StudyResult& result, const DocumentInfo& info);
+Json study_outline(const StudyResult& result, const DocumentInfo& info);
 
 /// An outline with the designs of the result in its empty list: what `json_text` gives of
 /// `study_json`, one design after the other.
-void write_study(const nlohmann::ordered_json& outline, const StudyResult& result,
-                 const TextSink& sink);
+void write_study(const Json& outline, const StudyResult& result, const TextSink& sink);
 
 }  // namespace prs

@@ -10,8 +10,6 @@
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kLeastColumn = 7;  // Characters, in the text of a table.
 
 /// Value at a path such as `load_cases[0].screw.axial_load_N[3]`.
