@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <typeinfo>
 
+#include "prs/json.h"
 #include "prs/model/warning.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/pictures.h"

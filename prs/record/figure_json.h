@@ -1,7 +1,6 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "prs/json.h"
 #include "prs/record/pictures.h"
 
 namespace prs {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -12,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "prs/json.h"
+
 /// The table of results. A result type has one list of quantities, `record_of<Type>()`; documents,
 /// CSV, tables, responses of studies, titles, Python's records and docs/reference are read off it.
 
 namespace prs {
-
-using Json = nlohmann::ordered_json;
 
 /// A unit of results: how the keys of documents end in it, how people write it, and shown = SI *
 /// factor.

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "prs/json.h"
+
 /// Parts of JSON Schemas, draft 2020-12.
 namespace prs::schema_parts {
 

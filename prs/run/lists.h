@@ -1,8 +1,7 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "prs/input/source.h"
+#include "prs/json.h"
 
 /// What there is to choose from, as `prs list` shows it.
 namespace prs {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "prs/json.h"
 #include "prs/life/analyze_life.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/measures/measures.h"
