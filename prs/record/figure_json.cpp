@@ -11,8 +11,8 @@
 namespace prs {
 namespace {
 
-using schema_parts::Json, schema_parts::link, schema_parts::list, schema_parts::names,
-    schema_parts::object, schema_parts::type;
+using schema_parts::link, schema_parts::list, schema_parts::names, schema_parts::object,
+    schema_parts::type;
 
 // What a description holds, once for writing, reading and the schema.
 

@@ -17,7 +17,7 @@ namespace prs {
 namespace {
 namespace documents {
 
-using schema_parts::Json, schema_parts::link, schema_parts::list, schema_parts::map_of,
+using schema_parts::link, schema_parts::list, schema_parts::map_of,
     schema_parts::names, schema_parts::object, schema_parts::type;
 
 Json text() { return type("string"); }
