@@ -29,16 +29,16 @@ Json document_head(const DocumentInfo& info, const std::vector<Warning>& warning
 
 std::string json_text(const Json& document) { return dumped(document) + '\n'; }
 
-void write_with_load_cases(const Json& outline,
-                           const std::function<std::optional<Json>(std::size_t)>& load_case,
-                           const TextSink& sink) {
+void write_with_items(const Json& outline, std::string_view key,
+                      const std::function<std::optional<Json>(std::size_t)>& item,
+                      const TextSink& sink) {
   const std::string text = json_text(outline);
   // JSON escapes line ends in texts, so this line can only be the key of the document.
-  constexpr std::string_view kEmpty = "\n  \"load_cases\": []";
-  const std::size_t list = text.find(kEmpty);
-  std::optional<Json> next = list == text.npos ? std::nullopt : load_case(0);
+  const std::string empty = std::string("\n  \"").append(key).append("\": []");
+  const std::size_t list = text.find(empty);
+  std::optional<Json> next = list == text.npos ? std::nullopt : item(0);
   if (!next) return sink(text);
-  const std::size_t first = list + kEmpty.size() - 1;
+  const std::size_t first = list + empty.size() - 1;
   std::string piece = text.substr(0, first) + '\n';
   for (std::size_t k = 1; next; ++k) {
     std::string lines = "    ";
@@ -46,7 +46,7 @@ void write_with_load_cases(const Json& outline,
       lines += c;
       if (c == '\n') lines += "    ";
     }
-    next = load_case(k);
+    next = item(k);
     sink(piece.append(lines).append(next ? ",\n" : "\n"));
     piece.clear();
   }

@@ -32,12 +32,11 @@ std::string json_text(const nlohmann::ordered_json& document);
 /// Takes the pieces of a text.
 using TextSink = std::function<void(std::string_view)>;
 
-/// What `json_text` gives of a document whose list of load cases is empty in `outline` and filled
-/// by `load_case`, one after the other: memory for one of them is enough.
-void write_with_load_cases(
-    const nlohmann::ordered_json& outline,
-    const std::function<std::optional<nlohmann::ordered_json>(std::size_t)>& load_case,
-    const TextSink& sink);
+/// What `json_text` gives of a document of which one list is empty in `outline` and filled by
+/// `item`, one after the other: memory for one of them is enough.
+void write_with_items(const nlohmann::ordered_json& outline, std::string_view list,
+                      const std::function<std::optional<nlohmann::ordered_json>(std::size_t)>& item,
+                      const TextSink& sink);
 
 struct OutputFile {
   std::string name;  ///< Inside the output directory.
