@@ -156,6 +156,7 @@ std::span<const std::string_view> documented_commands() {
   static const std::vector<std::string_view> commands = [] {
     std::vector<std::string_view> names;
     for (const AnyAnalysis& analysis : analyses()) names.push_back(name(analysis.command));
+    for (const OtherFile& file : other_files()) names.push_back(name(file.command));
     names.push_back("configurations");
     return names;
   }();
@@ -179,6 +180,14 @@ nlohmann::ordered_json document_schema(std::string_view command) {
       put_records(parts, analysis.places);
       add_form(std::move(parts));
     }
+  Json input = input::schema();
+  for (const OtherFile& file : other_files())
+    if (name(file.command) == command) {
+      documents::Parts parts;
+      parts.put(file.record());
+      add_form(std::move(parts));
+      input = file.schema();
+    }
   for (const documents::Document& form : documents::kForms)
     if (form.command == command) {
       documents::Parts parts;
@@ -192,7 +201,6 @@ nlohmann::ordered_json document_schema(std::string_view command) {
   // Definitions of a schema in a schema move up to where its references find them.
   Json figure = figure_schema();
   definitions.update(figure["$defs"]);
-  Json input = input::schema();
   for (Json* part : {&figure, &input})
     for (const char* key : {"$schema", "$defs"}) part->erase(key);
   definitions["Figure"] = std::move(figure);
