@@ -125,9 +125,9 @@ def inputs_in(block: dict, before: str, rows: dict[str, tuple[str, ...]]) -> Non
             inputs_in(keys, inner, rows)
 
 
-def input_page(schema: dict) -> str:
+def input_page(schema: dict, title: str, of: str) -> str:
     text = (
-        "# Inputs\n\nEvery key of a case. `[]` stands for the entries of a list. A path with the\n"
+        f"# {title}\n\nEvery key of a {of}. `[]` stands for the entries of a list. A path with the\n"
         "number of an entry, `load_cases[0].axial_force`, is what `--set` and studies take.\n"
         "Required: where the block that holds the key stands; what a command needs, `prs check`\n"
         "says.\n\n"
@@ -165,7 +165,10 @@ def response_page(schema: dict) -> str:
         "`.min` is 0 then, and `.mean` is that of all.\n"
         "`load_cases[1].` before a path means the second load case; without it, the first.\n\n"
     )
+    others = [a["name"] for a in schema["analyses"] if "takes" in a]  # No study runs these.
     for place in schema["documents"]:
+        if place["path"] in others:
+            continue
         before = "" if place["path"] == "load_cases[]" else place["path"] + "."
         if rows := responses_in({"record": place["record"]}, before, schema["records"]):
             text += f"## {place['path']}\n{table(('path', 'unit', 'title'), rows)}\n"
@@ -284,7 +287,7 @@ def command_page(program: dict) -> str:
 
 
 def reference(
-    program: dict, results: dict, inputs: dict, documents: dict[str, dict]
+    program: dict, results: dict, inputs: dict[str, dict], documents: dict[str, dict]
 ) -> dict[Path, str]:
     pages = result_pages(results)
     links = "".join(
@@ -292,20 +295,22 @@ def reference(
         for place, name in zip(results["documents"], pages, strict=True)
     )
     pages["commands.md"] = command_page(program)
-    pages["inputs.md"] = input_page(inputs)
+    pages["inputs.md"] = input_page(inputs["input"], "Inputs", "case")
+    pages["requirement.md"] = input_page(inputs["requirement"], "Requirement", "requirement")
     pages["responses.md"] = response_page(results)
     pages["documents.md"] = document_page(documents, results)
     pages["README.md"] = (
         f"{NOTE}# Reference\n\n"
         "- [Commands](commands.md): every command and option of the program\n"
         "- [Inputs](inputs.md): every key of a case, with unit, bounds and default\n"
+        "- [Requirement](requirement.md): the same of a requirement, for `prs size`\n"
         "- [Documents](documents.md): what every command prints with `--json`\n"
         "- [Responses](responses.md): the numbers that studies record\n\n"
         "Every quantity of the results, with its formula and source; units stand at the end of the "
         f"keys:\n\n{links}"
     )
     files = {PAGES / name: text for name, text in pages.items()}
-    studied = inputs["properties"]["study"]["properties"]["command"]["enum"]
+    studied = inputs["input"]["properties"]["study"]["properties"]["command"]["enum"]
     files[PYTHON / "records.py"] = python_records(results["records"], studied)
     files[PYTHON / "results.py"] = python_results(results, documents)
     return files
@@ -421,7 +426,7 @@ def python_results(results: dict, schemas: dict[str, dict]) -> str:
             classes += f"\n\nclass {name}({', '.join(bases)}):\n{docstring(said, ' ' * 4)}\n"
             classes += "".join(f"    {line}\n" for line in ["__slots__ = ()", *lines])
             names.append(name)
-            if is_first and command not in by_hand:
+            if is_first and command not in by_hand and "takes" not in analysis:
                 methods += f"\n    def {command}(self) -> {name}:\n{docstring(said, ' ' * 8)}"
                 methods += f'        return {name}._answer(self, "{command}")\n'
     shared = [name for name in views if name.endswith("Result")]
@@ -456,13 +461,14 @@ def main() -> int:
 
     program = of("help", "--json")
     schema = next(c for c in program["commands"] if c["name"] == "prs schema")
-    tables = ("input", "results", "figures")
+    tables = ("input", "results", "figures", "requirement")
     documents = {
         command: of("schema", command)
         for command in schema["arguments"][0]["words"]
         if command not in tables
     }
-    files = reference(program, of("schema", "results"), of("schema", "input"), documents)
+    inputs = {word: of("schema", word) for word in ("input", "requirement")}
+    files = reference(program, of("schema", "results"), inputs, documents)
     stale = [path for path, text in files.items() if not path.exists() or path.read_text() != text]
     stale += [path for path in PAGES.glob("*") if path not in files]
     if "--check" in sys.argv:

@@ -182,6 +182,21 @@ void add_export_options(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
+void add_size_options(CLI::App& command, Options& options) {
+  add_case_options(command, options);
+  add_threads(command, options);
+  add_flag(command, "--all", options.all, "List every candidate");
+  take_whole_number(command.add_option("--top", options.top, "Rows of the table; default: 10"), 1,
+                    100'000);
+  take_whole_number(command.add_option("--curve", options.curve,
+                                       "Rank of the candidate whose force over speed is shown; "
+                                       "default: 1"),
+                    1, 100'000);
+  add_value(command, "--write", options.write, "RANK FILE",
+            "Write this candidate as a commented case into the new FILE; repeatable")
+      ->expected(2, 200);
+}
+
 void add_list_options(CLI::App& command, Options& options) {
   take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
   add_value(command, "file", options.file, "FILE", "A case: only what it has all for");
@@ -190,6 +205,7 @@ void add_list_options(CLI::App& command, Options& options) {
 
 void add_schema_options(CLI::App& command, Options& options) {
   std::vector<std::string> schemas{"input", "results", "figures"};
+  for (const OtherFile& file : other_files()) schemas.emplace_back(file.name);
   for (const std::string_view document : documented_commands()) schemas.emplace_back(document);
   take_one_of(command.add_option("what", options.what,
                                  "Of what: the input; the table of results; figures; a command's "
@@ -254,6 +270,10 @@ constexpr OwnRow kOwnRows[] = {
      add_configurations_options, configurations,
      "prs configurations --screw-diameter '24 mm' --lead '6 mm'\n"
      "prs configurations --screw-diameter '24 mm' --lead '6 mm' --write 1 case.yaml"},
+    {"size", kStart, "Choose a screw and a motor for a motion, a life and a stroke",
+     add_size_options, size,
+     "prs size press.yaml\n"
+     "prs size press.yaml --output out --write 1 screw.yaml"},
     {"report", kAnalyse, "Write one page for a browser or a printer: all that the case asks for",
      add_report_options, report,
      "prs report case.yaml --output report.html\n"

@@ -1,5 +1,6 @@
 #include "prs/cli/commands.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -50,10 +51,12 @@ int compare(const Options& options) {
 
 int schema(const Options& options) {
   const std::string of = options.what.empty() ? "input" : options.what;
-  const std::string document = json_text(of == "input"     ? input::schema()
-                                         : of == "results" ? results_schema()
-                                         : of == "figures" ? figure_schema()
-                                                           : document_schema(of));
+  const auto other = std::ranges::find(other_files(), of, &OtherFile::name);
+  const std::string document = json_text(other != other_files().end() ? other->schema()
+                                         : of == "input"              ? input::schema()
+                                         : of == "results"            ? results_schema()
+                                         : of == "figures"            ? figure_schema()
+                                                                      : document_schema(of));
   if (options.output)
     write_files(*options.output,
                 {{of == "input" ? "prs.schema.json" : fmt::format("prs.{}.json", of), document}});

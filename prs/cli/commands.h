@@ -54,6 +54,9 @@ struct Options : OutputOptions {
   ConfigurationOptions configurations;
   NewOptions new_case;
   ExportOptions export_model;
+  std::size_t top = 10;            ///< `prs size`: rows of the table.
+  std::size_t curve = 1;           ///< `prs size`: rank whose force over speed is shown.
+  std::vector<std::string> write;  ///< `prs size`: empty, or a rank and a file.
 };
 
 inline constexpr std::size_t kMostThreads = 4096;
@@ -85,6 +88,8 @@ int explore(const Options& options);
 /// Writes models of the screw for other programs.
 int export_model(const Options& options);
 int schema(const Options& options);
+/// Chooses screws for a requirement, and writes one of them as a case.
+int size(const Options& options);
 /// Prints title, formula, validity and source of what `options.explain` names, a measure or the
 /// path of a result; of every measure where it is empty.
 int explain(const Options& options);

@@ -20,11 +20,21 @@ struct Item {
 /// The commands that take a case; with a file, those that have all they need in it.
 std::vector<Item> command_items(const Options& options) {
   std::optional<input::CaseInput> in;
-  if (!options.file.empty()) in = input::read_case_input(case_source(options), Command::check);
   std::vector<Item> items;
+  const auto add = [&](const auto& row) {
+    items.push_back({std::string(name(row.command)), std::string(row.help)});
+  };
+  if (!options.file.empty()) {
+    const input::Source source = case_source(options);
+    if (const OtherFile* file = other_file(source)) {
+      add(analysis_of(Command::check));
+      add(*file);
+      return items;
+    }
+    in = input::read_case_input(source, Command::check);
+  }
   for (const AnyAnalysis& row : analyses())
-    if (!in || input::missing(*in, row.command).empty())
-      items.push_back({std::string(name(row.command)), std::string(row.help)});
+    if (!in || input::missing(*in, row.command).empty()) add(row);
   return items;
 }
 

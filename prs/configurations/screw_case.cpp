@@ -340,26 +340,6 @@ std::string lubricant_text(const CaseLubricant& l) {
                                               : "of an oil at work"));
 }
 
-/// `prs life` needs a ratio of diameters for which Lemor's factor is known. With n starts it is
-/// cos(alpha)/n, inverted cos(alpha)/(n + 2).
-void require_capacity(const CompleteScrew& s) {
-  const Contacts contacts = find_contacts(s.c.mechanism, s.c.materials, Detail::numbers);
-  const PerInterface<InterfaceContact>& of = contacts.interfaces;
-  const LemorGeometry g = lemor_geometry(
-      contacts.mechanism, contact_angle({of.screw.normal_angle(), of.nut.normal_angle()}));
-  if (lemor_capacity(g)) return;
-  const int starts = s.c.mechanism.starts.screw, more = is_standard(s) ? 0 : 2;
-  throw CaseError(
-      "starts",
-      fmt::format("got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this "
-                  "nut: Lemor's "
-                  "capacity, which `life` needs, is not known for this ratio of diameters; take "
-                  "fewer starts",
-                  starts,
-                  std::floor((starts + more) * factor_ratio(g) / kFactorRatios.least) - more,
-                  1e3 * s.pitch_diameter.roller));
-}
-
 /// Proposed length of the shaft between its supports [m].
 double shaft_length(const CompleteScrew& s) { return 20.0 * s.data.screw_diameter; }
 
@@ -430,14 +410,54 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
 std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
                        const std::string& origin, ModelOf model) {
   require_capacity(screw);
+  return screw_text(screw, origin, model) + loads_text(screw, model) + rest_text(screw, lubricant);
+}
+
+std::string screw_text(const CompleteScrew& screw, const std::string& origin, ModelOf model) {
   return case_heading(screw, origin) + mechanism_text(screw) + structure_text(screw, model) + "\n" +
          case_line(
              fmt::format("materials: {{youngs_modulus: {:g} GPa, poisson_ratio: {:g}, density: "
                          "{:g} kg/m^3, thermal_expansion: {:g} um/m/K}}",
                          1e-9 * kSteel.youngs_modulus, kSteel.poisson_ratio, *kSteel.density,
                          1e6 * *kSteel.thermal_expansion),
-             "assumed: steel; density of a catalogue's screws") +
-         loads_text(screw, model) + rest_text(screw, lubricant);
+             "assumed: steel; density of a catalogue's screws");
+}
+
+CompleteScrew as_written(CompleteScrew s) {
+  const auto write = [](double& length) {
+    length = *input::parse_quantity(mm(length), input::unit::length).value;
+  };
+  if (!s.data.roller_profile_radius) write(s.c.mechanism.profile.roller.radius);
+  for (const Part p : kParts)
+    if (std::optional<ThreadHeight>& height = s.c.mechanism.thread[p])
+      write(height->addendum), write(height->dedendum);
+  Structure& of = *s.c.structure;
+  for (double* length : {&of.screw.free_length, &of.roller.end_length, &of.roller.end_diameter})
+    write(*length);
+  if (!s.data.nut_length) write(of.nut.length);
+  if (!s.data.nut_diameter) write(of.nut.outer_diameter);
+  of.nut.thrust.compression = of.nut.length;
+  write(s.position);
+  return s;
+}
+
+/// With n starts the ratio is cos(alpha)/n, inverted cos(alpha)/(n + 2).
+void require_capacity(const CompleteScrew& s) {
+  const Contacts contacts = find_contacts(s.c.mechanism, s.c.materials, Detail::numbers);
+  const PerInterface<InterfaceContact>& of = contacts.interfaces;
+  const LemorGeometry g = lemor_geometry(
+      contacts.mechanism, contact_angle({of.screw.normal_angle(), of.nut.normal_angle()}));
+  if (lemor_capacity(g)) return;
+  const int starts = s.c.mechanism.starts.screw, more = is_standard(s) ? 0 : 2;
+  throw CaseError(
+      "starts",
+      fmt::format("got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this "
+                  "nut: Lemor's "
+                  "capacity, which `life` needs, is not known for this ratio of diameters; take "
+                  "fewer starts",
+                  starts,
+                  std::floor((starts + more) * factor_ratio(g) / kFactorRatios.least) - more,
+                  1e3 * s.pitch_diameter.roller));
 }
 
 std::string configuration_case(const Configuration& c) {

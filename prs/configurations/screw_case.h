@@ -21,6 +21,17 @@ std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubrican
                        const std::string& origin,
                        ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);
 
+/// The first half of that: heading, mechanism, structure and materials.
+std::string screw_text(const CompleteScrew& screw, const std::string& origin,
+                       ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);
+
+/// The screw with the values that those lines have, whose digits are limited.
+CompleteScrew as_written(CompleteScrew screw);
+
+/// Throws CaseError where the ratio of diameters is beyond Lemor's capacity, which `prs life`
+/// needs.
+void require_capacity(const CompleteScrew& screw);
+
 /// A line of `prs configurations` as such a case.
 std::string configuration_case(const Configuration& c);
 

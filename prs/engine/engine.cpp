@@ -57,6 +57,13 @@ T value_of(const Json& question, const char* key, T absent, const char* expected
   }
 }
 
+/// Another file's command; null where it is none.
+const OtherFile* other_named(const std::string& name) {
+  const auto found = std::ranges::find_if(
+      other_files(), [&](const OtherFile& file) { return prs::name(file.command) == name; });
+  return found == other_files().end() ? nullptr : &*found;
+}
+
 const AnyAnalysis& analysis_named(const std::string& name) {
   std::vector<std::string_view> known;
   for (const AnyAnalysis& row : analyses()) {
@@ -64,6 +71,7 @@ const AnyAnalysis& analysis_named(const std::string& name) {
     if (prs::name(row.command) == name) return row;
     known.push_back(prs::name(row.command));
   }
+  for (const OtherFile& file : other_files()) known.push_back(prs::name(file.command));
   known.insert(known.end(), {kReport, kWrite});
   throw QuestionError("command", input::shown(name),
                       fmt::format("one of {}", fmt::join(known, ", ")));
@@ -97,7 +105,8 @@ Question parsed(std::string_view text) {
 
   Question question;
   question.name = value_of<std::string>(json, "command", "", "a text");
-  if (question.name != kReport && question.name != kWrite) analysis_named(question.name);
+  if (question.name != kReport && question.name != kWrite && !other_named(question.name))
+    analysis_named(question.name);
   question.report = live_question(value_of<Json>(json, "report", Json::object(), "an object"));
   std::vector<std::string> overrides;
   for (const Json& pair : value_of<std::vector<Json>>(json, "set", {}, "a list of pairs")) {
@@ -189,19 +198,27 @@ void put_lines(std::vector<std::string>& messages, std::string_view text,
   }
 }
 
-Answer answer_to(const Question& question) {
-  if (question.name == kReport) return report_answer(question);
-  if (question.name == kWrite) return written_answer(question);
-  const AnyAnalysis& row = analysis_named(question.name);
-  input::CaseInput in = input::read_case_input(question.source, row.command);
-  if (!question.load_cases.empty()) choose(question.load_cases, row.command, in.values);
-  const Delivery delivery = row.run(question.source, in);
+/// All forms of the answer to a command, and which command.
+Answer delivered_answer(const Question& question, Command command, const Delivery& delivery) {
   Answer answer;
   answer.status = delivery.converged ? kDone : kNotConverged;
-  answer.document = delivery.document(document_info(question.source, row.command));
+  answer.document = delivery.document(document_info(question.source, command));
   if (question.figures && delivery.pictures) answer.figures = to_json(figures(delivery.pictures()));
   for (const std::string& note : delivery.notes) put_lines(answer.messages, note);
   return answer;
+}
+
+Answer answer_to(const Question& question) {
+  if (question.name == kReport) return report_answer(question);
+  if (question.name == kWrite) return written_answer(question);
+  if (const OtherFile* file = other_named(question.name))
+    return delivered_answer(question, file->command, file->run(question.source));
+  const AnyAnalysis& row = analysis_named(question.name);
+  if (row.command == Command::check && other_file(question.source))
+    return delivered_answer(question, row.command, run(row, question.source));
+  input::CaseInput in = input::read_case_input(question.source, row.command);
+  if (!question.load_cases.empty()) choose(question.load_cases, row.command, in.values);
+  return delivered_answer(question, row.command, row.run(question.source, in));
 }
 
 Answer refusal(Exit status, std::string_view lines, std::string_view before = "") {

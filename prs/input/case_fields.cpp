@@ -579,8 +579,8 @@ void fields(const Fields& io, SpectrumLoad& l) {
   const Bounds revolutions{.least = 0.0, .greatest = 1e15, .least_excluded = true};
   io("revolutions", l.revolutions, Number{revolutions, "1000"},
      "Of the screw against the nut under the load");
-  io("distance", l.distance, Quantity{unit::length, positive},
-     optional_only_if(!l.revolutions, one), "Travel under the load");
+  io("distance", l.distance, Quantity{unit::length, not_negative},
+     optional_only_if(!l.revolutions, one), "Travel under the load; 0 at rest");
   io("duration", l.duration, Quantity{unit::duration, positive},
      optional_only_if(!l.revolutions && !l.distance, one), "Under the load, at `operation.speed`");
   const bool measured = l.revolutions || l.distance || l.duration;

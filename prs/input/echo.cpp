@@ -1,6 +1,6 @@
 #include "prs/input/echo.h"
 
-#include "prs/input/field.h"
+#include "prs/input/described_file.h"
 
 namespace prs::input {
 namespace {
@@ -81,12 +81,17 @@ class Lister {
 
 }  // namespace
 
+std::vector<EchoEntry> echo_of(const Node& root, const Value& description) {
+  std::vector<EchoEntry> entries;
+  Lister(entries).list(&root, "", std::get<MapValue>(description.as));
+  return entries;
+}
+
 std::vector<EchoEntry> echo(CaseFile file, const Node& root) {
   std::optional<Lubricant>& lubricant = file.values.lubricant;
   if (lubricant) lubricant = resolved(*lubricant);
-  std::vector<EchoEntry> entries;
-  const auto keys = map_of([&](const Fields& io) { fields(io, file); });
-  Lister(entries).list(&root, "", keys);
+  std::vector<EchoEntry> entries =
+      echo_of(root, {map_of([&](const Fields& io) { fields(io, file); })});
   constexpr std::string_view block = "lubricant.";
   if (lubricant && lubricant->name)
     for (EchoEntry& entry : entries)

@@ -33,9 +33,11 @@ std::string text_of(const ChoiceUnderKey& under) { return text_of(under.choice);
 std::string text_of(const MapValue& map) {
   std::string text;
   map.for_each([&](const Field& field) {
-    if (field.has_value())
-      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", field.key,
-                          input::text_of(field.value()));
+    if (!field.has_value()) return;
+    const Value value = field.value();
+    const auto* const list = std::get_if<ListValue>(&value.as);
+    if (list && list->size() == 0 && list->least > 0) return;  // As if it were not there.
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", field.key, input::text_of(value));
   });
   return fmt::format("{{{}}}", text);
 }
@@ -73,6 +75,20 @@ std::string bounds_text(const Bounds& b, const Kind& kind) {
 
 std::string text_of(const Value& value) {
   return std::visit([](const auto& v) { return text_of(v); }, value.as);
+}
+
+std::string block_text(std::string_view key, const Value& block) {
+  std::string text = fmt::format("{}:\n", key);
+  std::get<MapValue>(block.as).for_each([&](const Field& field) {
+    if (!field.has_value() || !field.presence.allowed) return;
+    const Value value = field.value();
+    const auto* const list = std::get_if<ListValue>(&value.as);
+    if (list && list->size() == 0) return;
+    text += fmt::format("  {}:{}\n", field.key, list ? "" : " " + text_of(value));
+    for (std::size_t i = 0; list && i < list->size(); ++i)
+      text += fmt::format("    - {}\n", text_of(list->entry(i)));
+  });
+  return text;
 }
 
 std::string text_of_bounds(const Bounds& b, const Quantity& q) { return bounds_text(b, q); }

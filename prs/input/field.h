@@ -330,6 +330,9 @@ class Fields {
     (*this)(key, member, kind, optional, meaning);
   }
 
+  /// Takes a key of another description.
+  void take(const Field& field) const { take_(field); }
+
  private:
   const Take& take_;
 };
@@ -470,6 +473,9 @@ void fields(const Fields& io, CaseFile& file);
 
 /// A value as a person would write it in the input.
 std::string text_of(const Value& value);
+
+/// A block in the lines that a file has of it: a value or an entry of a list in each.
+std::string block_text(std::string_view key, const Value& block);
 
 /// ` > 0 and <= 5 mm`; empty without bounds.
 std::string text_of_bounds(const Bounds& bounds, const Quantity& quantity);

@@ -26,16 +26,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// A column that is read: where it stands, and what turns its numbers into SI.
-struct WantedColumn {
-  std::string_view key;  ///< Below `life.history`.
-  const CsvColumn* name;
-  const Dimension* dimension;
-  std::vector<double>* values;
-  double factor = 1.0;
-  std::size_t field = 0;
-};
-
 std::string nearest(std::string_view column, std::vector<std::string_view> names) {
   std::erase_if(names, [](std::string_view name) { return name.size() > kLongestText; });
   const std::string hint = did_you_mean(column, names);
@@ -44,15 +34,16 @@ std::string nearest(std::string_view column, std::vector<std::string_view> names
 
 class HistoryParser {
  public:
-  HistoryParser(std::string_view text, const std::string& name, const Source& source)
-      : text_(text), reader_(text), name_(name), source_(source) {}
+  HistoryParser(std::string_view text, const std::string& name, std::string_view block,
+                const Source& source)
+      : text_(text), reader_(text), name_(name), block_(block), source_(source) {}
 
   void parse(std::vector<WantedColumn>& columns) {
     read_heading(columns);
     while (next_row()) read_row(columns);
     const std::size_t rows = columns.front().values->size();
     if (rows < 2)
-      fail_at(source_, "life.history.file",
+      fail_at(source_, fmt::format("{}.file", block_),
               fmt::format("got {} row{} of numbers in {}; expected at least 2; check the file",
                           rows, rows == 1 ? "" : "s", name_));
   }
@@ -68,7 +59,7 @@ class HistoryParser {
 
   void read_heading(std::vector<WantedColumn>& columns) {
     if (!next_row())
-      fail_at(source_, "life.history.file",
+      fail_at(source_, fmt::format("{}.file", block_),
               fmt::format("got {}, which has no heading; expected a line with the names of the "
                           "columns, then one row per sample; check the file",
                           name_));
@@ -76,13 +67,13 @@ class HistoryParser {
     width_ = names.size();
     for (WantedColumn& c : columns) {
       if (std::ranges::count(names, c.name->column) > 1)
-        fail_at(source_, fmt::format("life.history.{}.column", c.key),
+        fail_at(source_, fmt::format("{}.{}.column", block_, c.key),
                 fmt::format("got {}, which stands twice in the heading of {}; expected one column "
                             "of that name; rename the other one",
                             shown(c.name->column), name_));
       const auto found = std::ranges::find(names, c.name->column);
       if (found == names.end())
-        fail_at(source_, fmt::format("life.history.{}.column", c.key),
+        fail_at(source_, fmt::format("{}.{}.column", block_, c.key),
                 fmt::format("got {}; expected a column of {}: {}; {}", shown(c.name->column), name_,
                             shown(fmt::format("{}", fmt::join(names, ", "))),
                             nearest(c.name->column, names)));
@@ -143,14 +134,15 @@ class HistoryParser {
   std::string_view text_;
   CsvReader reader_;
   const std::string& name_;
+  std::string_view block_;
   const Source& source_;
   std::size_t width_ = 0;  ///< Fields of the heading.
 };
 
-double factor_to_si(const WantedColumn& c, const Source& source) {
+double factor_to_si(const WantedColumn& c, std::string_view block, const Source& source) {
   const ParsedQuantity one = parse_quantity("1 " + c.name->unit, *c.dimension);
   if (!one.value)
-    fail_at(source, fmt::format("life.history.{}.unit", c.key),
+    fail_at(source, fmt::format("{}.{}.unit", block, c.key),
             fmt::format("got {}; expected the unit of {}: {}; write for example `unit: {}`",
                         shown(c.name->unit), c.dimension->name, unit_list(*c.dimension),
                         c.dimension->canonical));
@@ -158,6 +150,16 @@ double factor_to_si(const WantedColumn& c, const Source& source) {
 }
 
 }  // namespace
+
+void read_columns(std::string_view text, const std::string& name, std::string_view block,
+                  std::vector<WantedColumn>& columns, const Source& source) {
+  for (WantedColumn& c : columns) {
+    c.factor = factor_to_si(c, block, source);
+    // A row of a few numbers is rarely shorter.
+    c.values->reserve(text.size() / 16);
+  }
+  HistoryParser(text, name, block, source).parse(columns);
+}
 
 LoadHistory parse_force_history(std::string_view text, const std::string& name,
                                 const HistorySource& history, const Source& source) {
@@ -172,24 +174,19 @@ LoadHistory parse_force_history(std::string_view text, const std::string& name,
     columns.push_back({"speed", &*history.speed,
                        h.speed_along_axis ? &unit::travel_speed : &unit::rotational_speed,
                        &h.speed});
-  for (WantedColumn& c : columns) {
-    c.factor = factor_to_si(c, source);
-    // A row of a few numbers is rarely shorter.
-    c.values->reserve(text.size() / 16);
-  }
-  HistoryParser(text, name, source).parse(columns);
+  read_columns(text, name, "life.history", columns, source);
   return h;
 }
 
 namespace {
 
 /// As messages show it.
-std::filesystem::path shown_path(const HistorySource& history, const Source& source) {
-  return std::filesystem::path(source.name).parent_path() / history.file;
+std::filesystem::path shown_path(const std::string& file, const Source& source) {
+  return std::filesystem::path(source.name).parent_path() / file;
 }
 
-std::filesystem::path path_of(const HistorySource& history, const Source& source) {
-  return source.folder.empty() ? shown_path(history, source) : source.folder / history.file;
+std::filesystem::path path_of(const std::string& file, const Source& source) {
+  return source.folder.empty() ? shown_path(file, source) : source.folder / file;
 }
 
 /// Whether a file lies, links followed, below the folder of the case; an open one by what was
@@ -201,7 +198,7 @@ bool stands_with_case(const std::filesystem::path& file, const Source& source) {
   std::error_code error;
   const fs::path from = fs::weakly_canonical(folder, error);
   if (error) return false;
-  const fs::path to = fs::weakly_canonical(file, error);
+  const fs::path to = fs::weakly_canonical(fs::absolute(file), error);
   return !error &&
          std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
 }
@@ -212,29 +209,32 @@ std::filesystem::path name_of_open(const FileDescriptor& file) {
 }
 
 /// By `--set`, which is the user's word; a case may come from anywhere.
-bool names_file_by_override(const Source& source) {
+bool names_file_by_override(std::string_view path, const Source& source) {
   ErrorList errors(source);
-  return locate(read_document(source, errors), "life.history.file").argument >= 0;
+  return locate(read_document(source, errors), path).argument >= 0;
 }
 
-std::string text_of_file(const HistorySource& history, const Source& source) {
+}  // namespace
+
+std::string named_file_text(const std::string& name, std::string_view key, const Source& source,
+                            bool may_stand_anywhere) {
   const auto refuse = [&](const std::string& why) {
-    fail_at(source, "life.history.file", fmt::format("got {}; {}", shown(history.file), why));
+    fail_at(source, key, fmt::format("got {}; {}", shown(name), why));
   };
   if (source.files) {
-    const auto found = source.files->find(history.file);
+    const auto found = source.files->find(name);
     if (found != source.files->end()) return found->second;
     if (source.folder.empty())
-      refuse("expected the name of a history that was given; give its text under this name");
+      refuse("expected the name of a file that was given; give its text under this name");
   }
-  const std::filesystem::path path = path_of(history, source);
-  // Who knows the hash knows the file.
-  const bool may_stand_anywhere = history.sha256 || names_file_by_override(source);
+  const std::filesystem::path path = path_of(name, source);
+  may_stand_anywhere = may_stand_anywhere || names_file_by_override(key, source);
   const auto require_place = [&](const std::filesystem::path& place) {
     if (!may_stand_anywhere && !stands_with_case(place, source))
       refuse(
-          "expected a file in the folder of the case or below it; move it there, or allow it by "
-          "`--set life.history.file=PATH`");
+          fmt::format("expected a file in the folder of the case or below it; move it there, or "
+                      "allow it by `--set {}=PATH`",
+                      key));
   };
   require_place(path);
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
@@ -244,7 +244,7 @@ std::string text_of_file(const HistorySource& history, const Source& source) {
       (why == 0 && (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode))))
     refuse(fmt::format(
         "expected a file of comma-separated values; {} {}; give its path relative to this file",
-        shown(shown_path(history, source).string()),
+        shown(name_in_messages(name, source)),
         why == ENOENT || why == ENOTDIR ? "does not exist" : "is no file"));
   if (why == 0) require_place(name_of_open(file));
   if (static_cast<std::uintmax_t>(status.st_size) > kMostBytes)
@@ -254,14 +254,18 @@ std::string text_of_file(const HistorySource& history, const Source& source) {
       why == 0 ? content_of(file, kMostBytes) : std::optional<std::string>();
   if (!text)
     refuse(fmt::format("expected a file that can be read; check the rights of {}",
-                       shown(shown_path(history, source).string())));
+                       shown(name_in_messages(name, source))));
   return *std::move(text);
 }
 
-}  // namespace
+std::string name_in_messages(const std::string& file, const Source& source) {
+  return shown_path(file, source).string();
+}
 
 std::string force_history_text(const HistorySource& history, const Source& source) {
-  std::string text = text_of_file(history, source);
+  // Who knows the hash knows the file.
+  std::string text =
+      named_file_text(history.file, "life.history.file", source, history.sha256.has_value());
   if (history.sha256 && sha256(text) != *history.sha256)
     fail_at(source, "life.history.sha256",
             fmt::format("got {}; expected that of {}, which is another file or has changed; give "
@@ -272,7 +276,7 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
 
 std::filesystem::path place_of_history(const HistorySource& history, const Source& source) {
   if (source.files && source.folder.empty()) return history.file;
-  return std::filesystem::absolute(path_of(history, source)).lexically_normal();
+  return std::filesystem::absolute(path_of(history.file, source)).lexically_normal();
 }
 
 Source with_files(Source source, const HistorySource& history) {
@@ -284,7 +288,7 @@ Source with_files(Source source, const HistorySource& history) {
 
 LoadHistory read_force_history(const HistorySource& history, const Source& source) {
   return parse_force_history(force_history_text(history, source),
-                             shown_path(history, source).string(), history, source);
+                             name_in_messages(history.file, source), history, source);
 }
 
 }  // namespace prs::input

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/input/source.h"
+#include "prs/input/units.h"
 #include "prs/model/life.h"
 #include "prs/model/load_history.h"
 
@@ -17,10 +18,31 @@ namespace prs::input {
 LoadHistory parse_force_history(std::string_view text, const std::string& name,
                                 const HistorySource& history, const Source& source);
 
-/// The file that the history names, relative to the input file: at most 1 GiB. It must lie in the
-/// folder of the input or below it, links followed, unless an override names it: inputs come from
-/// others too; with its SHA-256 it may stand anywhere. Throws InputError, also for another hash.
+/// A column of such a table: where its name and unit stand in the input, and what it holds.
+struct WantedColumn {
+  std::string_view key;  ///< Below `block`: `force`.
+  const CsvColumn* name;
+  const Dimension* dimension;
+  std::vector<double>* values;  ///< SI
+  double factor = 1.0;
+  std::size_t field = 0;
+};
+
+/// Reads columns of a table, those of a block of the input such as `life.history`, as
+/// `parse_force_history` does.
+void read_columns(std::string_view text, const std::string& name, std::string_view block,
+                  std::vector<WantedColumn>& columns, const Source& source);
+
+/// The file that the input names at a path, relative to the input file: at most 1 GiB. It must lie
+/// in the folder of the input or below it, links followed, unless an override names it or it
+/// `may_stand_anywhere`: inputs come from others too. Throws InputError.
+std::string named_file_text(const std::string& file, std::string_view path, const Source& source,
+                            bool may_stand_anywhere = false);
+/// That of a history; with its SHA-256 it may stand anywhere. Throws InputError, also for another
+/// hash.
 std::string force_history_text(const HistorySource& history, const Source& source);
+/// The name of such a file in messages.
+std::string name_in_messages(const std::string& file, const Source& source);
 
 /// Where that file stands, absolute; its name where there is no folder to find it in.
 std::filesystem::path place_of_history(const HistorySource& history, const Source& source);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <numeric>
 
+#include "prs/input/case_file.h"
+#include "prs/input/described_file.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/field.h"
 #include "prs/input/schema.h"
@@ -388,7 +390,8 @@ class MapReader {
   /// Where a key stands that is missing its path: `mechanism.rollers` of `rollers`.
   std::string elsewhere_hint(std::string_view key) const {
     constexpr std::size_t kMost = 2;
-    if (!map_.path.empty()) return {};
+    const bool is_case = std::ranges::find(known_, "mechanism") != known_.end();
+    if (!map_.path.empty() || !is_case) return {};
     std::vector<std::string> paths;  // The outermost.
     std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
     for (const InputKey& known : input_keys()) {
@@ -449,6 +452,10 @@ std::size_t number_of_cases(const std::vector<LoadCaseItem>& items) {
 }
 
 }  // namespace
+
+void read_described(const Node& root, const Value& description, ErrorList& errors) {
+  read({root, "", errors}, description);
+}
 
 std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items) {
   std::vector<LoadCase> cases;
@@ -521,6 +528,10 @@ bool turn_speeds(Node& root) {
 }  // namespace
 
 CaseFile read_case_file(const Node& root, ErrorList& errors) {
+  if (const Node* motion = find(root, "motion"); motion && !find(root, "mechanism"))
+    errors.fail(motion->key_place, "motion",
+                "got a requirement; expected a case, with `mechanism`; run `prs size` on it, whose "
+                "`--write 1 case.yaml` writes one");
   CaseFile file;
   Node turned = root;
   file.speeds_follow_lead = turn_speeds(turned);

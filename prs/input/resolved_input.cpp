@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "prs/input/described_file.h"
+#include "prs/input/document.h"
 #include "prs/input/field.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
@@ -119,6 +121,8 @@ Json located(const Json& history, const HistorySource& read, const Source& sourc
 
 }  // namespace
 
+Json resolved(const Node& root, const Value& description) { return json_of(&root, description); }
+
 Json resolved_input(const Source& source) {
   ErrorList errors(source);
   const Node root = read_document(source, errors);
@@ -134,12 +138,15 @@ Json resolved_input(const Source& source) {
 
 std::string input_sha256(const Source& source) {
   const std::optional<HistorySource> history = history_of(source);
-  if (source.overrides.empty() && !history) return sha256(source.text);
+  const std::optional<std::string> text =
+      history ? history_text(*history, source) : std::optional<std::string>();
+  return input_sha256(source, text ? std::vector{*text} : std::vector<std::string>());
+}
+
+std::string input_sha256(const Source& source, const std::vector<std::string>& files) {
   std::string all = source.text;
   for (const std::string& override : source.overrides) all.append(1, '\0').append(override);
-  if (history)
-    if (const std::optional<std::string> text = history_text(*history, source))
-      all.append(1, '\0').append(sha256(*text));
+  for (const std::string& text : files) all.append(1, '\0').append(sha256(text));
   return sha256(all);
 }
 

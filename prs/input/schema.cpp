@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "prs/input/field.h"
+#include "prs/input/described_file.h"
 
 namespace prs::input {
 namespace {
@@ -225,12 +225,15 @@ const std::vector<InputKey>& input_keys() {
   return keys;
 }
 
+Json schema_of(std::string_view title, const Value& description) {
+  Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+  json.update(schema_of(description));
+  return json;
+}
+
 Json schema() {
   CaseFile file;
-  Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-            {"title", "Input of prs, a program for planetary roller screws"}};
-  json.update(schema_of(value_of(file, Block{})));
-  return json;
+  return schema_of("Input of prs, a program for planetary roller screws", value_of(file, Block{}));
 }
 
 }  // namespace prs::input

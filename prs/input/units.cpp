@@ -122,6 +122,11 @@ constexpr Unit kSpeed[] = {
 
 constexpr Unit kDistance[] = {{{"km"}, 1e3}, {{"m"}}};
 
+constexpr Unit kInertia[] = {{{"kg m^2", "kg*m^2"}},
+                             {{"kg cm^2", "kg*cm^2"}, 1.0, 1e4},
+                             {{"kg mm^2", "kg*mm^2"}, 1.0, 1e6},
+                             {{"lb in^2", "lb*in^2"}, kPound* kInch* kInch}};
+
 }  // namespace
 
 namespace unit {
@@ -150,6 +155,7 @@ const Dimension share{"a share", "95 %", "%", kShare};
 const Dimension mass{"a mass", "12 kg", "kg", kMass};
 const Dimension speed{"a speed", "150000 mm/min", "mm/min", kSpeed};
 const Dimension distance{"a distance", "500 km", "km", kDistance};
+const Dimension inertia{"a moment of inertia", "5 kg cm^2", "kg cm^2", kInertia};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
 const Dimension thermal_conductivity{"a thermal conductivity", "45 W/(m K)", "W/(m K)",
@@ -188,7 +194,8 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::specific_heat,
                                             &unit::mass,
                                             &unit::speed,
-                                            &unit::distance};
+                                            &unit::distance,
+                                            &unit::inertia};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)

@@ -1,5 +1,7 @@
 #include "prs/life/analyze_life.h"
 
+#include <set>
+
 #include "prs/life/contact_loads.h"
 #include "prs/life/share_curve.h"
 #include "prs/loads/load_case_result.h"
@@ -209,6 +211,18 @@ ShareCurve curve_of_sense(const LifeModel& p, const Sense& s, const ShareCurve::
   return ShareCurve(solve, least, s.largest, {kOrbitTolerance, damage_between(s)});
 }
 
+/// The same of a running screw under the forces at which it turns, without interpolation where they
+/// are fewer than the nodes of a panel.
+ShareCurve running_curve(const LifeModel& p, const Sense& s, const std::vector<double>& turns,
+                         const ShareCurve::Solve& solve) {
+  std::set<double> forces;
+  for (std::size_t k = 0; k < turns.size(); ++k)
+    if (turns[k] > 0.0) forces.insert(s.forces[k]);
+  if (p.full() || p.preloaded() || forces.size() >= ShareCurve::kNodes)
+    return curve_of_sense(p, s, solve);
+  return ShareCurve(solve, std::vector(forces.begin(), forces.end()));
+}
+
 double largest_of(const std::vector<double>& loads) {
   return loads.empty() ? 0.0 : *std::ranges::max_element(loads);
 }
@@ -253,12 +267,15 @@ std::vector<double> cubes_of(const LifeModel& p, const Sense& s, const ShareCurv
   return std::move(sums).take();
 }
 
-/// Compares running loads with those at rest, at the forces of a sense or some of many.
-void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCurve& running) {
+/// Compares running loads with those at rest, at the forces under which a sense turns or some of
+/// many.
+void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCurve& running,
+                       const std::vector<double>& turns) {
   const RatedContacts rated = p.rated();
   const std::size_t step = (s.forces.size() + kFewForces - 1) / kFewForces;
   std::vector<double> runs(rated.count()), rests(rated.count());
   for (std::size_t k = 0; k < s.forces.size(); k += step) {
+    if (!(turns[k] > 0.0)) continue;
     running.shares_at(s.forces[k], runs);
     s.curve->shares_at(s.forces[k], rests);
     for (const Interface i : kInterfaces) {
@@ -293,9 +310,9 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
     if (by == DrivenBy::screw)
       for (std::size_t k = 0; k < turns.size(); ++k) turns[k] = s.turns[k] - turns[k];
     if (!(std::ranges::max(turns) > 0.0)) continue;
-    const ShareCurve curve = curve_of_sense(p, s, running_loads_solver(p, d, by));
+    const ShareCurve curve = running_curve(p, s, turns, running_loads_solver(p, d, by));
     if (const auto failed = found(curve)) return failed;
-    compare_with_rest(p, s, d, curve);
+    compare_with_rest(p, s, d, curve, turns);
     const std::vector<double> cubes = cubes_of(p, s, curve, turns);
     for (std::size_t k = 0; k < cubes.size(); ++k) s.cubes[k] += cubes[k];
   }

@@ -17,7 +17,7 @@ struct Command {
 
   // Commands that other parts name. Blocks of searches: see input::unmet.
   static const Command check, contact, solve, compare, slip, preload, life, measures, study,
-      optimize;
+      optimize, size;
 
   friend constexpr bool operator==(const Command& a, const Command& b) { return a.word == b.word; }
   friend constexpr auto operator<=>(const Command& a, const Command& b) {
@@ -43,6 +43,7 @@ inline constexpr Command Command::life{"life", need_life};
 inline constexpr Command Command::measures{"measures", need_measures};
 inline constexpr Command Command::study{"study"};
 inline constexpr Command Command::optimize{"optimize"};
+inline constexpr Command Command::size{"size"};
 
 constexpr std::string_view name(Command command) { return command.word; }
 

@@ -10,6 +10,7 @@
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/report/svg.h"
+#include "prs/run/commands.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
 
@@ -158,7 +159,8 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
 std::string_view page_engine() { return engine(); }
 
 Report make_report(const input::Source& source, const PageOptions& options) {
-  const std::string_view engine = options.live ? page_engine() : std::string_view();
+  const bool live = options.live && !other_file(source);
+  const std::string_view engine = live ? page_engine() : std::string_view();
   ReportOptions asked{options.command, options.results};
   const auto report = [](std::string page, ReportParts parts) {
     return Report{std::move(page), std::move(parts.data), std::move(parts.notes), parts.converged};

@@ -87,6 +87,22 @@ struct AnyAnalysis {
   std::string_view result_class = {};  ///< In Python; without it that of the command's word.
 };
 
+/// A kind of file that is no case, and the analysis that reads it.
+struct OtherFile {
+  Command command;
+  std::string_view help;
+  std::string_view name;  ///< As `prs schema` calls it: `requirement`.
+  std::string_view key;   ///< Which it has and no case: `motion`.
+  /// Computes what the command shows without options of its own. Throws InputError, as the others.
+  Delivery (*run)(const input::Source&) = nullptr;
+  Delivery (*check)(const input::Source&) = nullptr;  ///< What `prs check` says of it.
+  nlohmann::ordered_json (*schema)() = nullptr;
+  nlohmann::ordered_json (*resolved_input)(const input::Source&) = nullptr;
+  std::vector<std::string> (*files)(const input::Source&) = nullptr;  ///< Texts of those it names.
+  const RecordInfo& (*record)() = nullptr;  ///< The document of the command, behind its head.
+  std::string_view result_class = {};       ///< In Python.
+};
+
 /// All forms of a result; the analysis must outlive them. What `run` finds wrong with the case is
 /// reported where it stands.
 template <class R, class Run>

@@ -673,6 +673,7 @@ ReportSection section_of(Findings& all, const SectionRow& row) {
 Json documents_of(const Findings& all) { return data_of(all, {}); }
 
 ReportParts report_parts(const input::Source& source, const ReportOptions& options) {
+  if (other_file(source)) return requirement_parts(source, options);
   Findings all = findings_of(source, options, reported_commands());
   ReportParts parts;
   parts.title = fmt::format("{} · planetary roller screw", title_of(all));

@@ -47,6 +47,8 @@ struct ReportParts {
 /// Runs every command for which the case has all that it needs; of studies and optimizations, shows
 /// what `results` holds. Throws InputError where the case is wrong.
 ReportParts report_parts(const input::Source& source, const ReportOptions& options);
+/// The same of a requirement: `prs size`.
+ReportParts requirement_parts(const input::Source& source, const ReportOptions& options);
 
 /// A link by which the browser saves a text as a file.
 std::string download_link(std::string_view name, std::string_view type, std::string_view content);

@@ -1,6 +1,7 @@
 #include "prs/run/commands.h"
 
 #include "prs/compare/compare_analysis.h"
+#include "prs/input/document.h"
 #include "prs/input/resolved_input.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/losses/life_analysis.h"
@@ -9,6 +10,7 @@
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/run/check.h"
+#include "prs/size/size_analysis.h"
 #include "prs/version.h"
 
 namespace prs {
@@ -38,6 +40,20 @@ const AnyAnalysis& analysis_of(Command command) {
   return *found;
 }
 
+std::span<const OtherFile> other_files() {
+  static const OtherFile all[] = {size_file()};
+  return all;
+}
+
+const OtherFile* other_file(const input::Source& source) {
+  input::ErrorList told_by_the_reader(source);
+  const input::Node root = input::read_document(source, told_by_the_reader);
+  if (input::find(root, "mechanism")) return nullptr;
+  const auto is = [&](const OtherFile& file) { return input::find(root, file.key) != nullptr; };
+  const auto found = std::ranges::find_if(other_files(), is);
+  return found == other_files().end() ? nullptr : &*found;
+}
+
 Delivery run_solve(const input::Source& source, const input::CaseInput& in,
                    const AnalysisOptions& options) {
   return delivered(
@@ -46,17 +62,22 @@ Delivery run_solve(const input::Source& source, const input::CaseInput& in,
 }
 
 Delivery run(const AnyAnalysis& analysis, const input::Source& source) {
+  if (analysis.command == Command::check)
+    if (const OtherFile* file = other_file(source)) return file->check(source);
   return analysis.run(source, input::read_case_input(source, analysis.command));
 }
 
 DocumentInfo document_info(const input::Source& source, Command command) {
+  const OtherFile* const file = other_file(source);
   return {kVersion,
           kSchemaVersion,
-          input::input_sha256(source),
+          file ? input::input_sha256(source, file->files(source)) : input::input_sha256(source),
           source.overrides,
           std::string(name(command)),
           source.name,
-          [source] { return input::resolved_input(source); }};
+          [source, file] {
+            return file ? file->resolved_input(source) : input::resolved_input(source);
+          }};
 }
 
 }  // namespace prs

@@ -10,11 +10,18 @@ std::span<const AnyAnalysis> analyses();
 
 const AnyAnalysis& analysis_of(Command command);
 
+/// Files other than a case.
+std::span<const OtherFile> other_files();
+
+/// The kind of a source that is no case, by its keys; null of a case.
+const OtherFile* other_file(const input::Source& source);
+
 /// `solve` by other means than those of its row, on a case that has all for it.
 Delivery run_solve(const input::Source& source, const input::CaseInput& in,
                    const AnalysisOptions& options);
 
-/// Reads a case for a command and runs it. Throws InputError, also where the case lacks something.
+/// Reads a case, or for `check` another file, for a command and runs it. Throws InputError, also
+/// where the case lacks something.
 Delivery run(const AnyAnalysis& analysis, const input::Source& source);
 
 /// Origin of a command's documents of a source, which must have been read for it without an error.

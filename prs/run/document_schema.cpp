@@ -155,6 +155,7 @@ std::span<const std::string_view> documented_commands() {
   static const std::vector<std::string_view> commands = [] {
     std::vector<std::string_view> names =
         each(analyses(), [](const AnyAnalysis& analysis) { return name(analysis.command); });
+    for (const OtherFile& file : other_files()) names.push_back(name(file.command));
     names.push_back("configurations");
     return names;
   }();
@@ -178,6 +179,14 @@ Json document_schema(std::string_view command) {
       put_records(parts, analysis.places);
       add_form(std::move(parts));
     }
+  Json input = input::schema();
+  for (const OtherFile& file : other_files())
+    if (name(file.command) == command) {
+      documents::Parts parts;
+      parts.put(file.record());
+      add_form(std::move(parts));
+      input = file.schema();
+    }
   for (const documents::Document& form : documents::kForms)
     if (form.command == command) {
       documents::Parts parts;
@@ -191,7 +200,6 @@ Json document_schema(std::string_view command) {
   // Definitions of a schema in a schema move up to where its references find them.
   Json figure = figure_schema();
   definitions.update(figure["$defs"]);
-  Json input = input::schema();
   for (Json* part : {&figure, &input})
     for (const char* key : {"$schema", "$defs"}) part->erase(key);
   definitions["Figure"] = std::move(figure);

@@ -61,6 +61,7 @@ const std::vector<DocumentRecord>& all_records() {
       for (const Place& place : analysis.places)
         if (std::ranges::find(places, place.path, &Place::path) == places.end())
           places.push_back(place);
+    for (const OtherFile& file : other_files()) places.push_back({name(file.command), file.record});
     return records_at(places);
   }();
   return all;
@@ -101,6 +102,12 @@ Json results_schema() {
   }
   for (const AnyAnalysis& analysis : analyses())
     schema["analyses"].push_back(analysis_json(analysis));
+  for (const OtherFile& file : other_files())
+    schema["analyses"].push_back({{"name", name(file.command)},
+                                  {"help", file.help},
+                                  {"class", file.result_class},
+                                  {"takes", file.name},
+                                  {"places", Json::array({name(file.command)})}});
   return schema;
 }
 

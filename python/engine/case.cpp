@@ -18,6 +18,7 @@
 #include "prs/output/staged_file.h"
 #include "prs/page/page.h"
 #include "prs/run/commands.h"
+#include "prs/size/size_analysis.h"
 #include "prs/threads/threads.h"
 #include "python/engine/interpreter_guard.h"
 
@@ -172,6 +173,17 @@ void bind_case(nb::module_& module) {
            nb::arg("speed").none(), nb::arg("load_case").none(),
            "Writes a model of the screw by the file's ending, .fmu or .mo; its warnings.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
+  module.def(
+      "size",
+      [](const input::Source& source) {
+        const GilRelease released;
+        const auto delivery =
+            std::make_shared<const Delivery>(size_delivery(size_screws(read_requirement(source))));
+        return std::make_shared<Document>(
+            [delivery, source] { return delivery->document(document_info(source, Command::size)); },
+            keeping(delivery->pictures(), delivery));
+      },
+      nb::arg("source"), "Which screw, and which motor, for a requirement.");
   for (const AnyAnalysis& row : analyses())
     if (row.run)
       bound.def(name(row.command).data(), [&row](const CaseSource& c) { return c.run(row); });

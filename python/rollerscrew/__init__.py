@@ -25,6 +25,7 @@ from rollerscrew.function import Function
 from rollerscrew.library import configurations, lesson, lessons, lubricants, new, units
 from rollerscrew.record import Record, Values
 from rollerscrew.results import *  # noqa: F403
+from rollerscrew.sizing import size
 
 __all__ = [
     "Case",
@@ -46,6 +47,7 @@ __all__ = [
     "plots",
     "records",
     "schema",
+    "size",
     "theory",
     "units",
 ]

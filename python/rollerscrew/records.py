@@ -1675,3 +1675,343 @@ class Measures(Record):
     shaft_stiffness_N_per_um: float | None
     buckling_load_N: float | None
     critical_speed_rpm: float | None
+
+
+class MotionSegment(Record):
+    """Constant acceleration under one force.
+
+    name: as given, else segment-K, sample-K or class-K
+    duration_s [s]: of it, or of all in its class
+    start_speed_mm_per_s [mm/s]: signed
+    end_speed_mm_per_s [mm/s]: signed
+    acceleration_m_per_s2 [m/s²]: signed
+    travel_mm [mm]: signed
+    axial_force_N [N]: on the screw, > 0 where it pushes the mass in the positive sense; THK general catalogue, axial loads
+    """
+
+    __slots__ = ()
+    name: str
+    duration_s: float
+    start_speed_mm_per_s: float
+    end_speed_mm_per_s: float
+    acceleration_m_per_s2: float
+    travel_mm: float
+    axial_force_N: float
+
+
+class SizeRequirement(Record):
+    """One cycle of the axis.
+
+    cycle_s [s]: rests included
+    moving_s [s]: time in motion, per cycle
+    travel_mm [mm]: per cycle, of both senses
+    stroke_mm [mm]: as given, else the way between the extreme positions
+    mean_load_N [N]: cubic mean over travel
+    largest_force_N [N]: at rest too
+    largest_speed_mm_per_s [mm/s]: of either sense
+    rms_speed_mm_per_s [mm/s]: over the cycle with its rests
+    mean_speed_mm_per_s [mm/s]: travel over the time in motion
+    segments: of constant acceleration, or classes of many samples
+    """
+
+    __slots__ = ()
+    cycle_s: float
+    moving_s: float
+    travel_mm: float
+    stroke_mm: float | None
+    mean_load_N: float | None
+    largest_force_N: float
+    largest_speed_mm_per_s: float
+    rms_speed_mm_per_s: float
+    mean_speed_mm_per_s: float | None
+    segments: list[MotionSegment]
+
+
+class SizeCounts(Record):
+    """How many candidates there are.
+
+    candidates: all rows and combinations
+    passing: all criteria
+    failing: some criterion
+    invalid: refused by the rules of `prs new`
+    """
+
+    __slots__ = ()
+    candidates: int
+    passing: int
+    failing: int
+    invalid: int
+
+
+class NearestMiss(Record):
+    """The first candidate where nothing passes.
+
+    rank: 1
+    criteria: that it misses
+    """
+
+    __slots__ = ()
+    rank: int
+    criteria: list[str]
+
+
+class Relaxation(Record):
+    """What a limit would have to be.
+
+    criterion: that is missed
+    rank: of the candidate
+    limit: as it is, in the unit of the criterion
+    needed: with which this candidate passes
+    margin: as it is
+    """
+
+    __slots__ = ()
+    criterion: str
+    rank: int
+    limit: float
+    needed: float
+    margin: float
+
+
+class SizeCurve(Record):
+    """Force over speed.
+
+    rank: of the candidate
+    speed_mm_per_s [mm/s]: constant, in one sense
+    efficiency: under the mean load
+    force_N [N]: that the candidate carries on and on; envelope: the least of all but motor_peak
+    """
+
+    __slots__ = ()
+    rank: int
+    speed_mm_per_s: Array
+    efficiency: Array
+    force_N: Array
+
+
+class InvalidCandidate(Record):
+    """What cannot be made.
+
+    name: of the row, else diameter x lead in mm
+    source: catalogue | design
+    row: of the catalogue, from 1
+    design: from 1
+    reason: what is wrong
+    """
+
+    __slots__ = ()
+    name: str
+    source: str
+    row: int | None
+    design: int | None
+    reason: str
+
+
+class SizedByThreads(Record):
+    """Life and safety by the loads of the threads.
+
+    life_revolutions [revolutions]: rated, of all travel; Jung 2017, (8.25); ISO 281
+    life_hours [h]: clock time, rests included
+    life_km [km]: of all travel
+    static_safety: as `prs life`: pressure, deformation or a flank's edge
+    dynamic_capacity_N [N]: Lemor's C_a
+    """
+
+    __slots__ = ()
+    life_revolutions: float | None
+    life_hours: float | None
+    life_km: float | None
+    static_safety: float | None
+    dynamic_capacity_N: float | None
+
+
+class ThermalConductances(Record):
+    """Of the network of the parts.
+
+    screw_ambient: screw to surroundings
+    nut_ambient: nut to surroundings
+    rollers_ambient: all rollers to surroundings
+    screw_rollers: screw to all rollers
+    rollers_nut: all rollers to nut
+    """
+
+    __slots__ = ()
+    screw_ambient: float
+    nut_ambient: float
+    rollers_ambient: float
+    screw_rollers: float
+    rollers_nut: float
+
+
+class SizedSegment(Record):
+    """A segment of the motion on a candidate.
+
+    name: of the motion
+    efficiency: of what drives
+    driven_by: screw | load
+    power_loss_W [W]: at the mean speed of the segment
+    torque_Nm [N m]: at the part that turns, in the sense of the motion
+    motor_torque_Nm [N m]: with drag, inertia and gear
+    """
+
+    __slots__ = ()
+    name: str
+    efficiency: float | None
+    driven_by: str | None
+    power_loss_W: float | None
+    torque_Nm: float | None
+    motor_torque_Nm: float | None
+
+
+class SizeCriterion(Record):
+    """A value against its limit.
+
+    name: what is held against a limit
+    unit: of value and limit
+    value: of the candidate
+    limit: of the requirement
+    margin: value over limit or limit over value: 1 just passes
+    status: pass | fail | not_computed | not_applicable
+    reason: what the value rests on, or why there is none
+    """
+
+    __slots__ = ()
+    name: str
+    unit: str
+    value: float | None
+    limit: float | None
+    margin: float | None
+    status: str
+    reason: str | None
+
+
+class SizedCandidate(Record):
+    """A screw against the requirement.
+
+    rank: from 1, over all
+    name: of the row, else diameter x lead in mm
+    source: catalogue | design
+    row: of the catalogue, from 1
+    design: from 1
+    type: standard | inverted
+    screw_diameter_mm [mm]: nominal
+    lead_mm [mm]: < 0 left-handed
+    starts: of screw and nut
+    nut_diameter_mm [mm]: outer
+    nut_length_mm [mm]: of the whole nut
+    passes: all criteria
+    pareto: no other that passes is as good in weight, nut diameter, life, torque and power lost, and better in one
+    limited_by: the criterion of the least margin
+    weight_kg [kg]: nut, rollers, screw over the shaft's length
+    shaft_length_mm [mm]: between the supports
+    life_basis: maker | threads
+    life_revolutions [revolutions]: rated, of all travel; Jung 2017, (8.25); ISO 281
+    life_hours [h]: clock time, rests included
+    life_km [km]: of all travel
+    static_safety: maker's C_0, or by threads
+    computed: the same by the loads of the threads
+    dynamic_capacity_N [N]: of the row
+    static_capacity_N [N]: of the row
+    buckling_load_N [N]: of the shaft, as `prs measures`
+    buckling_safety: against the largest compression
+    critical_speed_rpm [rpm]: of a screw that turns
+    largest_speed_rpm [rpm]: of screw against nut
+    speed_times_diameter_mm_per_min [mm/min]: d the nominal diameter
+    stiffness_N_per_um [N/µm]: of the load case with the largest force, in series with the shaft
+    efficiency: of the cycle, where the screw drives
+    back_driving_efficiency: absent where the screw locks itself
+    self_locking: by slip
+    temperature_degC [°C]: mean of the cycle
+    conductance_W_per_K [W/K]: between parts and surroundings
+    power_lost_W [W]: mean of the cycle
+    inertia_kg_mm2 [kg mm²]: at the part that turns
+    motor_rms_torque_Nm [N m]: over the cycle
+    motor_peak_torque_Nm [N m]: largest of the cycle
+    motor_largest_speed_rpm [rpm]: with the gear
+    motor_peak_power_W [W]: largest of the cycle
+    inertia_ratio: screw and mass over the motor's, at its shaft
+    regenerated_mean_W [W]: over the cycle
+    regenerated_peak_W [W]: largest of the cycle
+    holding_torque_Nm [N m]: at the motor, without friction
+    brake_needed: a force at rest turns the screw
+    relubrication_h [h]: interval by the makers' rule; Rockwell MPAI-IN001F pp. 45 to 47; Tolomatic IMA-S guide pp. 34 to 35
+    segments: of the motion
+    criteria: values against limits
+    warnings: on this candidate
+    """
+
+    __slots__ = ()
+    rank: int
+    name: str
+    source: str
+    row: int | None
+    design: int | None
+    type: str
+    screw_diameter_mm: float
+    lead_mm: float
+    starts: int
+    nut_diameter_mm: float
+    nut_length_mm: float
+    passes: bool
+    pareto: bool
+    limited_by: str | None
+    weight_kg: float | None
+    shaft_length_mm: float | None
+    life_basis: str
+    life_revolutions: float | None
+    life_hours: float | None
+    life_km: float | None
+    static_safety: float | None
+    computed: SizedByThreads
+    dynamic_capacity_N: float | None
+    static_capacity_N: float | None
+    buckling_load_N: float | None
+    buckling_safety: float | None
+    critical_speed_rpm: float | None
+    largest_speed_rpm: float | None
+    speed_times_diameter_mm_per_min: float | None
+    stiffness_N_per_um: float | None
+    efficiency: float | None
+    back_driving_efficiency: float | None
+    self_locking: bool | None
+    temperature_degC: PartNumbers | None
+    conductance_W_per_K: ThermalConductances
+    power_lost_W: float | None
+    inertia_kg_mm2: float | None
+    motor_rms_torque_Nm: float | None
+    motor_peak_torque_Nm: float | None
+    motor_largest_speed_rpm: float | None
+    motor_peak_power_W: float | None
+    inertia_ratio: float | None
+    regenerated_mean_W: float | None
+    regenerated_peak_W: float | None
+    holding_torque_Nm: float | None
+    brake_needed: bool
+    relubrication_h: float | None
+    segments: list[SizedSegment]
+    criteria: list[SizeCriterion]
+    warnings: list[str]
+
+
+class Size(Record):
+    """Candidates against a requirement.
+
+    requirement: what no candidate changes
+    counts: of the candidates
+    objective: weight | nut_diameter | life | motor_torque | power_lost
+    nearest: where nothing passes
+    relax: of the candidates that miss one criterion alone, the one that misses it least
+    curve: of one candidate
+    invalid: refused by the rules of `prs new`
+    candidates: by rank
+    """
+
+    __slots__ = ()
+    requirement: SizeRequirement
+    counts: SizeCounts
+    objective: str
+    nearest: NearestMiss | None
+    relax: Relaxation | None
+    curve: SizeCurve | None
+    invalid: list[InvalidCandidate]
+    candidates: list[SizedCandidate]

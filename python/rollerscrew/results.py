@@ -20,6 +20,7 @@ __all__ = [
     "OptimizationResult",
     "PreloadResult",
     "Result",
+    "SizeResult",
     "SlipResult",
     "SolveResult",
     "StudyResult",
@@ -158,6 +159,21 @@ class OptimizationResult(views.OptimizationViews):
     search: Values
     check: Values | None
     comparison: Values | None
+
+
+class SizeResult(views.SizeViews):
+    """Which screw, and which motor: candidates against a requirement, the best first."""
+
+    __slots__ = ()
+    _command = "size"
+    requirement: records.SizeRequirement
+    counts: records.SizeCounts
+    objective: Values
+    nearest: records.NearestMiss | None
+    relax: records.Relaxation | None
+    curve: records.SizeCurve | None
+    invalid: list[records.InvalidCandidate]
+    candidates: list[records.SizedCandidate]
 
 
 class Analyses:

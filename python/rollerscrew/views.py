@@ -36,6 +36,8 @@ from rollerscrew.records import (
     Preload,
     PreloadPoint,
     RollerLives,
+    SizeCriterion,
+    SizedCandidate,
     Slip,
     Threads,
 )
@@ -393,6 +395,39 @@ class MeasuresViews(SolveViews):
     def plot_stiffness_terms(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The springs in series that make up the stiffness, by their part in the compliance."""
         return self.plot_figure("stiffness_terms", ax, **look)
+
+
+class SizeViews(Result):
+    """Which screw, and which motor: candidates against a requirement, the best first."""
+
+    __slots__ = ()
+    _block = "candidates"
+
+    def to_frame(self) -> pd.DataFrame:
+        """Values of every candidate, one row each, by rank; units in the names."""
+        rows = [dict(flat(row)) for row in self["candidates"]]
+        return frame_of(rows, kinds_of(SizedCandidate))
+
+    def criteria_frame(self) -> pd.DataFrame:
+        """Value, limit, margin and status of every criterion of every candidate."""
+        rows = [
+            {"rank": row.rank, "candidate": row.name, **criterion.to_dict()}
+            for row in self["candidates"]
+            for criterion in row.criteria
+        ]
+        return frame_of(rows, {"rank": int, "candidate": str, **kinds_of(SizeCriterion)})
+
+    def plot_map(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Candidates over diameter and lead, in the colour of what limits them."""
+        return self.plot_figure("size_map", ax, **look)
+
+    def plot_curve(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Force over speed of the first candidate, with what limits it."""
+        return self.plot_figure("size_curve", ax, **look)
+
+    def plot_margins(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Margins of the first five candidates."""
+        return self.plot_figure("size_margins", ax, **look)
 
 
 class CompareViews(Result):

@@ -40,6 +40,7 @@ Json document_of(const AnyAnalysis& row, const input::Source& source) {
 void for_each_run(const auto& use) {
   for (const std::filesystem::path& file : all_lessons()) {
     const input::Source source = input::load_source(file.string(), {});
+    if (other_file(source)) continue;
     const input::CaseInput in = input::read_case_input(source, Command::check);
     for (const AnyAnalysis& row : analyses())
       if (row.run && input::missing(in, row.command).empty()) use(row, source);

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+#include <vector>
+
+#include "prs/input/echo.h"
+#include "prs/input/field.h"
+
+/// Files other than a case whose keys are described in the same vocabulary.
+namespace prs::input {
+
+/// Reads a document by the description of its keys, each value on its own.
+void read_described(const Node& root, const Value& description, ErrorList& errors);
+
+/// Its values with defaults in place, each as it was written.
+nlohmann::ordered_json resolved(const Node& root, const Value& description);
+
+/// Every value next to what was written of it.
+std::vector<EchoEntry> echo_of(const Node& root, const Value& description);
+
+/// JSON Schema of such a file, see `schema`.
+nlohmann::ordered_json schema_of(std::string_view title, const Value& description);
+
+// Blocks of a case that other files have with the same keys.
+void alternatives(Choices& io, Mechanism::Type& type);
+void alternatives(Choices& io, MeasureOptions::Ends& ends);
+void alternatives(Choices& io, Direction& direction);
+void alternatives(Choices& io, ModelOptions::Loads& loads);
+void alternatives(Choices& io, Friction& friction);
+void fields(const Fields& io, Lubricant& lubricant);
+void fields(const Fields& io, Carrier& carrier);
+void fields(const Fields& io, Heat& heat);
+void fields(const Fields& io, Life& life);
+void fields(const Fields& io, MeasureOptions& measures);
+void fields(const Fields& io, Limits& limits);
+
+}  // namespace prs::input

@@ -1,0 +1,113 @@
+#include <filesystem>
+
+#include "prs/report/report.h"
+#include "prs/report/svg.h"
+#include "prs/report/tables.h"
+#include "prs/run/commands.h"
+#include "prs/size/size_analysis.h"
+#include "prs/text.h"
+#include "prs/version.h"
+
+namespace prs {
+namespace {
+
+using RequirementJson = nlohmann::ordered_json;
+
+constexpr std::size_t kMostShown = 50;  ///< Candidates that the page shows.
+
+/// The first items of a document, a row each, with a column for each of these keys of their record.
+std::string items_html(const RecordInfo& info, const RequirementJson& items,
+                       std::initializer_list<std::string_view> keys) {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows(std::min(items.size(), kMostShown));
+  for (const std::string_view key : keys) {
+    const QuantityInfo& q = *std::ranges::find(info.quantities, key, &QuantityInfo::key);
+    const ReportUnit unit = report_unit(key, q.unit);
+    head.push_back(html(capitalised(q.title) + (unit.text.empty() ? "" : ", " + unit.text)));
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const auto found = items[k].find(key);
+      rows[k].push_back(found == items[k].end() ? "–"
+                        : key == "reason"       ? html(found->get<std::string>())
+                                                : report_value(*found, unit));
+    }
+  }
+  return plain_table(head, rows, true);
+}
+
+std::string requirement_inputs_html(const SizeResult& r) {
+  std::vector<std::vector<std::string>> rows;
+  for (const input::EchoEntry& f : r.input.fields)
+    rows.push_back({html(f.path), html(f.value), f.is_default ? "default" : "given"});
+  return folded_html("Every input", plain_table({"Input", "Value", ""}, rows));
+}
+
+std::string assumptions_html(const SizeResult& r) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& text : deciding_defaults(r)) rows.push_back({html(text), "decides"});
+  for (const std::string& text : r.candidates.front().warnings) rows.push_back({html(text), ""});
+  for (const std::string& text : sentences(r.warnings)) rows.push_back({html(text), ""});
+  return plain_table({"Default or warning", ""}, rows) +
+         "<p>Left out: preload, side loads, shock, resonance of the drive, price, and the weight "
+         "of the nut.</p>\n";
+}
+
+}  // namespace
+
+ReportParts requirement_parts(const input::Source& source, const ReportOptions& options) {
+  const SizeResult result = size_screws(read_requirement(source));
+  const SizedCandidate& first = result.candidates.front();
+  const std::string stem = std::filesystem::path(source.name).stem().string();
+  const DocumentInfo info = document_info(source, Command::size);
+  const Delivery delivery = size_delivery(result);
+  const RequirementJson document = delivery.document(info);
+  ReportParts parts;
+  parts.title = stem + " · which screw";
+  parts.mark = stem;
+  parts.head = fmt::format(
+      "<p class=\"eyebrow\">Planetary roller screw · sizing</p>\n<h1>{}</h1>\n<p "
+      "class=\"lead\">{}</p>\n",
+      html(stem),
+      result.passing() > 0
+          ? html(fmt::format("{} of {} candidates pass; the first is {}.", result.passing(),
+                             result.candidates.size() + result.invalid.size(), first.name))
+          : html(fmt::format("Nothing passes; the nearest is {}.", first.name)));
+  const auto picture = [&](std::string_view name) {
+    std::string text;
+    for (const Picture& p : delivery.pictures())
+      if (p.name == name)
+        for (const Figure& figure : p.make({}))
+          text += "<figure>" + svg(figure, std::string(name)) + "</figure>\n";
+    return text;
+  };
+  const RecordInfo& asked = *record_in(describe<SizeResult>(), "requirement");
+  parts.sections = {
+      {"requirement", "Requirement",
+       record_table(asked, {{"", &document["requirement"]}}) +
+           items_html(*record_in(asked, "segments"), document["requirement"]["segments"],
+                      {"name", "duration_s", "start_speed_mm_per_s", "end_speed_mm_per_s",
+                       "travel_mm", "axial_force_N"}) +
+           requirement_inputs_html(result)},
+      {"first", "First candidate: " + html(first.name),
+       items_html(describe<SizeCriterion>(), document["candidates"][0]["criteria"],
+                  {"name", "unit", "value", "limit", "margin", "status", "reason"}) +
+           picture("size_curve") +
+           folded_html("Every value", record_table(describe<SizedCandidate>(),
+                                                   {{"", &document["candidates"][0]}}))},
+      {"candidates", "Candidates",
+       picture("size_map") +
+           items_html(describe<SizedCandidate>(), document["candidates"],
+                      {"rank", "name", "passes", "life_hours", "static_safety", "buckling_safety",
+                       "motor_rms_torque_Nm", "weight_kg", "limited_by"}) +
+           picture("size_margins")},
+      {"assumptions", "Assumptions and warnings", assumptions_html(result)}};
+  parts.data["results"]["size"] = document;
+  parts.shown["results"]["size"] = delivery.outline(info);
+  parts.foot = fmt::format(
+      "<p>Made by prs {}{}. SHA-256 of the requirement: <span "
+      "class=\"mono\">{}</span></p>",
+      html(kVersion), options.command.empty() ? "" : ": " + html(options.command),
+      info.input_sha256);
+  return parts;
+}
+
+}  // namespace prs

@@ -1,0 +1,560 @@
+#include "prs/size/requirement.h"
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "prs/configurations/complete_screw.h"
+#include "prs/configurations/screw_case.h"
+#include "prs/input/described_file.h"
+#include "prs/input/force_history.h"
+#include "prs/input/reader.h"
+
+namespace prs {
+
+std::vector<double> DesignValues::values() const {
+  if (!span) return list;
+  std::vector<double> all;
+  if (!span->series) {
+    const int steps = span->steps.value_or(1);
+    for (int k = 0; k < steps; ++k)
+      all.push_back(k + 1 == steps ? span->to
+                                   : span->from + (span->to - span->from) * k / (steps - 1));
+    return all;
+  }
+  constexpr int kR40[] = {100, 106, 112, 118, 125, 132, 140, 150, 160, 170, 180, 190, 200, 212,
+                          224, 236, 250, 265, 280, 300, 315, 335, 355, 375, 400, 425, 450, 475,
+                          500, 530, 560, 600, 630, 670, 710, 750, 800, 850, 900, 950};
+  const int stride = 8 >> static_cast<int>(*span->series);
+  for (int power = -4; power <= 4; ++power)
+    for (int k = 0; k < 40; k += stride) {
+      const double hundredths = kR40[k] * std::pow(10.0, std::max(power, 0));
+      const double value = hundredths / (1e5 * std::pow(10.0, std::max(-power, 0)));
+      if (value >= span->from * (1.0 - 1e-12) && value <= span->to * (1.0 + 1e-12))
+        all.push_back(value);
+    }
+  return all;
+}
+
+namespace input {
+namespace {
+
+/// One value, a list of them, or a range.
+template <class Kind>
+struct OneListOrRange {
+  Kind kind;
+};
+template <class Kind>
+OneListOrRange(Kind) -> OneListOrRange<Kind>;
+
+/// One value or a list of at least one.
+template <class Kind>
+struct OneOrList {
+  Kind kind;
+};
+template <class Kind>
+OneOrList(Kind) -> OneOrList<Kind>;
+template <class T, class Kind>
+Value value_of(std::vector<T>& list, const OneOrList<Kind>& how) {
+  return {OneOr{.form = OneOr::Form::rollers,
+                .one =
+                    [&list, kind = how.kind] {
+                      if (list.empty()) list.resize(1);
+                      return value_of(list.front(), kind);
+                    },
+                .several =
+                    [&list, kind = how.kind] {
+                      return value_of(list, List{kind, 1});
+                    },
+                .others = ", or a list of them",
+                .are_several = list.size() > 1}};
+}
+
+template <class Kind>
+Value value_of(DesignValues& values, const OneListOrRange<Kind>& how) {
+  return {OneOr{
+      .form = OneOr::Form::range,
+      .one = [&values, how] { return value_of(values.list, OneOrList{how.kind}); },
+      .several =
+          [&values, how] {
+            if (!values.span) values.span = DesignValues::Span{};
+            DesignValues::Span& span = *values.span;
+            return Value{map_of([&span, how](const Fields& io) {
+              io("from", span.from, how.kind, required, "First value");
+              io("to", span.to, how.kind, required, "Last value");
+              io("steps", span.steps, Whole{1, kMostSteps}, "Number of values, ends included");
+              io("series", span.series, Choice{},
+                 required_only_if(!span.steps, "in place of `steps`"),
+                 "Preferred numbers of ISO 3, in mm");
+            })};
+          },
+      .others = ", or a range {from, to, steps} or {from, to, series}",
+      .are_several = values.span.has_value()}};
+}
+
+}  // namespace
+
+void alternatives(Choices& io, DesignValues::Series& s) {
+  using enum DesignValues::Series;
+  io("R5", s, R5, "5 per decade");
+  io("R10", s, R10, "10 per decade");
+  io("R20", s, R20, "20 per decade");
+  io("R40", s, R40, "40 per decade");
+}
+
+void alternatives(Choices& io, Requirement::Basis& b) {
+  io("maker", b, Requirement::Basis::maker, "C_a and C_0 of the catalogue, as far as printed");
+  io("threads", b, Requirement::Basis::threads, "the loads of the threads, as `prs life`");
+}
+
+void alternatives(Choices& io, Requirement::BackDriving& b) {
+  io("allowed", b, Requirement::BackDriving::allowed, "no criterion");
+  io("required", b, Requirement::BackDriving::required, "the load must turn the screw");
+  io("forbidden", b, Requirement::BackDriving::forbidden, "the screw must lock itself");
+}
+
+void alternatives(Choices& io, Requirement::Losses& l) {
+  io("slip", l, Requirement::Losses::slip, "by slip, at each load and speed");
+  io("catalogue", l, Requirement::Losses::catalogue, "by the efficiencies of the catalogue");
+}
+
+void alternatives(Choices& io, Requirement::Objective& o) {
+  using enum Requirement::Objective;
+  io("weight", o, weight, "lightest first");
+  io("nut_diameter", o, nut_diameter, "smallest first");
+  io("life", o, life, "longest first");
+  io("motor_torque", o, motor_torque, "least rms torque first");
+  io("power_lost", o, power_lost, "least first");
+}
+
+void fields(const Fields& io, Requirement::Segment& s) {
+  io("name", s.name, Text{"lift"}, "`segment-K` by default, K from 1");
+  io("duration", s.duration, Quantity{unit::duration, positive, "0.2 s"}, required,
+     "Of constant acceleration");
+  io("end_speed", s.end_speed, Quantity{unit::travel_speed}, required, "Signed, at the end");
+  io("force", s.force, Quantity{unit::force}, "External, > 0 against the positive sense");
+}
+
+void fields(const Fields& io, Requirement::ConstantLoad& l) {
+  io("name", l.name, Text{"press"}, "`segment-K` by default, K from 1");
+  io("force", l.force, Quantity{unit::force}, "External, > 0 against the positive sense");
+  io("speed", l.speed, Quantity{unit::travel_speed}, required, "Constant, signed");
+  io("share", l.share,
+     Quantity{unit::share, {.least = 0.0, .greatest = 1.0, .least_excluded = true}, "30 %"},
+     required, "Of the time");
+}
+
+void fields(const Fields& io, Requirement::History& h) {
+  io("file", h.file, Text{"cycle.csv"}, required,
+     "Comma-separated values with a heading, one row per sample; relative to this file");
+  const auto column = [](CsvColumn& c) {
+    return Keys{[&c](const Fields& of) {
+      of("column", c.column, Text{"F"}, "Its name in the heading; by default the key");
+      of("unit", c.unit, Text{"kN"}, required, "Of its numbers");
+    }};
+  };
+  io("time", h.time, column(h.time), required, "Time of the sample");
+  io("speed", h.speed, column(h.speed), required, "Signed, along the axis");
+  io("force", h.force, column(h.force), required, "External, > 0 against the positive sense");
+}
+
+void fields(const Fields& io, Requirement::Motion& m) {
+  io("segments", m.segments, List{Block{}, 1}, "Constant accelerations one after the other");
+  io("history", m.history, Block{}, "Samples from a file, in place of `segments`");
+  io("loads", m.loads, List{Block{}, 1},
+     "Constant speeds and their shares of time, in their place");
+  io("start_speed", m.start_speed, Quantity{unit::travel_speed},
+     optional_only_if(m.segments.has_value(), "with `segments`"), "Before the first segment");
+  io("period", m.period, Quantity{unit::duration, positive},
+     optional_only_if(m.loads.has_value(), "with `loads`"),
+     "Of the cycle; scales numbers per cycle");
+}
+
+void fields(const Fields& io, Requirement::Load& l) {
+  constexpr double kRight = 0.5 * std::numbers::pi;
+  io("moved_mass", l.moved_mass, Quantity{unit::mass, not_negative, "50 kg"}, "Along the axis");
+  io("inclination", l.inclination, Quantity{unit::angle, {.least = -kRight, .greatest = kRight}},
+     "Of the axis; > 0: the positive sense goes up");
+  io("guide_friction", l.guide_friction, Number{not_negative, "0.003"},
+     "Coefficient of the guides under the mass");
+  io("resistance", l.resistance, Quantity{unit::force, not_negative, "20 N"},
+     "Constant, against the motion, as of seals");
+  io("drag_torque", l.drag_torque, Quantity{unit::torque, not_negative},
+     "Constant, against the motion, at the part that turns, as of bearings");
+  io("positive_force", l.positive_force, Choice{},
+     "What a force > 0 is for the screw; compression by default, and then either sense buckles");
+}
+
+void fields(const Fields& io, Requirement::Shaft& s) {
+  io("length", s.length, Quantity{unit::length, positive, "1 m"},
+     "Between the supports; by default stroke, nut and two diameters");
+  io("ends", s.ends, Choice{}, "How the screw is held at both ends of it");
+}
+
+void fields(const Fields& io, Requirement::Life& l) {
+  io("hours", l.hours, Quantity{unit::duration, positive, "20000 h"}, "Least, rests included");
+  io("distance", l.distance, Quantity{unit::distance, positive},
+     "Least travel, in place of `hours`");
+  io("reliability", l.reliability, Quantity{unit::share, Bounds{.least = 0.90, .greatest = 0.99}},
+     "Share of many screws that shall reach the life: a1 of ISO 281");
+  io("modification_factor", l.modification_factor,
+     Number{{.least = 0.0, .greatest = 50.0, .least_excluded = true}, "1.2"}, "a_ISO of ISO 281");
+  io("basis", l.basis, Choice{}, "What life and static safety rest on");
+}
+
+/// The keys of a block of a case but some.
+template <class T>
+void fields_without(const Fields& io, T& block, std::initializer_list<std::string_view> keys) {
+  const Fields::Take take = [&](const Field& field) {
+    if (std::ranges::find(keys, field.key) == keys.end()) io.take(field);
+  };
+  fields(Fields(take), block);
+}
+
+void fields(const Fields& io, Requirement::Limits& l) {
+  fields_without(io, static_cast<Limits&>(l), {"life", "peak_pressure"});
+  io("back_driving", l.back_driving, Choice{}, "Whether the load may turn the screw");
+  io("relubrication", l.relubrication, Quantity{unit::duration, positive, "500 h"},
+     "Least interval");
+}
+
+void fields(const Fields& io, Requirement::Motor& m) {
+  const Quantity torque{unit::torque, positive, "3 N m"};
+  io("rated_torque", m.rated_torque, torque, "Greatest rms torque");
+  io("peak_torque", m.peak_torque, torque, "Greatest torque");
+  io("largest_speed", m.largest_speed, Quantity{unit::rotational_speed, positive, "3000 rpm"},
+     "Of the motor");
+  io("inertia", m.inertia, Quantity{unit::inertia, not_negative}, "At its shaft, with its gear");
+  io("gear_ratio", m.gear_ratio, Number{positive, "1"}, "Turns of the motor per turn of the screw");
+  io("gear_efficiency", m.gear_efficiency,
+     Quantity{unit::share, {.least = 0.0, .greatest = 1.0, .least_excluded = true}}, "Of the gear");
+}
+
+void fields(const Fields& io, Requirement::Conductance& c) {
+  const Quantity conductance{unit::thermal_conductance, not_negative};
+  io("screw_ambient", c.screw_ambient, conductance, "As in a case; by the rule of `prs new`");
+  io("nut_ambient", c.nut_ambient, conductance, "The same");
+  io("rollers_ambient", c.rollers_ambient, conductance, "The same; none by default");
+  io("screw_rollers", c.screw_rollers, conductance, "The same");
+  io("rollers_nut", c.rollers_nut, conductance, "The same");
+}
+
+void fields(const Fields& io, Requirement::Designs& d) {
+  const Quantity length{unit::length, positive, "30 mm"};
+  const Number starts{{.least = 2.0, .greatest = 100.0}, "5"};
+  io("type", d.type, OneOrList{Choice{}}, "standard by default");
+  io("screw_diameter", d.screw_diameter, OneListOrRange{length}, required, "Nominal");
+  io("lead", d.lead, OneListOrRange{Quantity{unit::length, not_zero, "10 mm"}}, required,
+     "< 0 left-handed");
+  io("starts", d.starts, OneListOrRange{starts}, "By the rule of `prs new`");
+}
+
+void fields(const Fields& io, Requirement& r) {
+  io("motion", r.motion, Block{}, required, "One cycle, which is repeated");
+  io("load", r.load, Block{}, "What moves, and what resists");
+  io("stroke", r.stroke, Quantity{unit::length, positive, "650 mm"},
+     "By default the way between the extreme positions of the cycle");
+  io("measures", r.measures, Keys{[&](const Fields& measures) {
+       fields_without(measures, static_cast<MeasureOptions&>(r.measures), {"shaft", "system"});
+       measures("shaft", r.shaft, Block{}, "Of the screw, for buckling and critical speed");
+     }},
+     "As in a case");
+  io("life", r.life, Block{}, "Life that is asked for");
+  io("limits", r.limits, Block{}, "What candidates are held against");
+  io("motor", r.motor, Block{}, "Without a limit there is no criterion");
+  io("brake", r.brake_torque, Keys{[&](const Fields& brake) {
+       brake("torque", *r.brake_torque, Quantity{unit::torque, positive, "4 N m"}, required,
+             "At the motor's shaft");
+     }},
+     "Holds the axis at rest");
+  io("losses", r.losses, Choice{}, "Where efficiencies come from");
+  io("model", r.loads, Keys{[&](const Fields& model) {
+       model("loads", r.loads, Choice{}, "Of the threads, for slip and life");
+     }},
+     "Choices of the model");
+  io("friction", r.friction, ChoiceUnder{"model"}, "As in a case");
+  io("lubricant", r.lubricant, Block{}, "As in a case");
+  const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
+  io("roughness", r.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}}, "As in a case");
+  io("carrier", r.carrier, Block{}, "As in a case");
+  io("heat", r.ambient, Keys{[&](const Fields& heat) {
+       heat("ambient", r.ambient, Quantity{unit::temperature, positive},
+            "Temperature of the surroundings");
+       heat("conductance", r.conductance, Block{}, "Heat flow over temperature");
+     }},
+     "How the parts get rid of the heat of friction");
+  io("relubrication", r.relubrication, Keys{[&](const Fields& rule) {
+       rule("static_load_factor", r.relubrication->static_load_factor, Number{positive, "0.24"},
+            required, "S of the actuator");
+       rule("peak_force", r.relubrication->peak_force, Quantity{unit::force, positive}, required,
+            "Printed, of the actuator");
+     }},
+     "Of the makers' rule for the interval");
+  io("candidates", r.candidates, Keys{[&](const Fields& from) {
+       from("catalogue", r.candidates.catalogue, Keys{[&](const Fields& catalogue) {
+              catalogue("file", *r.candidates.catalogue, Text{"standard_screws.csv"}, required,
+                        "Comma-separated values, a screw per row; relative to this file");
+            }},
+            "Of a maker");
+       from("designs", r.candidates.designs, Block{},
+            "All combinations, by the rules of `prs new`");
+     }},
+     "What is chosen from; by default the catalogue of the program");
+  io("objective", r.objective, Choice{}, "What orders the candidates that pass");
+}
+
+namespace {
+
+Value description(Requirement& r) { return value_of(r, Block{}); }
+
+/// Puts the defaults that depend on what the file has.
+void complete(Requirement& r) {
+  if (!r.friction) r.friction = Friction{Friction::Model::coulomb, kFlankFriction};
+  if (!r.lubricant) {
+    r.lubricant.emplace();
+    const auto all = named_lubricants();
+    const auto found = std::ranges::find(all, CaseLubricant{}.name, &NamedLubricant::name);
+    r.lubricant->name = LubricantName(found - all.begin());
+  }
+  if (!r.lubricant->temperature && !r.lubricant->viscosity)
+    r.lubricant->temperature = CaseLubricant{}.temperature;
+  if (!r.roughness) r.roughness = {0.2e-6, 0.2e-6, 0.2e-6};
+}
+
+/// What values contradict.
+class Checker {
+ public:
+  Checker(const Requirement& r, const Node& root, ErrorList& errors)
+      : r_(r), root_(root), errors_(errors) {}
+
+  void check() {
+    check_motion();
+    if (r_.life.hours && r_.life.distance)
+      refuse("life.distance", "stands next to `hours`; expected one of them; delete one");
+    if (r_.motor.rated_torque && r_.motor.peak_torque &&
+        *r_.motor.peak_torque < *r_.motor.rated_torque)
+      refuse(
+          "motor.peak_torque",
+          "got {:.6g} N m; expected at least `rated_torque`, {:.6g} N m; exchange them, or check "
+          "the units",
+          *r_.motor.peak_torque, *r_.motor.rated_torque);
+    if (r_.limits.temperature && !(*r_.limits.temperature > r_.ambient))
+      refuse("limits.temperature",
+             "got {:.6g} degC; expected more than the surroundings have, heat.ambient: {:.6g} "
+             "degC; raise the limit",
+             *r_.limits.temperature - 273.15, r_.ambient - 273.15);
+    check_candidates();
+  }
+
+  /// What stands in the way of its forces and names.
+  void check(const MotionCycle& cycle) {
+    const Requirement::Motion& m = r_.motion;
+    const std::string_view form = m.segments ? "motion.segments"
+                                  : m.loads  ? "motion.loads"
+                                             : "motion.history";
+    std::set<std::string> names;
+    for (const MotionSegment& s : m.history ? std::vector<MotionSegment>() : cycle.all) {
+      if (s.name == kBackDriving)
+        refuse(form,
+               "got a segment called {}; expected another name: the case that is written has a "
+               "load case of this one; rename it",
+               s.name);
+      if (!names.insert(s.name).second)
+        refuse(form,
+               "got two segments called {}, where one that changes its sense is NAME-a and NAME-b; "
+               "expected different names; rename one",
+               shown(s.name));
+    }
+    if (cycle.largest_force == 0.0)
+      refuse(form,
+             "got no force in the whole cycle; expected one; add `force: 10 kN` to a segment or "
+             "`load: {{moved_mass: 50 kg}}`, for example");
+    if (r_.stroke && !m.loads && *r_.stroke < cycle.way * (1.0 - 1e-9))
+      refuse("stroke",
+             "got {:.7g} mm; expected at least the way between the extreme positions of the cycle, "
+             "{:.7g} mm; lengthen it, or leave it out",
+             1e3 * *r_.stroke, 1e3 * cycle.way);
+  }
+
+ private:
+  template <class... Args>
+  void refuse(std::string_view path, fmt::format_string<Args...> message, Args&&... args) {
+    input::refuse(root_, path, fmt::format(message, std::forward<Args>(args)...), errors_);
+  }
+
+  void check_motion() {
+    const Requirement::Motion& m = r_.motion;
+    std::vector<std::string_view> forms;
+    if (m.segments) forms.emplace_back("segments");
+    if (m.history) forms.emplace_back("history");
+    if (m.loads) forms.emplace_back("loads");
+    if (forms.empty())
+      refuse("motion",
+             "has none of segments, history, loads; expected one of them; add `segments: "
+             "[{{duration: 1 s, end_speed: 100 mm/s, force: 10 kN}}]`, for example");
+    else if (forms.size() > 1)
+      refuse(fmt::format("motion.{}", forms[1]),
+             "stands next to `{}`; expected one of segments, history, loads; delete one of the two",
+             forms[0]);
+    if (!m.loads) return;
+    double sum = 0.0;
+    for (const Requirement::ConstantLoad& l : *m.loads) sum += l.share;
+    if (std::abs(sum - 1.0) > 1e-3)
+      refuse("motion.loads",
+             "got shares with the sum {:.6g} %; expected 100 %, within 0.1 %; fix a share, or add "
+             "the rest at 0 mm/s",
+             100.0 * sum);
+  }
+
+  void check_candidates() {
+    const Requirement::Candidates& c = r_.candidates;
+    if (!c.catalogue && !c.designs && find_path(root_, "candidates"))
+      refuse("candidates",
+             "is empty; expected `catalogue` or `designs`; delete it for the "
+             "catalogue of the program");
+    if (!c.designs) return;
+    const Requirement::Designs& d = *c.designs;
+    const auto check = [&](const char* key, const DesignValues& values) {
+      if (!values.span) return;
+      const DesignValues::Span& s = *values.span;
+      const std::string path = fmt::format("candidates.designs.{}", key);
+      if (s.to < s.from || (s.steps == 1 && s.to != s.from))
+        refuse(path,
+               "got a range whose `to` is not beyond `from`, or one step between different "
+               "ends; expected a rising range; exchange the ends, or write `steps: 2`");
+      else if (values.values().empty())
+        refuse(path,
+               "got a range without a number of its series; expected one between `from` and "
+               "`to`; widen it");
+    };
+    check("screw_diameter", d.screw_diameter);
+    check("lead", d.lead);
+    if (!d.starts) return;
+    check("starts", *d.starts);
+    for (const double n : d.starts->values())
+      if (n != std::round(n))
+        return refuse("candidates.designs.starts",
+                      "got {:g}; expected whole numbers; write for example `[4, 5]`", n);
+  }
+
+  const Requirement& r_;
+  const Node& root_;
+  ErrorList& errors_;
+};
+
+/// Problems of the blocks that a case would have.
+void check_blocks(const Requirement& r, const Node& root, ErrorList& errors) {
+  Case c = complete_screw({.screw_diameter = 30e-3, .lead = 10e-3, .starts = 5}).c;
+  c.load_cases = {
+      {.name = "a", .axial_force = 1e3, .direction = Direction::tension, .position = 0.01}};
+  c.friction = r.friction;
+  c.lubricant = r.lubricant;
+  c.roughness = r.roughness;
+  c.carrier = r.carrier;
+  c.operation = Operation{.speed = 1.0};
+  for (const Problem& p : problems_of(c, Command::slip)) refuse(root, p.path, p.message, errors);
+}
+
+std::vector<MotionSegment> history_segments(const Requirement::History& h, const Source& source) {
+  std::vector<double> t, v, f;
+  std::vector<WantedColumn> columns{{"time", &h.time, &unit::duration, &t},
+                                    {"speed", &h.speed, &unit::travel_speed, &v},
+                                    {"force", &h.force, &unit::force, &f}};
+  read_columns(named_file_text(h.file, kHistoryFile, source), name_in_messages(h.file, source),
+               "motion.history", columns, source);
+  std::vector<MotionSegment> segments;
+  for (std::size_t k = 1; k < t.size(); ++k)
+    if (t[k] > t[k - 1])
+      segments.push_back(
+          {fmt::format("sample-{}", k), t[k] - t[k - 1], v[k - 1], v[k], 0.5 * (f[k - 1] + f[k])});
+  if (segments.empty())
+    fail_at(source, kHistoryFile,
+            "got {}, whose samples all have one time; expected a time that runs; check the column",
+            h.file);
+  return segments;
+}
+
+std::vector<MotionSegment> segments_of(const Requirement::Motion& m, const Source& source) {
+  if (m.history) return history_segments(*m.history, source);
+  std::vector<MotionSegment> segments;
+  const auto named = [&](const std::optional<std::string>& name) {
+    return name.value_or(fmt::format("segment-{}", segments.size() + 1));
+  };
+  double speed = m.start_speed;
+  if (m.segments)
+    for (const Requirement::Segment& s : *m.segments) {
+      segments.push_back({named(s.name), s.duration, speed, s.end_speed, s.force});
+      speed = s.end_speed;
+    }
+  else
+    for (const Requirement::ConstantLoad& l : *m.loads)
+      segments.push_back({named(l.name), l.share * m.period, l.speed, l.speed, l.force});
+  return segments;
+}
+
+struct Read {
+  SizeInput in;
+  Node root;
+};
+
+Read read(const Source& source) {
+  ErrorList errors(source);
+  Read read;
+  read.in.source = source;
+  read.root = read_document(source, errors);
+  if (const Node* mechanism = find(read.root, "mechanism"))
+    errors.fail(mechanism->key_place, "mechanism",
+                "got a case; expected a requirement, with `motion`; run `prs check`, `solve`, "
+                "`slip` or `life` on a case, and see docs/size.md for a requirement");
+  Requirement& r = read.in.values;
+  read_described(read.root, description(r), errors);
+  errors.throw_if_any();
+  Checker checker(r, read.root, errors);
+  checker.check();
+  errors.throw_if_any();
+  complete(r);
+  read.in.fields = echo_of(read.root, description(r));
+  check_blocks(r, read.root, errors);
+  errors.throw_if_any();
+  read.in.cycle = cycle_of(segments_of(r.motion, source), r);
+  checker.check(read.in.cycle);
+  errors.throw_if_any();
+  if (!r.stroke && !r.motion.loads && read.in.cycle.way > 0.0) r.stroke = read.in.cycle.way;
+  if (!read.in.cycle.closed)
+    read.in.warnings.push_back({"motion", "open_cycle",
+                                "the last speed of the cycle is not its first, though the cycle is "
+                                "repeated",
+                                "end it with the speed that it begins with"});
+  return read;
+}
+
+}  // namespace
+}  // namespace input
+
+std::string name(Requirement::Objective objective) {
+  return input::text_of(input::value_of(objective, input::Choice{}));
+}
+
+SizeInput read_requirement(const input::Source& source) { return input::read(source).in; }
+
+std::vector<std::string> requirement_files(const input::Source& source) {
+  const Requirement r = input::read(source).in.values;
+  std::vector<std::string> texts;
+  if (const auto& history = r.motion.history)
+    texts.push_back(input::named_file_text(history->file, kHistoryFile, source));
+  if (const auto& catalogue = r.candidates.catalogue)
+    texts.push_back(input::named_file_text(*catalogue, kCatalogueFile, source));
+  return texts;
+}
+
+nlohmann::ordered_json requirement_schema() {
+  Requirement r;
+  return input::schema_of("Requirement of `prs size`", input::description(r));
+}
+
+nlohmann::ordered_json resolved_requirement(const input::Source& source) {
+  input::Read read = input::read(source);
+  return input::resolved(read.root, input::description(read.in.values));
+}
+
+}  // namespace prs

@@ -1,0 +1,223 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "prs/input/echo.h"
+#include "prs/model/case.h"
+#include "prs/model/limits.h"
+
+namespace prs {
+
+/// Values of a dimension of designs: a list, or those of a range.
+struct DesignValues {
+  enum class Series { R5, R10, R20, R40 };  ///< Preferred numbers of ISO 3.
+  struct Span {
+    double from = 0.0, to = 0.0;
+    std::optional<int> steps;
+    std::optional<Series> series;
+  };
+  std::vector<double> list;
+  std::optional<Span> span;  ///< In place of the list.
+
+  /// All of them, ends included; a series counts in mm.
+  std::vector<double> values() const;
+};
+
+/// What a screw, its motor and its brake shall do, and what may be chosen from. SI units. Members
+/// that are absent once a file is read have no default: there is no such criterion.
+struct Requirement {
+  struct Segment {
+    std::optional<std::string> name;
+    double duration = 0.0;   ///< [s]
+    double end_speed = 0.0;  ///< [m/s]
+    double force = 0.0;      ///< External [N], > 0 against the positive sense.
+  };
+  struct ConstantLoad {
+    std::optional<std::string> name;
+    double force = 0.0;  ///< As of a segment [N].
+    double speed = 0.0;  ///< [m/s]
+    double share = 0.0;  ///< Of the period.
+  };
+  struct History {
+    std::string file;
+    CsvColumn time{"time", ""}, speed{"speed", ""}, force{"force", ""};
+  };
+  struct Motion {
+    double start_speed = 0.0;  ///< [m/s]
+    std::optional<std::vector<Segment>> segments;
+    std::optional<History> history;
+    std::optional<std::vector<ConstantLoad>> loads;
+    double period = 3600.0;  ///< Of the cycle of `loads` [s].
+  };
+  struct Load {
+    double moved_mass = 0.0;   ///< [kg]
+    double inclination = 0.0;  ///< [rad], > 0: the positive sense goes up.
+    double guide_friction = 0.0;
+    double resistance = 0.0;   ///< Against the motion [N].
+    double drag_torque = 0.0;  ///< Against the motion, at the part that turns [N m].
+    std::optional<Direction> positive_force;
+  };
+  struct Measures : MeasureOptions {
+    Measures() {
+      friction_coefficient = 0.01;
+      yield_strength = 700e6;
+    }
+  };
+  struct Shaft {
+    std::optional<double> length;  ///< Between its supports [m].
+    MeasureOptions::Ends ends = MeasureOptions::Ends::fixed_supported;
+  };
+  enum class Basis { maker, threads };
+  struct Life {
+    std::optional<double> hours;     ///< Clock time [s].
+    std::optional<double> distance;  ///< In place of hours [m].
+    double reliability = 0.90;
+    double modification_factor = 1.0;
+    Basis basis = Basis::maker;
+  };
+  enum class BackDriving { allowed, required, forbidden };
+  /// Makers ask for a static safety of 1 to 3, more under shock; catalogues allow half of the
+  /// buckling load, 80 % of the critical speed and n d up to 150,000 mm/min.
+  struct Limits : prs::Limits {
+    Limits() {
+      static_safety = 1.5;
+      buckling_safety = 2.0;
+      critical_speed_share = 0.8;
+      speed_times_diameter = 2.5;
+    }
+    BackDriving back_driving = BackDriving::allowed;
+    std::optional<double> relubrication;  ///< Least interval [s].
+  };
+  struct Motor {
+    std::optional<double> rated_torque, peak_torque;  ///< [N m]
+    std::optional<double> largest_speed;              ///< [rad/s]
+    double inertia = 0.0;                             ///< At its shaft, with its gear [kg m^2].
+    double gear_ratio = 1.0;                          ///< Its turns per turn of the screw.
+    double gear_efficiency = 1.0;
+  };
+  enum class Losses { slip, catalogue };
+  /// Those that are given; the others follow by the rule of `prs new` [W/K].
+  struct Conductance {
+    std::optional<double> screw_ambient, nut_ambient, rollers_ambient, screw_rollers, rollers_nut;
+  };
+  struct Relubrication {
+    double static_load_factor = 0.0;
+    double peak_force = 0.0;  ///< Printed, of the actuator [N].
+  };
+  struct Designs {
+    std::vector<Mechanism::Type> type{Mechanism::Type::standard};
+    DesignValues screw_diameter, lead;
+    std::optional<DesignValues> starts;  ///< By the rule of `prs new` where absent.
+  };
+  struct Candidates {
+    std::optional<std::string> catalogue;  ///< Its file.
+    std::optional<Designs> designs;        ///< Without either: the catalogue of the program.
+  };
+  enum class Objective { weight, nut_diameter, life, motor_torque, power_lost };
+
+  Motion motion;
+  Load load;
+  std::optional<double> stroke;  ///< [m]
+  Measures measures;
+  Shaft shaft;
+  Life life;
+  Limits limits;
+  Motor motor;
+  std::optional<double> brake_torque;  ///< At the motor's shaft [N m].
+  Losses losses = Losses::slip;
+  ModelOptions::Loads loads = ModelOptions::Loads::running;
+  std::optional<Friction> friction;
+  std::optional<Lubricant> lubricant;
+  std::optional<PerPart<double>> roughness;  ///< Rq [m].
+  Carrier carrier;
+  double ambient = 298.15;  ///< [K]
+  Conductance conductance;
+  std::optional<Relubrication> relubrication;
+  Candidates candidates;
+  Objective objective = Objective::weight;
+};
+
+constexpr std::string_view name(Requirement::Basis basis) {
+  return basis == Requirement::Basis::maker ? "maker" : "threads";
+}
+std::string name(Requirement::Objective objective);
+
+/// One constant acceleration, or a class of many samples. SI units.
+struct MotionSegment {
+  std::string name;
+  double duration = 0.0, start_speed = 0.0, end_speed = 0.0, external_force = 0.0;
+  double force = 0.0;        ///< Axial, on the screw, > 0 where it pushes in the positive sense.
+  std::size_t shown_as = 0;  ///< Of those that are shown, where it counts as one of a class.
+  std::optional<double> own_travel = {};  ///< Of a class.
+
+  double acceleration() const { return (end_speed - start_speed) / duration; }
+  double travel() const { return own_travel.value_or(0.5 * (start_speed + end_speed) * duration); }
+  int sense() const { return travel() > 0.0 ? 1 : travel() < 0.0 ? -1 : 0; }
+  double mean_speed() const { return std::abs(travel()) / duration; }
+  double largest_speed() const { return std::max(std::abs(start_speed), std::abs(end_speed)); }
+  double work() const { return std::abs(force * travel()); }
+  DrivenBy driven_by() const { return force * sense() < 0.0 ? DrivenBy::load : DrivenBy::screw; }
+};
+
+/// One cycle of the axis, which no candidate changes. SI units.
+struct MotionCycle {
+  std::vector<MotionSegment> all;    ///< Cut where the speed changes its sign.
+  std::vector<MotionSegment> shown;  ///< The same, or classes of many.
+  bool in_classes = false;
+
+  double duration = 0.0, moving = 0.0;          ///< [s]
+  double travel = 0.0, loaded_travel = 0.0;     ///< Of both senses [m].
+  double way = 0.0;                             ///< Between the extreme positions [m].
+  std::optional<double> mean_load, mean_speed;  ///< None where nothing moves under force.
+  double largest_force = 0.0, largest_speed = 0.0, rms_speed = 0.0;
+  double largest_sign = 1.0;         ///< Sign of the largest force.
+  double holding_force = 0.0;        ///< Largest at rest, else the weight along the axis [N].
+  double largest_compression = 0.0;  ///< That buckles [N].
+  bool closed = true;                ///< Ends with the speed that it began with.
+
+  bool moves() const { return largest_speed > 0.0; }
+  /// Speed of the load case `back-driving` [m/s] and its force [N].
+  double driving_speed() const { return mean_speed.value_or(1e-3); }
+  double driving_force() const { return mean_load.value_or(largest_force); }
+};
+
+/// A requirement as it was read, with its defaults in place.
+struct SizeInput {
+  input::Source source;
+  Requirement values;
+  MotionCycle cycle;
+  std::vector<input::EchoEntry> fields;  ///< Every value.
+  std::vector<Warning> warnings;
+};
+
+/// Where a requirement names its files.
+inline constexpr std::string_view kHistoryFile = "motion.history.file";
+inline constexpr std::string_view kCatalogueFile = "candidates.catalogue.file";
+
+/// The load case that the load drives, of every written case.
+inline constexpr std::string_view kBackDriving = "back-driving";
+
+/// The sense of the axial force F of the cycle as the case has it.
+Direction direction_of(const Requirement& r, double force);
+
+/// Segments cut where the speed changes its sign, with their axial forces on the screw
+///
+///     F = m a + m g sin(theta) + sgn (mu m g |cos(theta)| + f) + F_ext,    at rest sgn = 0
+///
+/// (THK general catalogue, axial loads), and what follows from them: the cubic mean load over
+/// travel, speeds, the holding force. More than 60 are put into classes by senses, 12 steps of
+/// force and 8 of speed.
+MotionCycle cycle_of(std::vector<MotionSegment> segments, const Requirement& r);
+
+/// Reads and checks a requirement. Throws InputError.
+SizeInput read_requirement(const input::Source& source);
+
+/// Texts of the files that a requirement names: history and catalogue.
+std::vector<std::string> requirement_files(const input::Source& source);
+
+/// Every key of a requirement, as `schema` of a case.
+nlohmann::ordered_json requirement_schema();
+/// The requirement with overrides and defaults in place. Throws InputError.
+nlohmann::ordered_json resolved_requirement(const input::Source& source);
+
+}  // namespace prs

@@ -1,0 +1,384 @@
+#include "prs/size/size_analysis.h"
+
+#include "prs/configurations/configurations_files.h"
+#include "prs/loads/heat_record.h"
+#include "prs/record/record_table.h"
+#include "prs/text.h"
+
+namespace prs {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Quantity<MotionSegment> kMotionSegment[] = {
+    {"name", always<&MotionSegment::name>, "as given, else segment-K, sample-K or class-K"},
+    {"duration_s", always<&MotionSegment::duration>, "of it, or of all in its class"},
+    {"start_speed_mm_per_s", of<&MotionSegment::start_speed>, "signed"},
+    {"end_speed_mm_per_s", of<&MotionSegment::end_speed>, "signed"},
+    {"acceleration_m_per_s2", of<&MotionSegment::acceleration>, "signed"},
+    {"travel_mm", of<&MotionSegment::travel>, "signed"},
+    {"axial_force_N", always<&MotionSegment::force>,
+     "on the screw, > 0 where it pushes the mass in the positive sense",
+     "THK general catalogue, axial loads"},
+};
+
+template <>
+Record<MotionSegment> record_of() {
+  return {"MotionSegment", "Constant acceleration under one force.", kMotionSegment};
+}
+
+/// The requirement as far as no candidate changes it.
+using RequirementOf = Within<SizeResult, MotionCycle>;
+
+constexpr Quantity<RequirementOf> kRequirement[] = {
+    {"cycle_s", of<its<&MotionCycle::duration>>, "rests included"},
+    {"moving_s", of<its<&MotionCycle::moving>>, "time in motion, per cycle"},
+    {"travel_mm", of<its<&MotionCycle::travel>>, "per cycle, of both senses"},
+    {"stroke_mm", of<[](const RequirementOf& r) { return r.whole->input.values.stroke; }>,
+     "as given, else the way between the extreme positions"},
+    {"mean_load_N", of<its<&MotionCycle::mean_load>>, "cubic mean over travel"},
+    {"largest_force_N", of<its<&MotionCycle::largest_force>>, "at rest too"},
+    {"largest_speed_mm_per_s", of<its<&MotionCycle::largest_speed>>, "of either sense"},
+    {"rms_speed_mm_per_s", of<its<&MotionCycle::rms_speed>>, "over the cycle with its rests"},
+    {"mean_speed_mm_per_s", of<its<&MotionCycle::mean_speed>>, "travel over the time in motion"},
+    {"segments", always<its<&MotionCycle::shown>>,
+     "of constant acceleration, or classes of many samples"},
+};
+
+template <>
+Record<RequirementOf> record_of() {
+  return {"SizeRequirement", "One cycle of the axis.", kRequirement};
+}
+
+struct SizeCounts {
+  std::size_t passing, failing, invalid;
+};
+
+constexpr Quantity<SizeCounts> kCounts[] = {
+    {"candidates", always<[](const SizeCounts& c) { return c.passing + c.failing + c.invalid; }>,
+     "all rows and combinations"},
+    {"passing", always<&SizeCounts::passing>, "all criteria"},
+    {"failing", always<&SizeCounts::failing>, "some criterion"},
+    {"invalid", always<&SizeCounts::invalid>, "refused by the rules of `prs new`"},
+};
+
+template <>
+Record<SizeCounts> record_of() {
+  return {"SizeCounts", "How many candidates there are.", kCounts};
+}
+
+/// Where a candidate comes from.
+static std::string_view source_name(const CandidateData& c) {
+  return c.is_row ? "catalogue" : "design";
+}
+template <bool of_row>
+static std::optional<std::size_t> number_of(const CandidateData& c) {
+  return c.is_row == of_row ? std::optional(c.number) : std::nullopt;
+}
+
+constexpr Quantity<InvalidCandidate> kInvalid[] = {
+    {"name", always<&InvalidCandidate::name>, "of the row, else diameter x lead in mm"},
+    {"source", always<source_name>, "catalogue | design"},
+    {"row", of<number_of<true>>, "of the catalogue, from 1"},
+    {"design", of<number_of<false>>, "from 1"},
+    {"reason", always<&InvalidCandidate::reason>, "what is wrong"},
+};
+
+template <>
+Record<InvalidCandidate> record_of() {
+  return {"InvalidCandidate", "What cannot be made.", kInvalid};
+}
+
+constexpr Quantity<Heat::Conductance> kConductance[] = {
+    {"screw_ambient", of<&Heat::Conductance::screw_ambient>, "screw to surroundings"},
+    {"nut_ambient", of<&Heat::Conductance::nut_ambient>, "nut to surroundings"},
+    {"rollers_ambient", of<&Heat::Conductance::rollers_ambient>, "all rollers to surroundings"},
+    {"screw_rollers", of<&Heat::Conductance::screw_rollers>, "screw to all rollers"},
+    {"rollers_nut", of<&Heat::Conductance::rollers_nut>, "all rollers to nut"},
+};
+
+template <>
+Record<Heat::Conductance> record_of() {
+  return {"ThermalConductances", "Of the network of the parts.", kConductance};
+}
+
+template <auto get>
+constexpr auto life_of = of<[](const auto& c) { return std::invoke(get, c.life); }>;
+
+constexpr Quantity<SizedCandidate::ByThreads> kByThreads[] = {
+    {"life_revolutions", life_of<&SizedLife::revolutions>, "rated, of all travel", source::kLife},
+    {"life_hours", life_of<&SizedLife::hours>, "clock time, rests included"},
+    {"life_km", life_of<&SizedLife::travel>, "of all travel"},
+    {"static_safety", of<&SizedCandidate::ByThreads::static_safety>,
+     "as `prs life`: pressure, deformation or a flank's edge"},
+    {"dynamic_capacity_N", of<&SizedCandidate::ByThreads::capacity>, "Lemor's C_a"},
+};
+
+template <>
+Record<SizedCandidate::ByThreads> record_of() {
+  return {"SizedByThreads", "Life and safety by the loads of the threads.", kByThreads};
+}
+
+constexpr Quantity<SizedSegment> kSegment[] = {
+    {"name", always<[](const SizedSegment& s) { return std::string(s.name); }>, "of the motion"},
+    {"efficiency", of<&SizedSegment::efficiency>, "of what drives"},
+    {"driven_by", of<&SizedSegment::driven_by>, "screw | load"},
+    {"power_loss_W", of<&SizedSegment::power_loss>, "at the mean speed of the segment"},
+    {"torque_Nm", of<&SizedSegment::torque>, "at the part that turns, in the sense of the motion"},
+    {"motor_torque_Nm", of<&SizedSegment::motor_torque>, "with drag, inertia and gear"},
+};
+
+template <>
+Record<SizedSegment> record_of() {
+  return {"SizedSegment", "A segment of the motion on a candidate.", kSegment};
+}
+
+constexpr Quantity<SizeCriterion> kCriterion[] = {
+    {"name", always<&SizeCriterion::name>, "what is held against a limit"},
+    {"unit", always<&SizeCriterion::unit>, "of value and limit"},
+    {"value", of<&SizeCriterion::value>, "of the candidate"},
+    {"limit", of<&SizeCriterion::limit>, "of the requirement"},
+    {"margin", of<&SizeCriterion::margin>, "value over limit or limit over value: 1 just passes"},
+    {"status", always<&SizeCriterion::status>, "pass | fail | not_computed | not_applicable"},
+    {"reason", filled<&SizeCriterion::reason>, "what the value rests on, or why there is none"},
+};
+
+template <>
+Record<SizeCriterion> record_of() {
+  return {"SizeCriterion", "A value against its limit.", kCriterion};
+}
+
+constexpr Quantity<SizedCandidate> kCandidate[] = {
+    {"rank", always<&SizedCandidate::rank>, "from 1, over all"},
+    {"name", always<&SizedCandidate::name>, "of the row, else diameter x lead in mm"},
+    {"source", always<source_name>, "catalogue | design"},
+    {"row", of<number_of<true>>, "of the catalogue, from 1"},
+    {"design", of<number_of<false>>, "from 1"},
+    {"type", always<[](const SizedCandidate& c) { return type_name(c.screw.type); }>,
+     "standard | inverted"},
+    {"screw_diameter_mm", of<[](const SizedCandidate& c) { return c.screw.screw_diameter; }>,
+     "nominal"},
+    {"lead_mm", of<[](const SizedCandidate& c) { return c.screw.lead; }>, "< 0 left-handed"},
+    {"starts", always<&SizedCandidate::starts>, "of screw and nut"},
+    {"nut_diameter_mm", of<&SizedCandidate::nut_diameter>, "outer"},
+    {"nut_length_mm", of<&SizedCandidate::nut_length>, "of the whole nut"},
+    {"passes", always<&SizedCandidate::passes>, "all criteria"},
+    {"pareto", always<&SizedCandidate::pareto>,
+     "no other that passes is as good in weight, nut diameter, life, torque and power lost, and "
+     "better in one"},
+    {"limited_by", filled<&SizedCandidate::limited_by>, "the criterion of the least margin"},
+    {"weight_kg", of<&SizedCandidate::weight>, "nut, rollers, screw over the shaft's length"},
+    {"shaft_length_mm", of<&SizedCandidate::shaft_length>, "between the supports"},
+    {"life_basis", always<&SizedCandidate::life_basis>, "maker | threads"},
+    {"life_revolutions", life_of<&SizedLife::revolutions>, "rated, of all travel", source::kLife},
+    {"life_hours", life_of<&SizedLife::hours>, "clock time, rests included"},
+    {"life_km", life_of<&SizedLife::travel>, "of all travel"},
+    {"static_safety", of<&SizedCandidate::static_safety>, "maker's C_0, or by threads"},
+    {"computed", of<&SizedCandidate::by_threads>, "the same by the loads of the threads"},
+    {"dynamic_capacity_N", of<&SizedCandidate::dynamic_capacity>, "of the row"},
+    {"static_capacity_N", of<&SizedCandidate::static_capacity>, "of the row"},
+    {"buckling_load_N", of<&SizedCandidate::buckling_load>, "of the shaft, as `prs measures`"},
+    {"buckling_safety", of<&SizedCandidate::buckling_safety>, "against the largest compression"},
+    {"critical_speed_rpm", of<&SizedCandidate::critical_speed>, "of a screw that turns"},
+    {"largest_speed_rpm", of<&SizedCandidate::largest_speed>, "of screw against nut"},
+    {"speed_times_diameter_mm_per_min", of<&SizedCandidate::speed_times_diameter>,
+     "d the nominal diameter"},
+    {"stiffness_N_per_um", of<&SizedCandidate::stiffness>,
+     "of the load case with the largest force, in series with the shaft"},
+    {"efficiency", of<&SizedCandidate::efficiency>, "of the cycle, where the screw drives"},
+    {"back_driving_efficiency", of<&SizedCandidate::back_driving_efficiency>,
+     "absent where the screw locks itself"},
+    {"self_locking", of<&SizedCandidate::self_locking>, "by slip"},
+    {"temperature_degC", of<[](const SizedCandidate& c) {
+       return c.temperature ? std::optional(celsius_of(*c.temperature)) : std::nullopt;
+     }>,
+     "mean of the cycle"},
+    {"conductance_W_per_K", of<&SizedCandidate::conductance>, "between parts and surroundings"},
+    {"power_lost_W", of<&SizedCandidate::power_lost>, "mean of the cycle"},
+    {"inertia_kg_mm2", of<&SizedCandidate::inertia>, "at the part that turns"},
+    {"motor_rms_torque_Nm", of<&SizedCandidate::motor_rms_torque>, "over the cycle"},
+    {"motor_peak_torque_Nm", of<&SizedCandidate::motor_peak_torque>, "largest of the cycle"},
+    {"motor_largest_speed_rpm", of<&SizedCandidate::motor_largest_speed>, "with the gear"},
+    {"motor_peak_power_W", of<&SizedCandidate::motor_peak_power>, "largest of the cycle"},
+    {"inertia_ratio", of<&SizedCandidate::inertia_ratio>,
+     "screw and mass over the motor's, at its shaft"},
+    {"regenerated_mean_W", of<&SizedCandidate::regenerated_mean>, "over the cycle"},
+    {"regenerated_peak_W", of<&SizedCandidate::regenerated_peak>, "largest of the cycle"},
+    {"holding_torque_Nm", of<&SizedCandidate::holding_torque>, "at the motor, without friction"},
+    {"brake_needed", always<&SizedCandidate::brake_needed>, "a force at rest turns the screw"},
+    {"relubrication_h", of<&SizedCandidate::relubrication>, "interval by the makers' rule",
+     "Rockwell MPAI-IN001F pp. 45 to 47; Tolomatic IMA-S guide pp. 34 to 35"},
+    {"segments", always<&SizedCandidate::segments>, "of the motion"},
+    {"criteria", always<&SizedCandidate::criteria>, "values against limits"},
+    {"warnings", always<&SizedCandidate::warnings>, "on this candidate"},
+};
+
+template <>
+Record<SizedCandidate> record_of() {
+  return {"SizedCandidate", "A screw against the requirement.", kCandidate};
+}
+
+struct NearestMiss {
+  int rank = 1;
+  std::vector<std::string> criteria;
+};
+
+constexpr Quantity<NearestMiss> kNearest[] = {
+    {"rank", always<&NearestMiss::rank>, "1"},
+    {"criteria", always<&NearestMiss::criteria>, "that it misses"},
+};
+
+template <>
+Record<NearestMiss> record_of() {
+  return {"NearestMiss", "The first candidate where nothing passes.", kNearest};
+}
+
+constexpr Quantity<Relaxation> kRelaxation[] = {
+    {"criterion", always<&Relaxation::criterion>, "that is missed"},
+    {"rank", always<&Relaxation::rank>, "of the candidate"},
+    {"limit", of<&Relaxation::limit>, "as it is, in the unit of the criterion"},
+    {"needed", of<&Relaxation::needed>, "with which this candidate passes"},
+    {"margin", of<&Relaxation::margin>, "as it is"},
+};
+
+template <>
+Record<Relaxation> record_of() {
+  return {"Relaxation", "What a limit would have to be.", kRelaxation};
+}
+
+constexpr Quantity<SizeCurve> kCurve[] = {
+    {"rank", always<&SizeCurve::rank>, "of the candidate"},
+    {"speed_mm_per_s", of<&SizeCurve::speed>, "constant, in one sense"},
+    {"efficiency", of<&SizeCurve::efficiency>, "under the mean load"},
+    {"force_N", of<&SizeCurve::force>,
+     "that the candidate carries on and on; envelope: the least of all but motor_peak"},
+};
+
+template <>
+Record<SizeCurve> record_of() {
+  return {"SizeCurve", "Force over speed.", kCurve};
+}
+
+constexpr Quantity<SizeResult> kResult[] = {
+    {"requirement", always<[](const SizeResult& r) {
+       return RequirementOf{&r, &r.input.cycle};
+     }>,
+     "what no candidate changes"},
+    {"counts", always<[](const SizeResult& r) {
+       return SizeCounts{r.passing(), r.candidates.size() - r.passing(), r.invalid.size()};
+     }>,
+     "of the candidates"},
+    {"objective", always<[](const SizeResult& r) { return name(r.input.values.objective); }>,
+     "weight | nut_diameter | life | motor_torque | power_lost"},
+    {"nearest",
+     of<[](const SizeResult& r) {
+       return NearestMiss{1, r.candidates[0].missed()};
+     },
+        [](const SizeResult& r) { return r.passing() == 0; }>,
+     "where nothing passes"},
+    {"relax", of<&SizeResult::relax>,
+     "of the candidates that miss one criterion alone, the one that misses it least"},
+    {"curve", of<&SizeResult::curve>, "of one candidate"},
+    {"invalid", always<&SizeResult::invalid>, "refused by the rules of `prs new`"},
+    {"candidates", always<&SizeResult::candidates>, "by rank"},
+};
+
+template <>
+Record<SizeResult> record_of() {
+  return {"Size", "Candidates against a requirement.", kResult};
+}
+
+namespace {
+
+/// The document without its candidates.
+Json outline_of(const SizeResult& result, const DocumentInfo& info) {
+  Json document = document_head(info, result.warnings);
+  for (const Quantity<SizeResult>& q : record_of<SizeResult>().quantities)
+    if (q.key == "candidates")
+      document[q.key] = Json::array();
+    else
+      put_quantities<SizeResult>(document, std::span(&q, 1), result);
+  return document;
+}
+
+/// What a requirement says, and how many screws it chooses from.
+Delivery checked(const input::Source& source) {
+  const auto in = std::make_shared<const SizeInput>(read_requirement(source));
+  auto warnings = in->warnings;
+  const std::size_t count = candidates_of(*in, warnings).size();
+  Delivery d{"check.json"};
+  d.document = [in, warnings, count](const DocumentInfo& info) {
+    Json document = document_head(info, warnings);
+    document["commands"] = {{"size", {{"ready", true}, {"missing", Json::array()}}}};
+    document["candidates"] = count;
+    for (const input::EchoEntry& f : in->fields)
+      document["input"].push_back(
+          {{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
+    return document;
+  };
+  const auto table = [in, warnings, count](bool all) {
+    std::string text =
+        fmt::format("A requirement, ready for `prs size`: {} candidates\n\nInput\n", count);
+    for (const input::EchoEntry& f : in->fields)
+      if (all || !f.is_default)
+        text += fmt::format("  {:<42} {}   ({})\n", f.path, f.value,
+                            f.is_default ? "default" : "given");
+    if (!all) text += "  defaults: with --all\n";
+    return text;
+  };
+  d.table = [table] { return table(false); };
+  d.full_table = [table] { return table(true); };
+  d.warnings = [warnings] { return warnings; };
+  d.notes = as_notes(warnings);
+  return d;
+}
+
+}  // namespace
+
+Delivery size_delivery(SizeResult computed, std::size_t rows) {
+  const auto result = std::make_shared<const SizeResult>(std::move(computed));
+  Delivery d{"size.json"};
+  d.held = result;
+  d.result_type = &typeid(SizeResult);
+  d.outline = [result](const DocumentInfo& info) { return outline_of(*result, info); };
+  d.document = [result](const DocumentInfo& info) {
+    Json document = outline_of(*result, info);
+    for (const SizedCandidate& c : result->candidates)
+      document["candidates"].push_back(object_of(c));
+    return document;
+  };
+  d.write = [result](const Json& outline, const TextSink& sink) {
+    const auto item = [&](std::size_t k) {
+      return k < result->candidates.size() ? std::optional(object_of(result->candidates[k]))
+                                           : std::nullopt;
+    };
+    write_with_list(outline, "candidates", item, sink);
+  };
+  d.table = [result, rows] { return size_table(*result, rows); };
+  d.full_table = [result] { return size_table(*result, result->candidates.size()); };
+  d.warnings = [result] { return result->warnings; };
+  d.notes = as_notes(result->warnings);
+  d.files = [result](const CsvStyle& style) { return size_files(*result, style); };
+  d.pictures = [result] { return size_pictures(*result); };
+  return d;
+}
+
+const OtherFile& size_file() {
+  static const OtherFile file{
+      .command = Command::size,
+      .help = "Which screw, and which motor: candidates against a requirement",
+      .name = "requirement",
+      .key = "motion",
+      .run =
+          [](const input::Source& source) {
+            return size_delivery(size_screws(read_requirement(source)));
+          },
+      .check = checked,
+      .schema = requirement_schema,
+      .resolved_input = resolved_requirement,
+      .files = requirement_files,
+      .record = describe<SizeResult>,
+      .result_class = "SizeResult"};
+  return file;
+}
+
+}  // namespace prs

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "prs/record/analysis.h"
+#include "prs/size/size.h"
+
+namespace prs {
+
+/// `prs size` and the requirements that it reads.
+const OtherFile& size_file();
+
+/// A result in all its forms; tables show the first `rows` candidates.
+Delivery size_delivery(SizeResult result, std::size_t rows = 10);
+
+std::string size_table(const SizeResult& result, std::size_t rows);
+std::vector<OutputFile> size_files(const SizeResult& result, const CsvStyle& style);
+Pictures size_pictures(const SizeResult& result);
+
+/// Defaults on which the verdicts rest: `limits.static_safety 1.5`.
+std::vector<std::string> deciding_defaults(const SizeResult& result);
+
+template <>
+Record<SizedCandidate> record_of();
+template <>
+Record<SizedCandidate::ByThreads> record_of();
+template <>
+Record<SizeCriterion> record_of();
+template <>
+Record<SizedSegment> record_of();
+template <>
+Record<SizeResult> record_of();
+
+}  // namespace prs
