@@ -5,6 +5,5 @@
 namespace prs {
 
 /// Documents keep the order of their keys.
-using Json = nlohmann::ordered_json;
 
 }  // namespace prs

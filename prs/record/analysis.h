@@ -96,8 +96,8 @@ struct OtherFile {
   /// Computes what the command shows without options of its own. Throws InputError, as the others.
   Delivery (*run)(const input::Source&) = nullptr;
   Delivery (*check)(const input::Source&) = nullptr;  ///< What `prs check` says of it.
-  nlohmann::ordered_json (*schema)() = nullptr;
-  nlohmann::ordered_json (*resolved_input)(const input::Source&) = nullptr;
+  Json (*schema)() = nullptr;
+  Json (*resolved_input)(const input::Source&) = nullptr;
   std::vector<std::string> (*files)(const input::Source&) = nullptr;  ///< Texts of those it names.
   const RecordInfo& (*record)() = nullptr;  ///< The document of the command, behind its head.
   std::string_view result_class = {};       ///< In Python.

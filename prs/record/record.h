@@ -18,6 +18,8 @@
 
 namespace prs {
 
+using Json = nlohmann::ordered_json;
+
 /// A unit of results: how the keys of documents end in it, how people write it, and shown = SI *
 /// factor.
 struct ShownUnit {

@@ -11,7 +11,7 @@
 namespace prs {
 namespace {
 
-using RequirementJson = nlohmann::ordered_json;
+using RequirementJson = Json;
 
 constexpr std::size_t kMostShown = 50;  ///< Candidates that the page shows.
 

@@ -7,8 +7,6 @@
 
 namespace prs {
 
-using Json = nlohmann::ordered_json;
-
 constexpr Quantity<MotionSegment> kMotionSegment[] = {
     {"name", always<&MotionSegment::name>, "as given, else segment-K, sample-K or class-K"},
     {"duration_s", always<&MotionSegment::duration>, "of it, or of all in its class"},
@@ -21,8 +19,7 @@ constexpr Quantity<MotionSegment> kMotionSegment[] = {
      "THK general catalogue, axial loads"},
 };
 
-template <>
-Record<MotionSegment> record_of() {
+Record<MotionSegment> record_of(Type<MotionSegment>) {
   return {"MotionSegment", "Constant acceleration under one force.", kMotionSegment};
 }
 
@@ -44,8 +41,7 @@ constexpr Quantity<RequirementOf> kRequirement[] = {
      "of constant acceleration, or classes of many samples"},
 };
 
-template <>
-Record<RequirementOf> record_of() {
+Record<RequirementOf> record_of(Type<RequirementOf>) {
   return {"SizeRequirement", "One cycle of the axis.", kRequirement};
 }
 
@@ -61,8 +57,7 @@ constexpr Quantity<SizeCounts> kCounts[] = {
     {"invalid", always<&SizeCounts::invalid>, "refused by the rules of `prs new`"},
 };
 
-template <>
-Record<SizeCounts> record_of() {
+Record<SizeCounts> record_of(Type<SizeCounts>) {
   return {"SizeCounts", "How many candidates there are.", kCounts};
 }
 
@@ -83,8 +78,7 @@ constexpr Quantity<InvalidCandidate> kInvalid[] = {
     {"reason", always<&InvalidCandidate::reason>, "what is wrong"},
 };
 
-template <>
-Record<InvalidCandidate> record_of() {
+Record<InvalidCandidate> record_of(Type<InvalidCandidate>) {
   return {"InvalidCandidate", "What cannot be made.", kInvalid};
 }
 
@@ -96,8 +90,7 @@ constexpr Quantity<Heat::Conductance> kConductance[] = {
     {"rollers_nut", of<&Heat::Conductance::rollers_nut>, "all rollers to nut"},
 };
 
-template <>
-Record<Heat::Conductance> record_of() {
+Record<Heat::Conductance> record_of(Type<Heat::Conductance>) {
   return {"ThermalConductances", "Of the network of the parts.", kConductance};
 }
 
@@ -113,8 +106,7 @@ constexpr Quantity<SizedCandidate::ByThreads> kByThreads[] = {
     {"dynamic_capacity_N", of<&SizedCandidate::ByThreads::capacity>, "Lemor's C_a"},
 };
 
-template <>
-Record<SizedCandidate::ByThreads> record_of() {
+Record<SizedCandidate::ByThreads> record_of(Type<SizedCandidate::ByThreads>) {
   return {"SizedByThreads", "Life and safety by the loads of the threads.", kByThreads};
 }
 
@@ -127,8 +119,7 @@ constexpr Quantity<SizedSegment> kSegment[] = {
     {"motor_torque_Nm", of<&SizedSegment::motor_torque>, "with drag, inertia and gear"},
 };
 
-template <>
-Record<SizedSegment> record_of() {
+Record<SizedSegment> record_of(Type<SizedSegment>) {
   return {"SizedSegment", "A segment of the motion on a candidate.", kSegment};
 }
 
@@ -142,8 +133,7 @@ constexpr Quantity<SizeCriterion> kCriterion[] = {
     {"reason", filled<&SizeCriterion::reason>, "what the value rests on, or why there is none"},
 };
 
-template <>
-Record<SizeCriterion> record_of() {
+Record<SizeCriterion> record_of(Type<SizeCriterion>) {
   return {"SizeCriterion", "A value against its limit.", kCriterion};
 }
 
@@ -212,8 +202,7 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"warnings", always<&SizedCandidate::warnings>, "on this candidate"},
 };
 
-template <>
-Record<SizedCandidate> record_of() {
+Record<SizedCandidate> record_of(Type<SizedCandidate>) {
   return {"SizedCandidate", "A screw against the requirement.", kCandidate};
 }
 
@@ -227,8 +216,7 @@ constexpr Quantity<NearestMiss> kNearest[] = {
     {"criteria", always<&NearestMiss::criteria>, "that it misses"},
 };
 
-template <>
-Record<NearestMiss> record_of() {
+Record<NearestMiss> record_of(Type<NearestMiss>) {
   return {"NearestMiss", "The first candidate where nothing passes.", kNearest};
 }
 
@@ -240,8 +228,7 @@ constexpr Quantity<Relaxation> kRelaxation[] = {
     {"margin", of<&Relaxation::margin>, "as it is"},
 };
 
-template <>
-Record<Relaxation> record_of() {
+Record<Relaxation> record_of(Type<Relaxation>) {
   return {"Relaxation", "What a limit would have to be.", kRelaxation};
 }
 
@@ -253,10 +240,7 @@ constexpr Quantity<SizeCurve> kCurve[] = {
      "that the candidate carries on and on; envelope: the least of all but motor_peak"},
 };
 
-template <>
-Record<SizeCurve> record_of() {
-  return {"SizeCurve", "Force over speed.", kCurve};
-}
+Record<SizeCurve> record_of(Type<SizeCurve>) { return {"SizeCurve", "Force over speed.", kCurve}; }
 
 constexpr Quantity<SizeResult> kResult[] = {
     {"requirement", always<[](const SizeResult& r) {
@@ -282,8 +266,7 @@ constexpr Quantity<SizeResult> kResult[] = {
     {"candidates", always<&SizeResult::candidates>, "by rank"},
 };
 
-template <>
-Record<SizeResult> record_of() {
+Record<SizeResult> record_of(Type<SizeResult>) {
   return {"Size", "Candidates against a requirement.", kResult};
 }
 

@@ -18,15 +18,10 @@ Pictures size_pictures(const SizeResult& result);
 /// Defaults on which the verdicts rest: `limits.static_safety 1.5`.
 std::vector<std::string> deciding_defaults(const SizeResult& result);
 
-template <>
-Record<SizedCandidate> record_of();
-template <>
-Record<SizedCandidate::ByThreads> record_of();
-template <>
-Record<SizeCriterion> record_of();
-template <>
-Record<SizedSegment> record_of();
-template <>
-Record<SizeResult> record_of();
+Record<SizedCandidate> record_of(Type<SizedCandidate>);
+Record<SizedCandidate::ByThreads> record_of(Type<SizedCandidate::ByThreads>);
+Record<SizeCriterion> record_of(Type<SizeCriterion>);
+Record<SizedSegment> record_of(Type<SizedSegment>);
+Record<SizeResult> record_of(Type<SizeResult>);
 
 }  // namespace prs
