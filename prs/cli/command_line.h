@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/json.h"
+#include "prs/json_type.h"
 
 namespace CLI {
 class App;

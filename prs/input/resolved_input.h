@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prs/input/source.h"
-#include "prs/json.h"
+#include "prs/json_type.h"
 
 namespace prs::input {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/json.h"
+#include "prs/json_type.h"
 #include "prs/record/pictures.h"
 
 namespace prs {

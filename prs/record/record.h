@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "prs/json.h"
+#include "prs/json_type.h"
 
 /// The table of results. A result type has one list of quantities, `record_of<Type>()`; documents,
 /// CSV, tables, responses of studies, titles, Python's records and docs/reference are read off it.

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "prs/json.h"
+#include "prs/json_type.h"
 
 /// Parts of JSON Schemas, draft 2020-12.
 namespace prs::schema_parts {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "prs/json.h"
+#include "prs/json_type.h"
 
 namespace prs {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prs/input/source.h"
-#include "prs/json.h"
+#include "prs/json_type.h"
 
 /// What there is to choose from, as `prs list` shows it.
 namespace prs {

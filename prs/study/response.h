@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/json.h"
+#include "prs/json_type.h"
 #include "prs/life/analyze_life.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/measures/measures.h"
