@@ -13,9 +13,9 @@
 #include "bench/function_kernel.h"
 #include "bench/multiply_add_kernel.h"
 #include "fe/chain.h"
-#include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/chain_solver.h"
+#include "prs/sector/chain/design_solvers.h"
 #include "support/allocations.h"
 #include "support/sectors.h"
 

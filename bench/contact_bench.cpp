@@ -5,7 +5,6 @@
 
 #include "contact/hertz.h"
 #include "contact/mechanism_geometry.h"
-#include "contact/subsurface.h"
 
 namespace {
 

@@ -8,11 +8,9 @@
 #include <random>
 
 #include "fe/cholesky.h"
-#include "fe/sparse_factorization.h"
+#include "prs/mechanism/full_distribution.h"
 #include "prs/mechanism/full_influence.h"
-#include "prs/mechanism/full_structure.h"
-#include "prs/mechanism/orbit.h"
-#include "prs/mechanism/rigid_motions.h"
+#include "prs/mechanism/full_model.h"
 #include "support/sectors.h"
 
 namespace {

@@ -1,7 +1,6 @@
 #include <benchmark/benchmark.h>
 
 #include "prs/heat/analyze_heat.h"
-#include "prs/heat/duty_cycle.h"
 #include "prs/input/reader.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"

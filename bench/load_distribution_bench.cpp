@@ -6,8 +6,7 @@
 
 #include "fe/cholesky.h"
 #include "fe/newton.h"
-#include "fe/sparse_factorization.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 #include "support/sectors.h"
 
 namespace {

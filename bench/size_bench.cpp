@@ -9,7 +9,7 @@
 #include "prs/input/study_reader.h"
 #include "prs/size/size.h"
 #include "prs/study/design_engine.h"
-#include "prs/study/schedule.h"
+#include "prs/study/study_run.h"
 
 namespace {
 

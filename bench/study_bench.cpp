@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "prs/input/optimize_reader.h"
-#include "prs/run/optimization.h"
+#include "prs/input/study_reader.h"
+#include "prs/run/study.h"
 #include "prs/study/design_engine.h"
-#include "prs/study/schedule.h"
 #include "prs/study/study_files.h"
 #include "prs/study/study_result.h"
 #include "prs/study/study_run.h"

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "contact/interface_geometry.h"
+#include "contact/contact_point.h"
 
 /// Contact point, curvatures and directions of a pair of flanks: one set of formulas for numbers
 /// and for batches, one design per lane. What a status has no meaning for is any number.

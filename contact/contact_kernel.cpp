@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simd/transposed.h"
+#include "simd/lanes.h"
 
 namespace contact {
 

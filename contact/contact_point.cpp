@@ -51,4 +51,81 @@ ContactPoint on_other_faces(const ContactPoint& point) {
   return m;
 }
 
+namespace {
+
+/// The contact point as one of the two flanks sees it.
+struct FlankSpot {
+  const ThreadSurface* surface;
+  bool of_roller;
+  double radius;             ///< From the axis of its part [m].
+  Vector2<double> outwards;  ///< Unit vector.
+};
+
+std::array<FlankSpot, 2> spots_on_flanks(const ThreadPair& pair, const InterfaceGeometry& g) {
+  const auto spot = [&](const ThreadSurface& surface, bool of_roller, double axis) {
+    const Vector2<double> at{g.point.position.x - axis, g.point.position.y};
+    const double radius = at.norm();
+    return FlankSpot{&surface, of_roller, radius, {at.x / radius, at.y / radius}};
+  };
+  return {spot(pair.body, false, 0.0), spot(pair.roller, true, pair.centre_distance)};
+}
+
+/// Largest radial distance of the ellipse's points from its centre, in the tangent plane [m].
+double radial_reach(const InterfaceGeometry& g, const FlankSpot& spot, double semi_major,
+                    double semi_minor) {
+  const auto along = [&](const Vector3<double>& axis) {
+    return axis.x * spot.outwards.x + axis.y * spot.outwards.y;
+  };
+  return std::hypot(semi_major * along(g.major_axis), semi_minor * along(g.minor_axis));
+}
+
+}  // namespace
+
+InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face) {
+  const ContactPoint point = find_contact_point(pair, face);
+  if (!point.ok()) return {.point = point};
+  return interface_at<double>(
+      {pair.body, pair.roller, pair.centre_distance, static_cast<double>(face)}, point);
+}
+
+FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,
+                                      double semi_major, double semi_minor) {
+  FlankViolations violations;
+  for (const FlankSpot& spot : spots_on_flanks(pair, interface)) {
+    const double reach = radial_reach(interface, spot, semi_major, semi_minor);
+    violations.add(*spot.surface, spot.of_roller, spot.radius - reach, spot.radius + reach);
+  }
+  return violations;
+}
+
+FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& interface,
+                             double semi_major, double semi_minor) {
+  FlankEdge nearest{.scale = std::numeric_limits<double>::infinity()};
+  for (const FlankSpot& spot : spots_on_flanks(pair, interface)) {
+    const double reach = radial_reach(interface, spot, semi_major, semi_minor);
+    const bool internal = spot.surface->side < 0.0;
+    const double inwards = (spot.radius - spot.surface->smallest_radius) / reach;
+    const double outwards = (spot.surface->largest_radius - spot.radius) / reach;
+    if (inwards < nearest.scale)
+      nearest = {spot.of_roller, internal ? FlankEnd::crest : FlankEnd::root, inwards};
+    if (outwards < nearest.scale)
+      nearest = {spot.of_roller, internal ? FlankEnd::root : FlankEnd::crest, outwards};
+  }
+  return nearest;
+}
+
+InterfaceGeometry on_other_faces(const InterfaceGeometry& interface) {
+  // A half turn about x, (x, y, z) -> (x, -y, -z), then all tangents reversed, so that the one of
+  // the helix points to growing theta again. Angles about the normal stay.
+  const auto turned = [](const Vector3<double>& tangent) {
+    return Vector3<double>{-tangent.x, tangent.y, tangent.z};
+  };
+  InterfaceGeometry other = interface;
+  other.point = on_other_faces(interface.point);
+  other.helix_tangent = turned(interface.helix_tangent);
+  other.major_axis = turned(interface.major_axis);
+  other.minor_axis = turned(interface.minor_axis);
+  return other;
+}
+
 }  // namespace contact

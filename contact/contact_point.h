@@ -2,13 +2,24 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
-#include "contact/contact_status.h"
 #include "contact/curvature.h"
 #include "contact/thread_surface.h"
 #include "contact/vectors.h"
 
 namespace contact {
+
+/// How the search for a contact point ended.
+enum class ContactPointStatus : std::int64_t {
+  ok,
+  not_computed,
+  straight_on_straight,  ///< Neither profile is curved: no point contact.
+  out_of_reach,          ///< The axes are so far apart or so close that the flanks never overlap.
+  outside_flank,         ///< The point lies beyond the end of a flank.
+  not_a_minimum,         ///< The clearance has only a saddle there: the surfaces cut each other.
+  not_converged,  ///< The clearance has no minimum on the flanks that the descent could find.
+};
 
 /// A roller next to the screw or inside the nut (the body). Frame of Sandu 2018, chapter 1: z
 /// along the body's axis, x from there to the roller's axis, right-handed.
@@ -119,5 +130,73 @@ FlankViolations point_beyond_flanks(const ThreadPair& pair, const ContactPoint& 
 /// itself and its top onto its bottom face, so angles and n_y, n_z change sign and the radii stay
 /// (Sandu 2018, appendix A).
 ContactPoint on_other_faces(const ContactPoint& point);
+
+/// Contact point of a roller with one body and the curvatures there: all that a Hertz contact and
+/// the slip in it need to know of the geometry. Directions are unit vectors in the pair's frame.
+template <class Real>
+struct InterfaceGeometryOf {
+  ContactPointOf<Real> point{};
+
+  // Principal curvatures of the material, convex > 0 [1/m], ascending in absolute value; `angle`
+  // is that of the first direction about the normal, from the roller's helix tangent [rad].
+  PrincipalOf<Real> body{};
+  PrincipalOf<Real> roller{};
+  /// Eigenvalues of the sum of the two curvature tensors (no factor 1/2) [1/m], ascending: the
+  /// first direction is the major axis of the contact ellipse.
+  PrincipalOf<Real> relative{};
+
+  Vector3<Real> helix_tangent{};  ///< Roller's; growing theta.
+  Vector3<Real> major_axis{};     ///< t_1
+  Vector3<Real> minor_axis{};     ///< t_2 = n x t_1 (1.60)
+
+  simd::Lanes<Real> ok() const { return point.ok(); }
+  Real curvature_sum() const { return relative.first + relative.second; }  ///< (1.77) [1/m]
+  /// Smaller relative curvature over the roller's largest one [-]: towards 0 the surfaces conform
+  /// closely and Hertz's half-space assumption fails.
+  Real openness() const { return relative.first / abs(roller.second); }
+  /// Acute angle between the first directions of body and roller [rad] (1.61).
+  Real first_directions_angle() const {
+    return std::abs(std::remainder(body.angle - roller.angle, std::numbers::pi));
+  }
+  /// The tangent direction that lies `angle` from the roller's helix tangent.
+  Vector3<Real> direction(const Real& angle) const {
+    const auto [sine, cosine] = sincos(angle);
+    return cosine * helix_tangent + sine * point.normal.cross(helix_tangent);
+  }
+};
+using InterfaceGeometry = InterfaceGeometryOf<double>;
+
+/// Solves for the contact point on one face of the roller and works out the curvatures there. The
+/// ellipse is oriented by the *signed* sum of the curvature tensors; Sandu 2018, (1.65) and table
+/// 1.4, and Yao 2023, (35), take absolute values or differences of them, which is wrong where one
+/// surface is concave, as a nut always is. Where no admissible point exists, `point.status` says
+/// why and everything but `point` is zero.
+InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face);
+
+/// How far a contact ellipse with those semi-axes [m] reaches beyond the ends of the two flanks,
+/// measured radially in the tangent plane.
+FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,
+                                      double semi_major, double semi_minor);
+
+/// The interface on the other two faces of the pair, by symmetry.
+InterfaceGeometry on_other_faces(const InterfaceGeometry& interface);
+
+/// The end of a flank that a contact ellipse reaches first as it grows about its centre.
+struct FlankEdge {
+  bool of_roller = false;  ///< Else of the body.
+  FlankEnd end = FlankEnd::root;
+  double scale = 0.0;  ///< Factor on both semi-axes to reach the edge [-].
+};
+
+/// Where an ellipse of those semi-axes [m], both > 0, ends as it grows: the smallest ratio of the
+/// radial distance from the contact point to a root or crest over the ellipse's radial reach
+///
+///     sqrt((a t_1 e_r)^2 + (b t_2 e_r)^2)
+///
+/// e_r outwards from the axis of the flank's part, the reach by which `ellipse_beyond_flanks`
+/// measures. Flanks end at the heights of their threads where these are given, else where they
+/// meet their neighbours. As a and b grow with N^(1/3), the load at the edge is scale^3 N.
+FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& interface,
+                             double semi_major, double semi_minor);
 
 }  // namespace contact

@@ -1,6 +1,9 @@
 #include "contact/hertz.h"
 
 #include <algorithm>
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <limits>
 
 #include "contact/hertz_formulas.h"
 
@@ -46,6 +49,51 @@ HertzContact at_load(const HertzConstants& constants, double normal_load) {
   contact.semi_minor = ellipse.semi_minor;
   contact.peak_pressure = ellipse.peak_pressure;
   return contact;
+}
+
+double AxisStress::largest_shear() const {
+  const auto [smallest, largest] = std::minmax({along_major, along_minor, along_normal});
+  return 0.5 * (largest - smallest);
+}
+
+AxisStress stress_on_axis(double semi_major, double semi_minor, double depth,
+                          double poisson_ratio) {
+  const double a2 = semi_major * semi_major, b2 = semi_minor * semi_minor, z2 = depth * depth;
+  const double a_outer = std::sqrt(a2 + z2), b_outer = std::sqrt(b2 + z2);
+  const double ab = semi_major * semi_minor;
+
+  // Carlson's R_D(x, y, s) = 3/2 int_0^inf dt/((t + s) sqrt((t + x)(t + y)(t + s))), t = w - z^2.
+  using boost::math::ellint_rd;
+  const double z_ia = 2.0 / 3.0 * depth * ellint_rd(z2, b2 + z2, a2 + z2);
+  const double z_ib = 2.0 / 3.0 * depth * ellint_rd(z2, a2 + z2, b2 + z2);
+  const double z_iz = 2.0 / (a_outer * b_outer) - z_ia - z_ib;
+
+  const double nu = poisson_ratio;
+  const double sum = a_outer + b_outer;
+  return {
+      ab * ((1.0 - nu) * z_ia - nu * z_iz - (1.0 - 2.0 * nu) / (a_outer * sum)),
+      ab * ((1.0 - nu) * z_ib - nu * z_iz - (1.0 - 2.0 * nu) / (b_outer * sum)),
+      -ab / (a_outer * b_outer),
+  };
+}
+
+SubsurfaceShear largest_subsurface_shear(double ellipticity, double poisson_ratio) {
+  const auto shear = [&](double depth) {
+    return stress_on_axis(1.0 / ellipticity, 1.0, depth, poisson_ratio).largest_shear();
+  };
+  // The curve is smooth but for a kink where the largest stress changes direction, and may have a
+  // second maximum near the surface: look everywhere, then refine the best place.
+  constexpr int kSamples = 12;
+  constexpr double kSpacing = 1.2 / kSamples;  // of z/b
+  SubsurfaceShear best{shear(0.0), 0.0};
+  for (int i = 1; i <= kSamples; ++i) {
+    const double depth = i * kSpacing;
+    if (const double there = shear(depth); there > best.shear_over_pressure) best = {there, depth};
+  }
+  const auto [depth, minus_shear] = boost::math::tools::brent_find_minima(
+      [&](double z) { return -shear(z); }, std::max(0.0, best.depth_over_semi_minor - kSpacing),
+      best.depth_over_semi_minor + kSpacing, std::numeric_limits<double>::digits / 2);
+  return -minus_shear > best.shear_over_pressure ? SubsurfaceShear{-minus_shear, depth} : best;
 }
 
 }  // namespace contact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/interface_geometry.h"
+#include "contact/contact_point.h"
 
 namespace contact {
 

@@ -30,7 +30,7 @@ struct PatchKernel {
                                  const double* viscosity_ratio) const;
 };
 
-/// Roelands' viscosity ratio at `size` pressures (see lubricant.h).
+/// Roelands' viscosity ratio at `size` pressures (see film.h).
 struct ViscosityKernel {
   template <class Arch>
   void operator()(Arch, double viscosity, const double* pressure, std::size_t size,

@@ -1,11 +1,168 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
-#include "contact/flank.h"
+#include "contact/curvature.h"
 
 namespace contact {
+
+using simd::select, simd::any, simd::sqrt, simd::abs, simd::max, simd::min, simd::hypot,
+    simd::isnan, simd::sincos;
+
+/// The plane in which flank angle and profile radius are measured.
+enum class ProfilePlane : std::int64_t {
+  normal,  ///< Perpendicular to the helix at the pitch radius (Sandu 2018, section 1.2).
+  axial,   ///< Through the axis (Yao 2023, (2)-(4)).
+};
+
+/// A drawn thread as numbers: see `Thread`. `Real` is a number, or a batch with one per design.
+template <class Real>
+struct ThreadNumbers {
+  Real pitch_radius, lead, pitch, flank_angle, profile_curvature;
+  Real thickness;                   ///< Axial, at the pitch radius [m].
+  Real inner_height, outer_height;  ///< Towards the axis and away from it; NaN: until flanks meet.
+  simd::EnumOf<ProfilePlane, Real> plane;
+};
+
+/// Axial thread profile at one radius: the flank of a bottom face at angle 0 lies at the height
+/// z = f(r) above the middle of the groove.
+template <class Real>
+struct ProfileAt {
+  Real height{};      ///< f [m]
+  Real slope{};       ///< f' [-], the tangent of the axial flank angle
+  Real slope_rate{};  ///< f'' [1/m]
+};
+
+/// Radii between which a flank lies [m].
+template <class Real>
+struct RadiiOf {
+  Real smallest{};
+  Real largest{};
+};
+
+/// One flank of a thread as a helicoid, with the common terms of its formulas precomputed:
+///
+///     z(r, theta) = gamma f(r) + theta l/(2 pi)                          (Sandu 2018, (1.22))
+///
+/// gamma = +1 on the bottom face (outward normal against z) and -1 on the top face. A nut is
+/// described by the air inside it: same formula, profile curvature of opposite sign (Sandu 2018,
+/// section 1.2.4); `side` tells its material from its air. Straight, convex and concave profiles
+/// in both planes are one formula: the local flank angle phi obeys
+///
+///     sin(phi) = sin(alpha) + (r - r_T)/r_B,   stretch = 1/cos(beta) (normal plane) or 1 (axial),
+///     f = f(r_T) + stretch (r - r_T)(sin(alpha) + sin(phi))/(cos(alpha) + cos(phi)),
+///     f' = stretch tan(phi),   f'' = stretch/(r_B cos(phi)^3),
+///
+/// which is (1.10), (1.16) and (1.21) for any r_B, not only for r_T/sin(alpha).
+template <class Real>
+struct Flank {
+  Real side = Real(1.0);             ///< +1 external thread, -1 nut (described by its air).
+  Real pitch_radius = Real(0.0);     ///< [m]
+  Real pitch = Real(0.0);            ///< [m]
+  Real reduced_lead = Real(0.0);     ///< l/(2 pi) [m/rad]
+  Real stretch = Real(1.0);          ///< Axial over profile-plane lengths along the axis.
+  Real sin_flank = Real(0.0);        ///< sin(alpha)
+  Real cos_flank = Real(1.0);        ///< cos(alpha)
+  Real arc_curvature = Real(0.0);    ///< 1/r_B of the described volume [1/m]
+  Real half_groove = Real(0.0);      ///< f(r_T) [m], p/4 unless the thickness is given.
+  Real smallest_radius = Real(0.0);  ///< End of the flank on the side of the axis [m].
+  Real largest_radius = Real(0.0);   ///< Its other end [m].
+
+  /// sin(phi) of the local flank angle; the profile exists where it is between 0 and 1.
+  Real sin_local_flank(const Real& radius) const {
+    return sin_flank + (radius - pitch_radius) * arc_curvature;
+  }
+  /// Whether the arc exists at that radius (wider than the flank itself, which ends at the radii
+  /// above).
+  simd::Lanes<Real> exists_at(const Real& radius) const {
+    const Real s = sin_local_flank(radius);
+    return radius > 0.0 && s > 0.0 && s < 1.0;
+  }
+  /// Valid where `exists_at`.
+  ProfileAt<Real> profile(const Real& radius) const {
+    const Real sine = sin_local_flank(radius);
+    const Real cosine = sqrt((1.0 - sine) * (1.0 + sine));
+    const Real rise = (radius - pitch_radius) * (sin_flank + sine) / (cos_flank + cosine);
+    return {half_groove + stretch * rise, stretch * sine / cosine,
+            stretch * arc_curvature / (cosine * cosine * cosine)};
+  }
+};
+
+/// Radius at which the profile has risen by `rise` [m, profile plane] above its pitch radius; where
+/// the arc has turned parallel to the radius or the axis before, that radius.
+template <class Real>
+Real radius_at_rise(const Flank<Real>& f, const Real& rise) {
+  const Real cosine = min(max(f.cos_flank - rise * f.arc_curvature, Real(0.0)), Real(1.0));
+  const Real sine = sqrt((1.0 - cosine) * (1.0 + cosine));
+  return f.pitch_radius + select(cosine == 0.0 || cosine == 1.0,
+                                 (sine - f.sin_flank) / f.arc_curvature,
+                                 rise * (f.cos_flank + cosine) / (f.sin_flank + sine));
+}
+
+/// Radii where neighbouring flanks of a thread meet: at the root f = 0 and at the crest f = p/2, of
+/// the air for a nut (Sandu 2018, (1.12), (1.17), (1.19), for any r_B). An arc that turns parallel
+/// to the radius or the axis before that ends there.
+template <class Real>
+RadiiOf<Real> sharp_limits(const Flank<Real>& f) {
+  return {radius_at_rise(f, Real(-f.half_groove / f.stretch)),
+          radius_at_rise(f, Real((0.5 * f.pitch - f.half_groove) / f.stretch))};
+}
+
+/// `internal`: a nut, which is as grooved as its thread is thick.
+template <class Real>
+Flank<Real> flank_of(const ThreadNumbers<Real>& t, bool internal) {
+  Flank<Real> f;
+  f.side = Real(internal ? -1.0 : 1.0);
+  f.pitch_radius = t.pitch_radius;
+  f.pitch = t.pitch;
+  f.reduced_lead = t.lead / (2.0 * std::numbers::pi);
+  f.stretch =
+      select(t.plane == ProfilePlane::normal,
+             hypot(Real(1.0), t.lead / (2.0 * std::numbers::pi * t.pitch_radius)), Real(1.0));
+  const auto [sine, cosine] = sincos(t.flank_angle);
+  f.sin_flank = sine;
+  f.cos_flank = cosine;
+  f.arc_curvature = internal ? -t.profile_curvature : t.profile_curvature;
+  f.half_groove = 0.5 * (internal ? t.thickness : t.pitch - t.thickness);
+  const RadiiOf<Real> sharp = sharp_limits(f);
+  f.smallest_radius =
+      select(isnan(t.inner_height), sharp.smallest, t.pitch_radius - t.inner_height);
+  f.largest_radius = select(isnan(t.outer_height), sharp.largest, t.pitch_radius + t.outer_height);
+  return f;
+}
+
+/// The part of a flank on which its arc exists, where the heights are given beyond it [m].
+template <class Real>
+RadiiOf<Real> usable_limits(const Flank<Real>& f) {
+  const auto straight = f.arc_curvature == 0.0;
+  const Real parallel_to_axis = f.pitch_radius - f.sin_flank / f.arc_curvature;
+  const Real radial = f.pitch_radius + (1.0 - f.sin_flank) / f.arc_curvature;
+  return {
+      select(straight, f.smallest_radius, max(f.smallest_radius, min(parallel_to_axis, radial))),
+      select(straight, f.largest_radius, min(f.largest_radius, max(parallel_to_axis, radial)))};
+}
+
+/// Curvature tensor of the *material* [1/m] on the flank at a radius where the profile exists, in
+/// the frame (helix tangent t of growing theta, n x t), n the outward normal of the described
+/// volume (for a nut: of its air). The same on top and bottom face (Sandu 2018, (B.5), (B.10)).
+template <class Real>
+TensorOf<Real> curvature_tensor(const Flank<Real>& flank, const Real& radius) {
+  // (B.10) with u = theta, v = r on the bottom face, and with the sign of (B.5).
+  const ProfileAt<Real> f = flank.profile(radius);
+  const Real l = flank.reduced_lead;
+  const Real w = sqrt(1.0 + f.slope * f.slope + l * l / (radius * radius));
+  const TensorOf<Real> described = curvature_tensor(FormsOf<Real>{
+      .E = radius * radius + l * l,
+      .F = f.slope * l,
+      .G = 1.0 + f.slope * f.slope,
+      .L = radius * f.slope / w,
+      .M = -l / (radius * w),
+      .N = f.slope_rate / w,
+  });
+  return flank.side * described;
+}
 
 /// Thread of one part as on its drawing. It describes the *material*, for a nut too.
 struct Thread {

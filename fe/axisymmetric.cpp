@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <numbers>
 
-#include "fe/sparse_pattern.h"
+#include "fe/sparse_symmetric.h"
 
 namespace fe {
 namespace {

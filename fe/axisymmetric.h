@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "fe/sparse_factorization.h"
+#include "fe/cholesky.h"
 
 namespace fe {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <new>
 
-#include "fe/sparse_factorization.h"
+#include "fe/cholesky.h"
 
 namespace fe {
 namespace {

@@ -4,7 +4,6 @@
 #include <boost/multiprecision/eigen.hpp>
 
 #include "fe/cholesky.h"
-#include "fe/sparse_pattern.h"
 
 namespace fe {
 namespace {

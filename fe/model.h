@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "fe/bar.h"
 #include "fe/beam.h"
 #include "fe/power_law_spring.h"
 #include "fe/shell.h"

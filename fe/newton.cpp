@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "fe/cholesky.h"
-#include "fe/index.h"
 #include "fe/newton_method.h"
 
 namespace fe {

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "fe/equations.h"
-#include "fe/factorization_status.h"
 #include "fe/newton_types.h"
+#include "fe/sparse_symmetric.h"
 
 namespace fe {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fe/equations.h"
-#include "fe/factorization_status.h"
 #include "fe/newton_types.h"
+#include "fe/sparse_symmetric.h"
 
 namespace fe {
 

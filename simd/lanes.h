@@ -2,11 +2,14 @@
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
 /// Arithmetic that reads alike for a number and for a batch of numbers: what xsimd has for batches,
 /// for single numbers. Formulas are templates over `Real`, which is either.
+
 namespace simd {
 
 /// Yes or no for each number of a batch.
@@ -72,5 +75,44 @@ class EnumLanes {
 /// Enums that go into lanes are as wide as a number: `enum class Status : std::int64_t`.
 template <class Enum, class Real>
 using EnumOf = std::conditional_t<std::is_same_v<Real, double>, Enum, EnumLanes<Enum, Real>>;
+
+/// Structures of numbers against structures of batches, one structure per lane. `Of` consists of
+/// batches alone, `One` of as many numbers in the same order.
+
+/// The first `size` structures of `values`, one per lane; lanes beyond `size` hold the last one.
+template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
+[[gnu::always_inline]] inline Of side_by_side(const One* values, std::size_t size) {
+  constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
+  Of batches;
+  if (kNumbers == 1 && size >= kLanes) {
+    std::memcpy(static_cast<void*>(&batches), values, sizeof batches);
+    return batches;
+  }
+  alignas(64) double lanes[kNumbers * kLanes];
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    double numbers[kNumbers];
+    std::memcpy(numbers, values + (l < size ? l : size - 1), sizeof numbers);
+    for (std::size_t i = 0; i < kNumbers; ++i) lanes[i * kLanes + l] = numbers[i];
+  }
+  std::memcpy(static_cast<void*>(&batches), lanes, sizeof batches);
+  return batches;
+}
+
+/// The other way round.
+template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
+[[gnu::always_inline]] inline void deliver(const Of& batches, One* values, std::size_t size) {
+  constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
+  if (kNumbers == 1 && size >= kLanes) {
+    std::memcpy(static_cast<void*>(values), &batches, sizeof batches);
+    return;
+  }
+  alignas(64) double lanes[kNumbers * kLanes];
+  std::memcpy(lanes, static_cast<const void*>(&batches), sizeof batches);
+  for (std::size_t l = 0; l < kLanes && l < size; ++l) {
+    double numbers[kNumbers];
+    for (std::size_t i = 0; i < kNumbers; ++i) numbers[i] = lanes[i * kLanes + l];
+    std::memcpy(static_cast<void*>(values + l), numbers, sizeof numbers);
+  }
+}
 
 }  // namespace simd

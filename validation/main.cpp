@@ -3,14 +3,13 @@
 #include <fmt/ranges.h>
 
 #include "prs/cli/command_line.h"
-#include "prs/cli/deliver.h"
 #include "prs/cli/package.h"
+#include "prs/cli/printing.h"
 #include "prs/cli/program.h"
-#include "prs/cli/progress_line.h"
 #include "prs/input/document.h"
 #include "prs/version.h"
 #include "validation/extensions.h"
-#include "validation/jung_2017/recipe.h"
+#include "validation/jung_2017/tables.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
 #pragma once
 
 // Weight, stiffness terms, inertia, buckling, critical speed: `prs::analyze_measures`.
-#include "prs/measures/analyze_measures.h"
+#include "prs/measures/measures.h"

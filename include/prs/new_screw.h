@@ -1,4 +1,4 @@
 #pragma once
 
 // A complete case from what a catalogue prints.
-#include "prs/configurations/complete_screw.h"
+#include "prs/configurations/configurations.h"

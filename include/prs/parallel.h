@@ -1,4 +1,4 @@
 #pragma once
 
 // Work on many threads: `prs::run_in_order`.
-#include "prs/study/schedule.h"
+#include "prs/study/study_run.h"

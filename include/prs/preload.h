@@ -1,4 +1,4 @@
 #pragma once
 
 // Oversized rollers and double nuts: `prs::analyze_preload`.
-#include "prs/preload/analyze_preload.h"
+#include "prs/preload/preloaded_mechanism.h"

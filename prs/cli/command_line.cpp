@@ -7,7 +7,6 @@
 #include <cctype>
 #include <charconv>
 
-#include "prs/cli/option_values.h"
 #include "prs/cli/printing.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
@@ -244,6 +243,23 @@ int report_usage(const CLI::App& app, std::string_view message) {
   say(fmt::format("prs: error: {}{} `{}`\n", message, message.ends_with('?') ? " See" : "; see",
                   help));
   return kWrongInput;
+}
+
+void fail_option(std::string_view option, std::string_view message) {
+  throw UsageError("{}: {}", option, message);
+}
+
+double quantity_option(std::string_view option, const std::string& text,
+                       const input::Dimension& dimension, const input::Bounds& bounds,
+                       std::string_view expected) {
+  const input::ParsedQuantity parsed = input::parse_quantity(text, dimension);
+  if (!parsed.value)
+    fail_option(option, "got {}; expected {} with its unit, for example `{}`{}{}",
+                input::shown(text), dimension.name, dimension.example,
+                parsed.hint.empty() ? "" : "; ", parsed.hint);
+  if (!bounds.contain(*parsed.value))
+    fail_option(option, "got {}; expected {}", input::shown(text), expected);
+  return *parsed.value;
 }
 
 }  // namespace prs::cli

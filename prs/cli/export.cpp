@@ -1,7 +1,7 @@
 #include <system_error>
 
+#include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
-#include "prs/cli/option_values.h"
 #include "prs/export/system_model.h"
 #include "prs/output/files.h"
 #include "prs/sha256.h"

@@ -1,13 +1,13 @@
+#include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
-#include "prs/cli/option_values.h"
 #include "prs/cli/package.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/schema.h"
 #include "prs/loads/case_table.h"
-#include "prs/loads/load_json.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/run/document_schema.h"
 #include "prs/run/lists.h"
-#include "prs/run/results_schema.h"
 #include "prs/text.h"
 
 namespace prs::cli {

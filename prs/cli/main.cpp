@@ -1,6 +1,5 @@
 #include "prs/cli/command_line.h"
 #include "prs/cli/command_table.h"
-#include "prs/cli/option_values.h"
 #include "prs/cli/package.h"
 #include "prs/cli/program.h"
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "prs/cli/option_values.h"
+#include "prs/cli/command_line.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
 

@@ -3,11 +3,15 @@
 #include <fcntl.h>
 #include <sys/ioctl.h>
 
+#include <iterator>
 #include <new>
 #include <system_error>
 
+#include "prs/cli/interruption.h"
 #include "prs/file_descriptor.h"
-#include "prs/loads/load_json.h"
+#include "prs/loads/load_analysis.h"
+#include "prs/record/pictures.h"
+#include "prs/study/study_files.h"
 #include "prs/text.h"
 
 namespace prs::cli {
@@ -25,6 +29,32 @@ std::size_t message_columns() noexcept {
   if (::isatty(STDERR_FILENO) != 1 || ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0) return 0;
   return size.ws_col < kLeast ? 0 : size.ws_col;
 }
+
+using WriteText = std::function<void(const TextSink&)>;
+
+void write(const Delivery& delivery, const WriteText& document, const Figures& shown,
+           const OutputOptions& options) {
+  const Interruption after_the_files;  // What is written is listed, whatever ends the run.
+  std::error_code told_by_the_file;
+  std::filesystem::create_directories(*options.output, told_by_the_file);
+  const std::filesystem::path path = *options.output / delivery.file;
+  StagedFile staged(path);
+  document([&](std::string_view text) { staged.append(text); });
+  staged.close();
+  std::vector<OutputFile> files;
+  if (delivery.files) std::ranges::move(delivery.files(options.csv), std::back_inserter(files));
+  if (delivery.keeps_figures && !shown.empty())
+    files.push_back({delivery.file.substr(0, delivery.file.find('.')) + std::string(kFiguresEnding),
+                     figures_text(shown)});
+  write_files(*options.output, files);
+  staged.publish();
+  record_written(path);
+  draw_figures(shown, *options.output, options.png);
+  if (Interruption::asked()) throw Interrupted();
+  for (const std::string& text : delivery.without_figure) note(options, text);
+}
+
+constexpr auto kPeriod = std::chrono::milliseconds(200);
 
 }  // namespace
 
@@ -68,5 +98,71 @@ void note(const OutputOptions& options, const std::string& text) {
 }
 
 int exit_status(bool converged) { return converged ? kDone : kNotConverged; }
+
+std::vector<std::string> notes_of(std::string text) {
+  if (text.empty()) return {};
+  text.erase(text.find_last_not_of('\n') + 1);
+  return {std::move(text)};
+}
+
+int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOptions& options) {
+  const bool has_document = options.json || options.output;
+  if (options.figures && !has_document)
+    note(options, "--figures has no effect without a document; add --json or --output DIR");
+  Figures shown;
+  if (delivery.pictures && (options.output || (options.figures && options.json)))
+    shown = figures(delivery.pictures(), options.all);
+  nlohmann::ordered_json json;
+  if (has_document) {
+    json = delivery.outline ? delivery.outline(info) : delivery.document(info);
+    if (options.figures) json["figures"] = to_json(shown);
+  }
+  const WriteText document = [&](const TextSink& sink) {
+    delivery.write ? delivery.write(json, sink) : sink(json_text(json));
+  };
+  if (options.output) write(delivery, document, shown, options);
+  if (options.json) {
+    document([](std::string_view text) { print(text); });
+    for (const std::string& text : delivery.notes) note(options, text);
+  } else if (!options.quiet) {
+    const TableUnits units(options.units);
+    print(options.all && delivery.full_table ? delivery.full_table() : delivery.table());
+    const bool more_than_document = delivery.files || delivery.pictures;
+    if (options.output && more_than_document)
+      print(fmt::format("\nFiles: {}\n", options.output->string()));
+  }
+  return exit_status(delivery.converged);
+}
+
+ProgressLine::ProgressLine(bool quiet)
+    : shown_(!quiet && isatty(STDERR_FILENO) == 1), next_(start_ + kPeriod) {}
+
+void ProgressLine::show(const StudyProgress& progress) {
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return;
+  next_ = now + kPeriod;
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  write(progress_line(progress.done, progress.total, seconds, progress.found));
+}
+
+void ProgressLine::tell(std::string_view text) {
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  write(text);
+}
+
+void ProgressLine::clear() {
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  if (is_written_) control_terminal("\r\x1b[K");
+  is_written_ = false;
+}
+
+void ProgressLine::write(std::string_view text) {
+  control_terminal(fmt::format("\r\x1b[K{}", text));
+  is_written_ = true;
+}
 
 }  // namespace prs::cli

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <chrono>
+#include <mutex>
+
 #include "prs/output/files.h"
 #include "prs/record/csv_writer.h"
+#include "prs/record/delivery.h"
 #include "prs/record/table_units.h"
-#include "prs/run/exit_status.h"
+#include "prs/run/commands.h"
+#include "prs/study/study_run.h"
 
 namespace prs::cli {
 
@@ -51,5 +56,38 @@ void note(const OutputOptions& options, const std::string& text);
 
 /// Exit status of a command that has delivered its results.
 int exit_status(bool converged);
+
+/// A text of lines as a note; none where it is empty.
+std::vector<std::string> notes_of(std::string text);
+
+/// Writes the files and pictures of a result, prints its document or table, and returns the exit
+/// status of the program.
+int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOptions& options);
+
+/// How far a study is, or another work: a line on standard error that is written over, where that
+/// is a terminal.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// May be called from any thread.
+  void show(const StudyProgress& progress);
+  void tell(std::string_view text);
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void write(std::string_view text);
+
+  bool shown_;
+  bool is_written_ = false;
+  Clock::time_point start_ = Clock::now();
+  std::mutex mutex_;
+  Clock::time_point next_;
+};
 
 }  // namespace prs::cli

@@ -7,10 +7,8 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
-#include "prs/cli/option_values.h"
-#include "prs/cli/progress_line.h"
-#include "prs/components/picture.h"
-#include "prs/output/run_files.h"
+#include "prs/components/components.h"
+#include "prs/output/files.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/study/journal.h"
 

@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
-#include "prs/cli/option_values.h"
-#include "prs/loads/load_json.h"
-#include "prs/output/run_files.h"
+#include "prs/loads/load_analysis.h"
+#include "prs/output/files.h"
 
 namespace prs::cli {
 namespace {

@@ -1,10 +1,9 @@
 #include <filesystem>
 
+#include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
-#include "prs/cli/deliver.h"
-#include "prs/cli/option_values.h"
-#include "prs/cli/progress_line.h"
-#include "prs/configurations/screw_case.h"
+#include "prs/cli/printing.h"
+#include "prs/configurations/configurations.h"
 #include "prs/input/units.h"
 #include "prs/output/files.h"
 #include "prs/size/size_analysis.h"

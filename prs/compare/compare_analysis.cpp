@@ -1,13 +1,11 @@
 #include "prs/compare/compare_analysis.h"
 
-#include "prs/loads/case_groups.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
-#include "prs/loads/warnings.h"
-#include "prs/model/void_inputs.h"
-#include "prs/record/figure_parts.h"
-#include "prs/record/quantity_csv.h"
+#include "prs/model/check_case.h"
+#include "prs/record/pictures.h"
+#include "prs/record/record_table.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
 

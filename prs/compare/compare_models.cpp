@@ -3,7 +3,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/model/check_case.h"
 #include "prs/sector/influence/influence_solver.h"
-#include "prs/threads/contact_laws.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
 namespace {

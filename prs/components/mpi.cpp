@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-#include "prs/components/communicator.h"
+#include "prs/components/components.h"
 
 namespace prs {
 namespace {

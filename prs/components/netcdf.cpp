@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "prs/components/column_file.h"
+#include "prs/components/components.h"
 
 namespace prs {
 namespace {

@@ -12,7 +12,7 @@
 #include <pagmo/problem.hpp>
 #include <pagmo/utils/hypervolume.hpp>
 
-#include "prs/components/search.h"
+#include "prs/components/components.h"
 
 namespace prs {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <new>
 
-#include "prs/components/picture.h"
+#include "prs/components/components.h"
 
 namespace prs {
 namespace {

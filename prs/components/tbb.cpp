@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "prs/components/pipeline.h"
+#include "prs/components/components.h"
 #ifdef PRS_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif

@@ -1,14 +1,49 @@
 #include "prs/configurations/configurations.h"
 
 #include <algorithm>
+#include <tuple>
 
-#include "prs/configurations/complete_screw.h"
+#include "contact/contact_point.h"
 #include "prs/model/check_case.h"
+#include "prs/model/groove.h"
+#include "prs/model/quantity_text.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"
 
 namespace prs {
 namespace {
+
+constexpr double kPressureAngle = std::numbers::pi / 9;
+constexpr int kFewestTeeth = 12, kMostTeeth = 40;
+constexpr double kMostShift = 1.0;
+
+/// ISO 54, and DIN 780-1 below 1 mm, from 0.2 to 10 mm [m].
+constexpr double kSeries1[] = {0.2e-3, 0.25e-3, 0.3e-3, 0.4e-3,  0.5e-3, 0.6e-3, 0.7e-3,
+                               0.8e-3, 0.9e-3,  1e-3,   1.25e-3, 1.5e-3, 2e-3,   2.5e-3,
+                               3e-3,   4e-3,    5e-3,   6e-3,    8e-3,   10e-3};
+constexpr double kSeries2[] = {0.22e-3, 0.28e-3, 0.35e-3,  0.45e-3,  0.55e-3, 0.65e-3, 0.75e-3,
+                               0.85e-3, 0.95e-3, 1.125e-3, 1.375e-3, 1.75e-3, 2.25e-3, 2.75e-3,
+                               3.5e-3,  4.5e-3,  5.5e-3,   7e-3,     9e-3};
+
+double involute(double angle) { return std::tan(angle) - angle; }
+
+/// z_body -+ z_roller, of an internal or an external pair.
+int teeth_between(Mechanism::Type type, const GearPair& pair) {
+  return type == Mechanism::Type::standard ? pair.body_teeth - pair.roller_teeth
+                                           : pair.body_teeth + pair.roller_teeth;
+}
+
+/// Working pressure angle and profile shift; false where base circles do not let them mesh or the
+/// shift is too large.
+bool fit(Mechanism::Type type, double centre_distance, GearPair& pair) {
+  const int teeth = teeth_between(type, pair);
+  const double cosine = 0.5 * pair.module * teeth / centre_distance * std::cos(kPressureAngle);
+  if (!(cosine < 1.0)) return false;
+  pair.working_pressure_angle = std::acos(cosine);
+  pair.profile_shift = teeth * (involute(pair.working_pressure_angle) - involute(kPressureAngle)) /
+                       (2.0 * std::tan(kPressureAngle));
+  return std::abs(pair.profile_shift) <= kMostShift;
+}
 
 constexpr int kFewestStarts = 3, kMostStarts = 10;
 constexpr int kMostRollerStarts = 3;
@@ -123,6 +158,58 @@ Span span(const std::optional<int>& given, int first, int last) {
 
 }  // namespace
 
+double neighbour_gap(double centre_distance, double outer_radius, int rollers) {
+  return 2.0 * (centre_distance * std::sin(std::numbers::pi / rollers) - outer_radius);
+}
+
+int most_rollers(double centre_distance, double outer_radius, double gap) {
+  constexpr double kMost = 1000.0;
+  const double ratio = (outer_radius + 0.5 * gap) / centre_distance;
+  if (!(ratio < 1.0)) return 1;
+  // A hair of tolerance, so that rollers that just reach the gap count.
+  return static_cast<int>(
+      std::min(kMost, std::floor(std::numbers::pi / std::asin(ratio) * (1.0 + 1e-12))));
+}
+
+double indexing_angle(Mechanism::Type type, Mechanism::Starts starts, int rollers) {
+  const int forward = starts.screw % rollers;
+  const int steps = type == Mechanism::Type::inverted ? forward : (rollers - forward) % rollers;
+  return 2.0 * std::numbers::pi / starts.roller * steps / rollers;
+}
+
+bool go_in_alike(Mechanism::Starts starts, int rollers) { return starts.screw % rollers == 0; }
+
+std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts,
+                                 double centre_distance, int rollers, double gap) {
+  std::vector<GearPair> pairs;
+  const int first = (kFewestTeeth + starts.roller - 1) / starts.roller;
+  for (int k = first; k * starts.roller <= kMostTeeth; ++k) {
+    GearPair pair;
+    pair.roller_teeth = k * starts.roller;
+    pair.body_teeth = k * starts.screw;
+    const int teeth = teeth_between(type, pair);
+    if (teeth <= 0) continue;
+    const double pitch_radius = centre_distance * pair.roller_teeth / teeth;
+    const auto try_series = [&](const auto& modules, int series) {
+      for (const double module : modules) {
+        pair.module = module;
+        pair.series = series;
+        if (!fit(type, centre_distance, pair)) continue;
+        pair.most_rollers =
+            std::min(rollers, most_rollers(centre_distance, pitch_radius + module, gap));
+        pairs.push_back(pair);
+      }
+    };
+    try_series(kSeries1, 1);
+    try_series(kSeries2, 2);
+  }
+  std::ranges::stable_sort(pairs, {}, [](const GearPair& p) {
+    return std::tuple(-p.most_rollers, p.series, std::round(10.0 * std::abs(p.profile_shift)),
+                      p.roller_teeth);
+  });
+  return pairs;
+}
+
 Configurations configurations(const ConfigurationQuery& query) {
   Configurations all;
   const Span screw = span(query.screw_starts, kFewestStarts, kMostStarts);
@@ -140,6 +227,378 @@ Configurations configurations(const ConfigurationQuery& query) {
       }
   }
   return all;
+}
+
+namespace {
+
+constexpr int kFewestContacts = 3, kMostContacts = 10'000;
+constexpr int kStartsLimit = 100, kMostUsualStarts = 10;
+constexpr double kFinestPitch = 0.002, kUsualPitch = 0.1, kCoarsestPitch = 1.0;  // over d_R
+constexpr double kThickestNut = 100.0;                                           // over d_N
+
+bool is_standard(const ScrewData& d) { return d.type == Mechanism::Type::standard; }
+
+double roller_diameter(const ScrewData& d, int starts) {
+  const double ratio = static_cast<double>(starts) / d.roller_starts;
+  return d.screw_diameter / (is_standard(d) ? ratio - 2.0 : ratio);
+}
+
+/// Whole number of threads along a length.
+int contacts_over(double length, double pitch) {
+  return static_cast<int>(std::lround(std::min(length / pitch, 1e9)));
+}
+
+/// Threads of screw, rollers and nut, without their number of contacts.
+struct Threads {
+  Mechanism mechanism;
+  std::optional<Contacts> contacts;  ///< Absent where nothing rolls.
+  int most_rollers = 0;
+  std::string reason = {};  ///< Why nothing rolls.
+};
+
+Mechanism draft_of(const ScrewData& d, int starts) {
+  const double pitch = std::abs(d.lead) / starts;
+  Mechanism m;
+  m.type = d.type;
+  m.geometry = Mechanism::Geometry::design;
+  m.lead = d.lead;
+  m.starts = {starts, d.roller_starts};
+  m.flank_angle = {d.flank_angle, d.flank_angle, d.flank_angle};
+  m.pitch_diameter.screw = d.screw_diameter;
+  m.profile.roller = {Profile::Shape::convex,
+                      d.roller_profile_radius.value_or(kProfileRadius * pitch)};
+  m.rollers = kFewestRollers;
+  m.contacts_per_roller = kFewestContacts;
+  return m;
+}
+
+/// What keeps contacts from rolling without play; empty where they do.
+std::string obstacle(const Mechanism& m, std::optional<Contacts>& contacts) {
+  try {
+    contacts = find_contacts(m, Materials{kSteel, kSteel, kSteel}, Detail::numbers);
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  for (const Interface i : kInterfaces)
+    if (!contacts->interfaces[i].has_hertz()) return failure(*contacts, i).message;
+  return {};
+}
+
+/// As a maker cuts threads, but no more than 95 % of what sharp ones have. Crests are counted from
+/// the nominal radius: without play the pitch line of one part lies up to 0.04 p below it, outer
+/// diameters of a catalogue do not.
+ThreadHeight thread_height(const contact::Thread& thread, double nominal_radius, double pitch) {
+  const contact::RadiusLimits limits = contact::flank_limits(thread);
+  double crest = limits.largest - thread.pitch_radius, root = thread.pitch_radius - limits.smallest;
+  if (thread.internal) std::swap(crest, root);
+  const double below = (nominal_radius - thread.pitch_radius) * (thread.internal ? -1.0 : 1.0);
+  return {std::min(kCrestHeight * pitch + below, 0.95 * crest),
+          std::min(kMeshedRootDepth * pitch, 0.95 * root)};
+}
+
+Threads threads_for(const ScrewData& d, int starts) {
+  Threads t{draft_of(d, starts), {}};
+  const double pitch = axial_pitch(t.mechanism), roller = roller_diameter(d, starts);
+  if (!(pitch >= kFinestPitch * roller * (1.0 - 1e-9) && pitch <= kCoarsestPitch * roller)) {
+    t.reason = fmt::format("the pitch is {} on rollers of {}", mm(pitch), mm(roller));
+    return t;
+  }
+  t.reason = obstacle(t.mechanism, t.contacts);
+  if (t.reason.empty()) {
+    const std::optional<Contacts> sharp = t.contacts;
+    const PerPart<double> nominal = nominal_radii(d, roller);
+    for (const Part p : kParts)
+      t.mechanism.thread[p] = thread_height(thread_of(sharp->threads, p), nominal[p], pitch);
+    if (!obstacle(t.mechanism, t.contacts).empty()) {  // Contacts lie beyond a maker's crest.
+      t.mechanism.thread = {};
+      t.contacts = sharp;
+    }
+  }
+  Case c;
+  c.mechanism = t.mechanism;
+  if (t.reason.empty())
+    for (const Problem& problem : check_case(c)) t.reason = problem.message;
+  if (t.reason.empty()) {
+    const contact::MechanismGeometry& threads = t.contacts->threads;
+    const double crest = contact::flank_limits(threads.roller).largest;
+    t.most_rollers = most_rollers(threads.centre_distance, crest, 0.0);
+    t.mechanism.rollers = std::max(std::min(kFewestRollers, t.most_rollers),
+                                   most_rollers(threads.centre_distance, crest, 0.5 * pitch));
+    if (t.most_rollers < kFewestRollers) t.reason = "fewer than three rollers fit";
+  }
+  if (!t.reason.empty()) t.contacts.reset();
+  return t;
+}
+
+bool rolls(const ScrewData& d, int starts) { return threads_for(d, starts).contacts.has_value(); }
+
+/// The value nearest to one that does not work which does, on the way to one that does.
+template <class Works>
+double nearest(double wrong, double right, Works works) {
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (wrong + right);
+    (works(middle) ? right : wrong) = middle;
+  }
+  return right;
+}
+
+/// Rounded to three digits, downwards or upwards.
+double rounded(double value, double (*rounding)(double)) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return rounding(value / digit) * digit;
+}
+double down(double value) {
+  return rounded(value * (1.0 + 1e-12), [](double x) { return std::floor(x); });
+}
+double up(double value) {
+  return rounded(value * (1.0 - 1e-12), [](double x) { return std::ceil(x); });
+}
+
+/// Two significant digits.
+double proposed(double value) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::round(value / digit) * digit;
+}
+
+/// Whole millimetres.
+double whole(double length) { return 1e-3 * std::round(1e3 * length); }
+
+int usual_starts(const ScrewData& d) {
+  for (const int n : {5, 4, 3})
+    if (roller_diameter(d, n) >= kThinnestRoller * (1.0 - 1e-9) && rolls(d, n)) return n;
+  for (int n = 3; n <= kMostUsualStarts; ++n)
+    if (rolls(d, n)) return n;
+  return 5;
+}
+
+[[noreturn]] void refuse_lead(const ScrewData& d, int starts, const std::string& reason) {
+  const auto at_pitch = [&](double share) { return share * roller_diameter(d, starts) * starts; };
+  const auto works = [&](double lead) {
+    ScrewData other = d;
+    other.lead = lead;
+    return rolls(other, starts);
+  };
+  const double usual = at_pitch(kUsualPitch), coarsest = at_pitch(kCoarsestPitch);
+  if (!works(usual))
+    throw CaseError("lead", fmt::format("got {}; nothing rolls with {} starts: {}", mm(d.lead),
+                                        starts, reason));
+  const double greatest = works(coarsest) ? coarsest : nearest(coarsest, usual, works);
+  throw CaseError("lead", fmt::format("got {}; expected {} to {} with {} starts on {}, < 0 where "
+                                      "left-handed",
+                                      mm(d.lead), mm(up(at_pitch(kFinestPitch))),
+                                      mm(down(greatest)), starts, mm(d.screw_diameter)));
+}
+
+void check_starts(const ScrewData& d) {
+  const int fewest = is_standard(d) ? 2 * d.roller_starts + 1 : std::max(2, d.roller_starts);
+  if (d.starts && (*d.starts < fewest || *d.starts > kStartsLimit))
+    throw CaseError(
+        "starts",
+        fmt::format("got {}; expected {} to {}: the rollers' diameter is that of the "
+                    "screw over {}",
+                    *d.starts, fewest, kStartsLimit, is_standard(d) ? "starts - 2" : "starts"));
+}
+
+/// An arc turns parallel to the axis r (1 - sin(flank angle)) above the pitch line.
+void check_profile_radius(const ScrewData& d, int starts) {
+  if (!d.roller_profile_radius) return;
+  const double pitch = std::abs(d.lead) / starts;
+  const double least = kLeastThreadHeight * kCrestHeight * pitch / (1.0 - std::sin(d.flank_angle));
+  if (*d.roller_profile_radius < least)
+    throw CaseError(
+        "roller_profile_radius",
+        fmt::format("got {}; expected at least {}, usually 5 pitches, {}: arcs of less end below "
+                    "half of a thread's usual height",
+                    mm(*d.roller_profile_radius), mm(up(least)), mm(kProfileRadius * pitch)));
+}
+
+Threads sound_threads(const ScrewData& d) {
+  check_starts(d);
+  const int starts = d.starts.value_or(usual_starts(d));
+  check_profile_radius(d, starts);
+  Threads t = threads_for(d, starts);
+  if (t.contacts) return t;
+  ScrewData by_rule = d;
+  by_rule.roller_profile_radius = std::nullopt;
+  if (!d.roller_profile_radius || !rolls(by_rule, starts)) refuse_lead(d, starts, t.reason);
+  const double wrong = *d.roller_profile_radius, right = kProfileRadius * axial_pitch(t.mechanism);
+  const double limit = nearest(wrong, right, [&](double radius) {
+    by_rule.roller_profile_radius = radius;
+    return rolls(by_rule, starts);
+  });
+  throw CaseError("roller_profile_radius",
+                  fmt::format("got {}; expected at {} {}, usually 5 pitches, {}", mm(wrong),
+                              wrong < right ? "least" : "most",
+                              mm(wrong < right ? up(limit) : down(limit)), mm(right)));
+}
+
+void set_rollers(const ScrewData& d, Threads& t) {
+  if (!d.rollers) return;
+  if (*d.rollers < kFewestRollers || *d.rollers > t.most_rollers)
+    throw CaseError("rollers",
+                    fmt::format("got {}; expected {} to {}: fewer cannot centre the screw, more "
+                                "overlap",
+                                *d.rollers, kFewestRollers, t.most_rollers));
+  t.mechanism.rollers = *d.rollers;
+}
+
+double nut_length(const ScrewData& d, double pitch, double roller_diameter, double nut_diameter) {
+  const double least = kFewestContacts * pitch / kThreadedShare,
+               most = is_standard(d) ? kMostContacts * pitch / kThreadedShare
+                                     : kThickestNut * nut_diameter;
+  if (!d.nut_length) {
+    const double rule = is_standard(d)
+                            ? std::min(kNutLengthSlope * nut_diameter + kNutLengthOffset,
+                                       kSlendernessOfRollers * roller_diameter / kThreadedShare)
+                            : kInvertedNut * kInvertedThreads * d.screw_diameter;
+    return std::max(whole(rule), up(least));
+  }
+  if (*d.nut_length < least || *d.nut_length > most)
+    throw CaseError("nut_length",
+                    fmt::format("got {}; expected {} to {}, room for threads of {}",
+                                mm(*d.nut_length), mm(up(least)), mm(down(most)), mm(pitch)));
+  return *d.nut_length;
+}
+
+double root_depth(const Mechanism& m) {
+  return m.thread.nut ? m.thread.nut->dedendum
+                      : default_root_depth(axial_pitch(m), m.flank_angle.nut);
+}
+
+double nut_outer_diameter(const ScrewData& d, const Mechanism& m, double pitch_diameter) {
+  const double threads = pitch_diameter + 2.0 * (root_depth(m) + kLeastWall * axial_pitch(m));
+  const double least = std::max(threads, 1.001 * pitch_diameter);
+  if (!d.nut_diameter)
+    return std::max(whole(kNutDiameterSlope * pitch_diameter + kNutDiameterOffset), up(least));
+  if (*d.nut_diameter < least || *d.nut_diameter > kThickestNut * pitch_diameter)
+    throw CaseError("nut_diameter",
+                    fmt::format("got {}; expected {} to {}: the nut's threads have a pitch "
+                                "diameter of {}",
+                                mm(*d.nut_diameter), mm(up(least)),
+                                mm(down(kThickestNut * pitch_diameter)), mm(pitch_diameter)));
+  return *d.nut_diameter;
+}
+
+/// Axial force at which equal shares bring an ellipse to the end of a flank [N].
+double edge_force(const Mechanism& m, const Contacts& contacts) {
+  double force = std::numeric_limits<double>::infinity();
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& c = contacts.interfaces[i];
+    const contact::FlankEdge edge = contact::nearest_flank_edge(
+        pair_of(contacts.threads, i), c.geometry, c.hertz.semi_major_per_cbrt_load,
+        c.hertz.semi_minor_per_cbrt_load);
+    force = std::min(force, std::pow(edge.scale, 3) * std::cos(c.normal_angle()) *
+                                m.contacts_per_roller * m.rollers);
+  }
+  return force;
+}
+
+double load_of(const ScrewData& d, const Mechanism& m, const Contacts& contacts) {
+  const double moderate = moderate_force(m, contacts);
+  if (!d.load)
+    return proposed(std::min(
+        {moderate, kModerateStress * 0.25 * std::numbers::pi * d.screw_diameter * d.screw_diameter,
+         kModerateEdgeShare * edge_force(m, contacts)}));
+  const double most = moderate * std::pow(kGreatestPressure / kModeratePressure, 3);
+  if (*d.load > most)
+    throw CaseError("load",
+                    fmt::format("got {:.6g} kN; expected at most {:.6g} kN, with which "
+                                "equal shares give {:g} GPa: twice the static capacity",
+                                1e-3 * *d.load, 1e-3 * down(most), 1e-9 * kGreatestPressure));
+  return *d.load;
+}
+
+Structure structure_of(const ScrewData& d, const Mechanism& m, double nut_diameter, double length) {
+  const double roller = roller_diameter(d, m.starts.screw);
+  const double threaded = m.contacts_per_roller * axial_pitch(m);
+  Structure s;
+  s.roller.end_length =
+      is_standard(d) ? 0.5 * kRollerEndsShare * (length - threaded) : 0.7 * roller;
+  s.roller.end_diameter = kRollerEndDiameter * roller;
+  s.nut.length = length;
+  s.nut.outer_diameter = nut_outer_diameter(d, m, nut_diameter);
+  s.nut.thrust = {0.0, length};
+  return s;
+}
+
+constexpr double kPi = std::numbers::pi;
+
+double of_nut(const Structure::Nut& nut, double bore) {
+  const double d = nut.outer_diameter;
+  return kStillAir * (kPi * d * nut.length + 0.5 * kPi * (d * d - bore * bore));
+}
+
+double of_shaft(double diameter, double length) {
+  const double perimeter = kPi * diameter, area = 0.25 * kPi * diameter * diameter;
+  const double rate = std::sqrt(kStillAir * perimeter / (kSteelConductivity * area));
+  return kSteelConductivity * area * rate * std::tanh(rate * length);
+}
+
+}  // namespace
+
+PerPart<double> nominal_radii(const ScrewData& d, double roller_diameter) {
+  return {0.5 * d.screw_diameter, 0.5 * roller_diameter, 0.5 * d.screw_diameter + roller_diameter};
+}
+
+double moderate_force(const Mechanism& m, const Contacts& contacts) {
+  double force = std::numeric_limits<double>::infinity();
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    const double pressure_of_1_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
+    const double normal_load = std::pow(kModeratePressure / pressure_of_1_newton, 3);
+    force = std::min(
+        force, normal_load * std::cos(contact.normal_angle()) * m.contacts_per_roller * m.rollers);
+  }
+  return force;
+}
+
+CompleteScrew complete_screw(const ScrewData& d) {
+  Threads threads = sound_threads(d);
+  set_rollers(d, threads);
+  Mechanism& m = threads.mechanism;
+  const Contacts& contacts = *threads.contacts;
+  const double pitch = axial_pitch(m);
+
+  CompleteScrew screw;
+  screw.data = d;
+  for (const Part p : kParts) screw.pitch_diameter[p] = *contacts.mechanism.pitch_diameter[p];
+  screw.centre_distance = contacts.threads.centre_distance;
+  screw.most_rollers = threads.most_rollers;
+  const double length = nut_length(d, pitch, screw.pitch_diameter.roller, screw.pitch_diameter.nut);
+  m.contacts_per_roller = contacts_over(kThreadedShare * length, pitch);
+  if (!is_standard(d))
+    m.contacts_per_roller =
+        std::min(m.contacts_per_roller, contacts_over(kInvertedThreads * d.screw_diameter, pitch));
+  screw.position = 0.5 * (length - (m.contacts_per_roller - 1) * pitch);
+  screw.gears = gear_pairs(m.type, m.starts, screw.centre_distance, m.rollers, 0.5 * pitch);
+  screw.load = load_of(d, m, contacts);
+  constexpr double one_rpm = std::numbers::pi / 30.0;
+  screw.speed = d.speed.value_or(
+      one_rpm * proposed(kSpeedShare * kGreatestSpeedTimesDiameter / d.screw_diameter / one_rpm));
+  screw.c.structure = structure_of(d, m, screw.pitch_diameter.nut, length);
+  screw.c.structure->screw.free_length =
+      is_standard(d) ? screw.position : screw.c.structure->roller.end_length;
+  screw.c.materials = Materials{kSteel, kSteel, kSteel};
+  screw.c.mechanism = m;
+  return screw;
+}
+
+Heat::Conductance estimated_conductance(const CompleteScrew& s, double shaft_length) {
+  const Contacts contacts = find_contacts(s.c.mechanism, s.c.materials);
+  const Mechanism& m = contacts.mechanism;
+  const double count = static_cast<double>(m.rollers) * m.contacts_per_roller;
+  const auto spots = [&](Interface i) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    const contact::HertzContact e =
+        contact::at_load(contact.hertz, s.load / count / std::cos(contact.normal_angle()));
+    return count * 2.0 * kSteelConductivity * std::sqrt(e.semi_major * e.semi_minor);
+  };
+  const Structure::Nut& nut = s.c.structure->nut;
+  const double beyond = std::max(0.5 * (shaft_length - nut.length), 0.0);
+  return {.screw_ambient = 2.0 * of_shaft(s.data.screw_diameter, beyond),
+          .nut_ambient = of_nut(nut, s.pitch_diameter.nut),
+          .screw_rollers = spots(Interface::screw),
+          .rollers_nut = spots(Interface::nut)};
 }
 
 }  // namespace prs

@@ -3,9 +3,8 @@
 #include <fmt/ranges.h>
 
 #include "prs/input/units.h"
-#include "prs/loads/contact_record.h"
+#include "prs/loads/load_record.h"
 #include "prs/record/record_table.h"
-#include "prs/record/table_text.h"
 #include "prs/record/table_units.h"
 #include "prs/text.h"
 

@@ -1,8 +1,8 @@
-#include "prs/configurations/screw_case.h"
+#include "prs/configurations/configurations.h"
 
 #include "prs/configurations/configurations_files.h"
 #include "prs/input/units.h"
-#include "prs/life/capacity.h"
+#include "prs/life/rating_life.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
 #include "prs/text.h"

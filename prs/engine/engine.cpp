@@ -7,11 +7,10 @@
 #include <new>
 #include <sstream>
 
-#include "prs/input/written_case.h"
-#include "prs/record/figure_json.h"
+#include "prs/input/echo.h"
+#include "prs/record/pictures.h"
 #include "prs/report/report.h"
 #include "prs/run/commands.h"
-#include "prs/run/exit_status.h"
 
 namespace prs {
 namespace {

@@ -1,11 +1,10 @@
-#include "prs/export/system_curves.h"
+#include "prs/export/system_model.h"
 
 #include <fmt/ranges.h>
 
 #include <iterator>
 
 #include "prs/heat/analyze_heat.h"
-#include "prs/heat/case_losses.h"
 #include "prs/input/units.h"
 #include "prs/model/check_case.h"
 #include "prs/preload/preloaded_mechanism.h"

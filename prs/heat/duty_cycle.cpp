@@ -1,10 +1,10 @@
-#include "prs/heat/duty_cycle.h"
+#include "prs/heat/analyze_heat.h"
 
 #include <Eigen/LU>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "prs/model/quantity_text.h"
-#include "prs/sector/bodies.h"
+#include "prs/sector/sector_model.h"
 
 namespace prs {
 namespace {

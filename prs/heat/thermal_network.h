@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "prs/loads/heat_result.h"
+#include "prs/loads/result.h"
 #include "prs/loads/slip_result.h"
-#include "prs/model/heat.h"
+#include "prs/model/operation.h"
 
 namespace prs {
 

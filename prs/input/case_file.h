@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prs/model/limits.h"
-#include "prs/model/optimization.h"
+#include "prs/model/study.h"
 
 namespace prs::input {
 

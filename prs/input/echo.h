@@ -1,7 +1,9 @@
 #pragma once
 
 #include "prs/input/document.h"
+#include "prs/input/source.h"
 #include "prs/input/units.h"
+#include "prs/json_type.h"
 #include "prs/model/warning.h"
 
 namespace prs::input {
@@ -40,5 +42,21 @@ std::vector<Warning> unusual_values(const std::vector<EchoEntry>& fields);
 /// any more, nor is one that `--set` gives. `assumed: REASON` marks whatever stands there.
 std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& entries,
                                                const Source& source);
+
+/// The text of a source with its overrides written into it, all else as it stands, comments too: a
+/// case with the same values and without overrides. Absent where a value cannot be replaced in
+/// place, as that of an anchor which others refer to. Throws InputError where the source is wrong.
+std::optional<std::string> written_case(const Source& source);
+
+/// The file of a source with its overrides and defaults in place: a case with the same results.
+/// What is absent and has no default stays absent; a history has its place and its SHA-256. Throws
+/// InputError.
+nlohmann::ordered_json resolved_input(const Source& source);
+
+/// SHA-256 of what is computed, hexadecimal: of the file; with overrides, or a history that it
+/// names, of the file, then of each of these and of the SHA-256 of the history, with a NUL before.
+std::string input_sha256(const Source& source);
+/// The same of a source that names these files, by their texts.
+std::string input_sha256(const Source& source, const std::vector<std::string>& files);
 
 }  // namespace prs::input

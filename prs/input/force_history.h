@@ -2,8 +2,7 @@
 
 #include "prs/input/source.h"
 #include "prs/input/units.h"
-#include "prs/model/life.h"
-#include "prs/model/load_history.h"
+#include "prs/model/load_case.h"
 
 namespace prs::input {
 

@@ -1,10 +1,9 @@
-#include "prs/input/optimize_reader.h"
+#include "prs/input/study_reader.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "prs/input/reader.h"
-#include "prs/input/slot.h"
 #include "prs/input/varied_input.h"
 
 namespace prs::input {

@@ -1,9 +1,9 @@
-#include "prs/input/study_envelope.h"
+#include "prs/input/study_reader.h"
 
 #include <algorithm>
 
 #include "prs/input/units.h"
-#include "prs/model/map_axes.h"
+#include "prs/model/study.h"
 
 namespace prs::input {
 namespace {

@@ -4,8 +4,6 @@
 
 #include "prs/input/field.h"
 #include "prs/input/reader.h"
-#include "prs/input/slot.h"
-#include "prs/input/study_envelope.h"
 #include "prs/input/varied_input.h"
 
 namespace prs::input {

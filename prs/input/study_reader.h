@@ -2,6 +2,7 @@
 
 #include "prs/input/case_file.h"
 #include "prs/input/document.h"
+#include "prs/model/study.h"
 
 namespace prs::input {
 
@@ -34,5 +35,21 @@ DesignFile read_design_file(const StudyInput& input, const std::vector<std::stri
 
 /// The case of a design: the base document with more overrides. Throws InputError.
 Case read_design(const StudyInput& input, const std::vector<std::string>& overrides);
+
+/// An optimization and the document that it starts from.
+struct OptimizeInput {
+  StudyInput start;  ///< For the engine: its study is that of `optimization`.
+  Optimization optimization;
+  std::vector<std::string> asked_at;  ///< Where in the document each response is first asked for.
+};
+
+/// Reads the optimization of a source and checks it: the file's own design in full, and that each
+/// value of each variable, or its ends, read well in their place. Throws InputError, which names
+/// every error found.
+OptimizeInput read_optimize_input(const Source& source);
+
+/// Reads the envelope of a study whose factors are read, and adds what it needs to the responses
+/// that are recorded. Adds an error for each value that does not suit the factors.
+void read_envelope(const EnvelopeItem& item, const Node& root, Study& study, ErrorList& errors);
 
 }  // namespace prs::input

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "prs/life/contact_loads.h"
-#include "prs/life/share_curve.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/slip/running.h"
 #include "prs/threads/geometry_warnings.h"

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "prs/life/load_history.h"
-#include "prs/life/rainflow.h"
 #include "prs/life/static_limits.h"
 #include "prs/loads/analyze.h"
-#include "prs/model/preload.h"
+#include "prs/model/load_case.h"
 #include "prs/slip/slip_equilibrium.h"
 
 namespace prs {
@@ -143,7 +142,7 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
 /// for the geometry, the loads need a thrust section that is not given, the screw never turns or
 /// never carries, or the geometry gives no contact.
 /// `oils`: in place of the lubricant at the temperature of the file, for running loads. With a
-/// block `heat` see prs/heat/warm_parts.h.
+/// block `heat` see prs/heat/analyze_heat.h.
 LifeResult analyze_life(const Conditions& c, Contacts contacts,
                         std::optional<LoadHistory> history = {},
                         const std::optional<Oils>& oils = {});

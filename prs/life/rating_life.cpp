@@ -6,9 +6,102 @@
 namespace prs {
 namespace {
 
+/// Beyond this angle from 45 deg Lemor's factor is stretched.
+constexpr double kAngleTolerance = 5.0 * std::numbers::pi / 180.0;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
+
+double rolling_element_diameter(double pitch, double roller_diameter) {
+  return std::sqrt(2.5 * pitch * roller_diameter * std::numbers::sqrt2);
+}
+
+std::optional<double> geometry_factor(double ratio) {
+  if (!(ratio >= kFactorRatios.least && ratio <= kFactorRatios.greatest)) return std::nullopt;
+  constexpr double kCoefficients[] = {-5394384948.0, 8851856787.0, -6308725579.0, 2564041511.0,
+                                      -656422710.5,  110470028.7,  -12407228.47,  931488.7454,
+                                      -47724.95951,  1892.829727,  26.98514873};
+  double factor = 0.0;
+  for (const double c : kCoefficients) factor = factor * ratio + c;
+  return factor;
+}
+
+double size_factor(double element_diameter) {
+  const double millimetres = 1e3 * element_diameter;
+  return millimetres <= 25.4 ? std::pow(millimetres, 1.8) : 3.647 * std::pow(millimetres, 1.4);
+}
+
+double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter,
+                      double helix_angle) {
+  return factor * std::pow(std::cos(contact_angle), 0.86) * std::pow(contacts, 2.0 / 3.0) *
+         size_factor(element_diameter) * std::tan(contact_angle) * std::cbrt(std::cos(helix_angle));
+}
+
+double factor_ratio(const LemorGeometry& g) {
+  return g.roller_diameter * std::cos(g.contact_angle) / g.nut_diameter;
+}
+
+double contact_angle(const PerInterface<double>& normal_angle) {
+  return 0.5 * std::numbers::pi - 0.5 * (normal_angle.screw + normal_angle.nut);
+}
+
+LemorGeometry lemor_geometry(const Mechanism& m, double contact_angle) {
+  LemorGeometry g;
+  g.pitch = axial_pitch(m);
+  g.roller_diameter = *m.pitch_diameter.roller;
+  g.nut_diameter = *m.pitch_diameter.nut;
+  g.pitch_circle = 2.0 * *m.centre_distance;
+  g.contact_angle = contact_angle;
+  g.helix_angle = std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
+  g.contacts = m.rollers * m.contacts_per_roller;
+  return g;
+}
+
+std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g) {
+  LemorCapacity c;
+  c.ratio = factor_ratio(g);
+  const std::optional<double> factor = geometry_factor(c.ratio);
+  if (!factor) return std::nullopt;
+  c.factor = *factor;
+  c.element_diameter = rolling_element_diameter(g.pitch, g.roller_diameter);
+  const double per_pitch_circle = std::cos(g.contact_angle) / g.pitch_circle;
+  c.factor_range = {c.factor, c.factor};
+  for (const double diameter : {g.roller_diameter, c.element_diameter}) {
+    const double ratio =
+        std::clamp(diameter * per_pitch_circle, kFactorRatios.least, kFactorRatios.greatest);
+    c.factor_range.least = std::min(c.factor_range.least, *geometry_factor(ratio));
+    c.factor_range.greatest = std::max(c.factor_range.greatest, *geometry_factor(ratio));
+  }
+  c.factor_range.least *= 1.0 - kFactorFit;
+  c.factor_range.greatest *= 1.0 + kFactorFit;
+  const double per_factor =
+      lemor_capacity(1.0, g.contact_angle, g.contacts, c.element_diameter, g.helix_angle);
+  c.capacity = c.factor * per_factor;
+  c.capacity_range = {c.factor_range.least * per_factor, c.factor_range.greatest * per_factor};
+  return c;
+}
+
+double load_at_pressure(const contact::HertzConstants& hertz, double peak_pressure) {
+  const double cube_root = 2.0 * std::numbers::pi / 3.0 * hertz.semi_major_per_cbrt_load *
+                           hertz.semi_minor_per_cbrt_load * peak_pressure;
+  return cube_root * cube_root * cube_root;
+}
+
+std::optional<Warning> beside_lemor_angle(double contact_angle) {
+  if (std::abs(contact_angle - std::numbers::pi / 4) <= kAngleTolerance) return std::nullopt;
+  return Warning{"mechanism.flank_angle", "beside_lemor_angle",
+                 "contact angle {value}: the factor of Lemor's capacity is that of 45 deg"}
+      .with(contact_angle, {}, text_unit::degree);
+}
+
+std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity) {
+  if (load <= 0.5 * dynamic_capacity) return std::nullopt;
+  return Warning{"", "beyond_life_formula",
+                 "the mean load is {value} of the dynamic capacity; the life formula holds "
+                 "up to half of it (ISO 281)"}
+      .with(load / dynamic_capacity, 0.5, text_unit::percent);
+}
 
 double rating_life(double capacity, double load) {
   return load > 0.0 ? 1e6 * std::pow(capacity / load, kLifeExponent) : kInfinity;

@@ -1,8 +1,110 @@
 #pragma once
 
-#include "prs/life/capacity.h"
+#include "contact/hertz.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/warning.h"
 
 namespace prs {
+
+/// Range of a number that theory does not fix.
+struct Interval {
+  double least = 0.0;
+  double greatest = 0.0;
+};
+
+/// Diameter of the rolling element at a contact [m], that of the ball which a roller's thread of
+/// the pitch p and the roller's pitch diameter d_r stand for:
+///
+///     D_c = sqrt(2.5 p sqrt(2) d_r)
+///
+/// Lemor, in Jung 2017, (6.2) and (8.27). Made for crowned threads with flanks of 45 deg.
+double rolling_element_diameter(double pitch, double roller_diameter);
+
+/// Ratios of diameters for which the geometry factor is known.
+inline constexpr Interval kFactorRatios = {0.01, 0.30};
+
+/// Geometry factor f_c over the ratio of diameters, Jung 2017 (6.3): a polynomial through the
+/// values that ISO 281 gives for thrust ball bearings of 45 deg contact angle, within 0.35 % of
+/// them. For forces in N and lengths in mm. Absent outside 0.01 .. 0.30, where the standard has no
+/// values and the polynomial, printed without bounds, turns negative at 0.36 (erratum).
+std::optional<double> geometry_factor(double ratio);
+
+/// Largest deviation of (6.3) from the values of ISO 281.
+inline constexpr double kFactorFit = 0.0035;
+
+/// What the diameter D_c of the rolling element [m] makes of its capacity (ISO 281), D_c in mm:
+///
+///     D_c^1.8 up to 25.4 mm,   3.647 D_c^1.4 beyond
+double size_factor(double element_diameter);
+
+/// Dynamic load capacity C_a [N] of all contacts together, which in 90 % of many mechanisms lasts a
+/// million revolutions of the screw against the nut:
+///
+///     C_a = f_c cos(alpha)^0.86 N_c^(2/3) D_c^1.8 tan(alpha) cos(beta)^(1/3)     [N, mm]
+///
+/// Lemor, in Jung 2017, (6.1), (5.5), (8.26); beyond 25.4 mm `size_factor` in place of D_c^1.8.
+/// `contact_angle` alpha is that of bearings, from the radial plane to the contact normal [rad];
+/// `contacts` N_c are those of all rollers at one interface; `element_diameter` D_c [m];
+/// `helix_angle` beta of the screw [rad], at its own value: Jung's table 7.1 has it fixed at 6.056
+/// deg (erratum).
+double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter,
+                      double helix_angle);
+
+/// Inputs of Lemor's formula. SI units.
+struct LemorGeometry {
+  double pitch = 0.0;            ///< p, axial [m]
+  double roller_diameter = 0.0;  ///< d_r, pitch diameter [m]
+  double nut_diameter = 0.0;     ///< d_n, pitch diameter [m]
+  double pitch_circle = 0.0;     ///< Diameter of the circle of the rollers' axes, 2 c [m].
+  double contact_angle = 0.0;    ///< alpha, from the radial plane [rad]
+  double helix_angle = 0.0;      ///< beta of the screw [rad]
+  int contacts = 0;              ///< N_c
+};
+
+/// Contact angle of bearings [rad], from the radial plane, by the angles between both contact
+/// normals and the axis: a right angle less their mean.
+double contact_angle(const PerInterface<double>& normal_angle);
+
+/// Inputs of Lemor's formula from a mechanism that has all pitch diameters and the centre distance.
+LemorGeometry lemor_geometry(const Mechanism& mechanism, double contact_angle);
+
+/// Lemor's capacity with the range in which its factor is known.
+struct LemorCapacity {
+  double ratio = 0.0;             ///< d_r cos(alpha)/d_n
+  double factor = 0.0;            ///< f_c at this ratio.
+  Interval factor_range;          ///< Spread by the readings of the ratio and the fit.
+  double element_diameter = 0.0;  ///< D_c [m]
+  double capacity = 0.0;          ///< C_a [N]
+  Interval capacity_range;        ///< Capacity over the same readings [N].
+};
+
+/// The ratio of Jung 2017, section 5.1: d_r cos(alpha)/d_n.
+double factor_ratio(const LemorGeometry& g);
+
+/// C_a of a mechanism. Its value takes the ratio of Jung, d_r cos(alpha)/d_n. The factor belongs to
+/// ISO 281's ratio of rolling element to pitch circle, which Jung's diameters stand for, so the
+/// range spans the ratios d_r cos(alpha)/d_n, d_r cos(alpha)/(2 c) and D_c cos(alpha)/(2 c),
+/// widened by the error of the fit; a ratio beyond 0.30 counts as 0.30 there. What Lemor's
+/// exponents and the quality of steel and threads leave open is not part of it: what that amounts
+/// to is `kCapacityOverMakers`. Absent where Jung's ratio is outside 0.01 .. 0.30.
+std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g);
+
+/// Lemor's C_a over that of a maker for standard screws from 8 to 120 mm, see
+/// validation/standard_screws.
+inline constexpr Interval kCapacityOverMakers = {0.69, 1.26};
+
+/// A warning where the contact angle [rad] is not that for which Lemor's factor is known, 45 deg.
+std::optional<Warning> beside_lemor_angle(double contact_angle);
+
+/// A warning where a load [N] is beyond what the life formula is made for, half of the dynamic
+/// capacity [N] (ISO 281).
+std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity);
+
+/// Normal load [N] that gives a contact the peak pressure p_0 [Pa]: with the semi-axes a = a' N^1/3
+/// and b = b' N^1/3,
+///
+///     p_0 = 3 N/(2 pi a b)   =>   N = (2 pi a' b' p_0/3)^3     (Sandu 2018, (1.83)).
+double load_at_pressure(const contact::HertzConstants& hertz, double peak_pressure);
 
 /// Exponent p of load in the life of a point contact (Lundberg & Palmgren 1947; ISO 281).
 inline constexpr double kLifeExponent = 3.0;

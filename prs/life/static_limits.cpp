@@ -1,6 +1,6 @@
 #include "prs/life/static_limits.h"
 
-#include "prs/life/capacity.h"
+#include "prs/life/rating_life.h"
 #include "prs/loads/analyze.h"
 
 namespace prs {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/flank_edge.h"
+#include "contact/contact_point.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/model/detail.h"
+#include "prs/model/model_options.h"
 
 namespace prs {
 

@@ -2,10 +2,10 @@
 
 #include <map>
 
-#include "prs/loads/distribution_solver.h"
-#include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/check_case.h"
+#include "prs/sector/chain/chain_solver.h"
+#include "prs/sector/influence/influence_solver.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"
 
@@ -57,6 +57,11 @@ void check_designed(Case& c, Mechanism mechanism) {
 void add(Result& result, LoadCaseResult load_case, Detail detail) {
   if (detail == Detail::complete) add_warnings(load_case, result.contacts);
   result.load_cases.push_back(std::move(load_case));
+}
+
+template <class SolverOfSector>
+DistributionSolver shared(std::shared_ptr<SolverOfSector> solver) {
+  return [solver = std::move(solver)](double axial_force) { return solver->solve(axial_force); };
 }
 
 }  // namespace
@@ -111,6 +116,18 @@ Result analyze_contacts(const Conditions& c, Contacts contacts, Detail detail) {
     if (load_case.share == LoadCase::Share::equal)
       add(result, equal_share_result(load_case, result.contacts), detail);
   return result;
+}
+
+DistributionSolver distribution_solver(const Conditions& c, const Contacts& contacts,
+                                       const PerInterface<ContactLaw>& laws, Direction direction,
+                                       double position, Solver solver) {
+  if (c.model.bodies == ModelOptions::Bodies::influence)
+    return shared(std::make_shared<InfluenceSolver>(
+        influence_solver(c, contacts, laws, direction, position)));
+  SectorModel model = sector_model(contacts.mechanism, *c.structure, *c.materials, c.model, laws,
+                                   direction, position, c.deviations);
+  if (solver == Solver::chain) return shared(std::make_shared<FallbackSolver>(std::move(model)));
+  return shared(std::make_shared<SectorSolver>(build_sector(model)));
 }
 
 }  // namespace prs

@@ -1,9 +1,14 @@
 #include "prs/loads/load_analysis.h"
 
+#include <iterator>
+
 #include "prs/loads/analyze.h"
+#include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
-#include "prs/loads/load_table.h"
-#include "prs/loads/warnings.h"
+#include "prs/loads/load_record.h"
+#include "prs/record/record_table.h"
+#include "prs/record/table_units.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -24,6 +29,36 @@ constexpr std::string_view kContactResponses[] = {"contact.screw.normal_angle_de
                                                   "contact.nut.hertz_constant_N_per_mm1_5",
                                                   "screw.peak_pressure_MPa.max",
                                                   "nut.peak_pressure_MPa.max"};
+
+/// Documents of more cases leave the histories out.
+constexpr std::size_t kMostHistories = 100;
+
+std::vector<Place> joined(std::vector<Place> first, std::initializer_list<Place> others) {
+  first.insert(first.end(), others);
+  return first;
+}
+
+template <Interface interface>
+std::string most_loaded_thread(const LoadCaseResult& result) {
+  return most_loaded_cell(result, interface);
+}
+
+constexpr CaseColumn kColumns[] = {
+    {"", "load case", true, case_name_cell},
+    {"force", "kN", false, force_cell},
+    {"", "direction", true, direction_cell},
+    {"stiffness", "N/µm", false, stiffness_cell},
+    {"displ.", "µm", false, displacement_cell},
+    {"screw max.", "thread: %", false, most_loaded_thread<Interface::screw>},
+    {"nut max.", "thread: %", false, most_loaded_thread<Interface::nut>},
+    {"pressure", "max. GPa", true, pressure_cell},
+};
+
+std::vector<double> percent(const std::vector<double>& rates) {
+  std::vector<double> shown;
+  for (const double rate : rates) shown.push_back(rate * per_si::percent);
+  return shown;
+}
 
 }  // namespace
 
@@ -61,6 +96,337 @@ const Analysis<Result>& contact_analysis() {
       .responses = kContactResponses,
       .takes_load_cases_apart = true};
   return analysis;
+}
+
+void put_contacts(Json& document, const Contacts& contacts) {
+  document["contact"] = object_of(contacts);
+  if (Json threads = object_of(contacts.threads); !threads.empty())
+    document["threads"] = std::move(threads);
+}
+
+void put_loads(Json& document, const Result& result) {
+  if (result.contacts.threads.centre_distance > 0.0) put_contacts(document, result.contacts);
+  const auto is_solved = [](const LoadCaseResult& load_case) {
+    return load_case.solve.has_value();
+  };
+  if (std::ranges::any_of(result.load_cases, is_solved))
+    document["model"] = object_of(ModelSummary{&result});
+  document["load_cases"] = Json::array();
+}
+
+std::optional<Json> load_case_json(const Result& result, std::size_t k) {
+  if (k >= result.load_cases.size()) return std::nullopt;
+  Json json = object_of(result.load_cases[k]);
+  if (result.load_cases.size() > kMostHistories) json.erase("newton_history");
+  return json;
+}
+
+std::vector<Place> with_contacts(std::initializer_list<Place> places) {
+  return joined(
+      {{"contact", describe<Contacts>}, {"threads", describe<contact::MechanismGeometry>, false}},
+      places);
+}
+
+std::vector<Place> with_loads(std::initializer_list<Place> places) {
+  return joined({{"contact", describe<Contacts>, false},
+                 {"threads", describe<contact::MechanismGeometry>, false},
+                 {"model", describe<ModelSummary>, false},
+                 {"load_cases[]", describe<LoadCaseResult>}},
+                places);
+}
+
+std::string load_case_table(const Result& result) {
+  std::string model = model_line(result);
+  if (!model.empty()) model = wrapped(model.substr(0, model.size() - 1), "", kTableWidth);
+  const std::string table =
+      model + case_table({kColumns, 3, not_converged, "load_cases.csv"}, result.load_cases);
+  return table + warning_section(all_warnings(result));
+}
+
+std::string load_distribution_chart(const LoadCaseResult& result) {
+  const std::string title = case_name_cell(result);
+  if (!result.threads)
+    return fmt::format("{}: no load distribution ({})\n", title, status_name(result));
+
+  const bool rollers = result.full != nullptr;
+  PerInterface<std::vector<double>> shares;
+  for (const Interface i : kInterfaces) {
+    const InterfaceLoads& loads = (*result.threads)[i];
+    shares[i] = percent(rollers ? loads.rollers->share : loads.load_rate);
+  }
+  const double mean = per_si::percent / static_cast<double>(shares.screw.size());
+  return fmt::format("{}: share of each {}, mean {:.2f} %\n", title, rollers ? "roller" : "thread",
+                     mean) +
+         bar_chart(shares, 2, "%");
+}
+
+namespace {
+
+void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface i) {
+  const InterfaceLoads loads = result.threads ? (*result.threads)[i] : InterfaceLoads{};
+  const auto thread = index_of_largest(loads.load_rate);
+  const auto row = static_cast<std::size_t>(std::max(loads.threads_per_roller, 0));
+  csv.fields(thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt,
+             scaled(entry(loads.load_rate, thread), per_si::percent),
+             scaled(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)),
+                    per_si::megapascal));
+}
+
+}  // namespace
+
+std::string load_cases_csv(const Result& result, const CsvStyle& style) {
+  CsvWriter csv(style);
+  load_header(csv);
+  scalar_header<LoadCaseResult>(csv, "", "converged");
+  for (const Interface i : kInterfaces)
+    for (const char* key :
+         {"most_loaded_thread", "largest_load_rate_percent", "largest_peak_pressure_MPa"})
+      csv.text(fmt::format("{}_{}", name(i), key));
+  csv.text("loads");
+  scalar_header<RunningLoads>(csv, "running_");
+  for (const Interface i : kInterfaces)
+    csv.text(fmt::format("static_{}_largest_normal_load_N", name(i)));
+  scalar_header<RunningLoads::AtRest>(csv, "static_");
+  csv.end_row();
+
+  for (const LoadCaseResult& load_case : result.load_cases) {
+    load_fields(csv, load_case.load_case);
+    scalar_fields<LoadCaseResult>(csv, &load_case, "converged");
+    for (const Interface i : kInterfaces) most_loaded_fields(csv, load_case, i);
+    const RunningLoads* running = load_case.running ? &*load_case.running : nullptr;
+    const bool known = running && running->converged();
+    csv.text(name(load_case.loads));
+    scalar_fields<RunningLoads>(csv, running);
+    for (const Interface i : kInterfaces)
+      csv.number(known ? std::optional(running->at_rest.largest_normal_load[i]) : std::nullopt);
+    scalar_fields<RunningLoads::AtRest>(csv, known ? &running->at_rest : nullptr);
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+std::string load_distribution_csv(const Result& result, const CsvStyle& style) {
+  CsvWriter csv(style);
+  load_header(csv);
+  const bool all_rollers = std::ranges::any_of(
+      result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
+  if (all_rollers) csv.text("roller");
+  csv.text("thread");
+  for (const Interface i : kInterfaces)
+    series_header<InterfaceLoads>(csv, fmt::format("{}_", name(i)));
+  csv.end_row();
+
+  for (const LoadCaseResult& load_case : result.load_cases) {
+    if (!load_case.threads) continue;
+    for (std::size_t k = 0; k < load_case.threads->screw.axial_load.size(); ++k) {
+      load_fields(csv, load_case.load_case);
+      const auto row = static_cast<std::size_t>(load_case.threads->screw.threads_per_roller);
+      if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
+      csv.integer(row ? k % row + 1 : k + 1);
+      for (const Interface i : kInterfaces) series_fields(csv, (*load_case.threads)[i], k);
+      csv.end_row();
+    }
+  }
+  return csv.take();
+}
+
+namespace {
+
+using contact::Thread;
+using contact::ThreadSurface;
+
+constexpr std::size_t kNameWidth = 16;
+constexpr TableRows kRows{38, 16};
+constexpr TableRows kLoadRows{25, 8, 1};
+
+// The mechanism, one column per part.
+
+std::string mechanism_line(const Contacts& contacts) {
+  const Mechanism& m = contacts.mechanism;
+  return fmt::format(
+      "{} roller screw, {}-handed, lead {:.6g} {}, {} roller{} ({} fit)\n"
+      "centre distance {}\n",
+      m.type == Mechanism::Type::standard ? "Standard" : "Inverted",
+      m.lead < 0.0 ? "left" : "right", shown(std::abs(m.lead), "mm"), table_unit("mm").text,
+      m.rollers, m.rollers == 1 ? "" : "s", contact::largest_roller_count(contacts.threads),
+      fixed_with_unit(contacts.threads.centre_distance, "mm", 4));
+}
+
+using Number = std::optional<double>;
+
+struct PartRow {
+  std::string_view label;  ///< With the unit of documents at its end.
+  std::string_view unit;
+  Number (*value)(const Thread&);
+};
+
+constexpr PartRow kPartRows[] = {
+    {"  pitch diameter, mm", "mm", [](const Thread& t) { return Number(2.0 * t.pitch_radius); }},
+    {"  helix angle, deg", "deg",
+     [](const Thread& t) { return Number(ThreadSurface(t).helix_angle()); }},
+    {"  flank from radius, mm", "mm",
+     [](const Thread& t) { return Number(contact::flank_limits(t).smallest); }},
+    {"  flank to radius, mm", "mm",
+     [](const Thread& t) { return Number(contact::flank_limits(t).largest); }},
+    {"  crest width, mm", "mm",
+     [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).crest; }},
+    {"  root width, mm", "mm",
+     [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).root; }},
+};
+
+std::string part_rows(const contact::MechanismGeometry& threads) {
+  std::string rows = kRows("Threads", {"screw", "roller", "nut"});
+  for (const auto& [label, unit, value] : kPartRows) {
+    std::vector<std::string> cells;
+    for (const Thread* thread : {&threads.screw, &threads.roller, &threads.nut})
+      cells.push_back(fixed(value(*thread), unit, 4));
+    if (std::ranges::count(cells, kAbsent) < 3) rows += kRows(with_table_unit(label), cells);
+  }
+  return rows;
+}
+
+// The contacts, one column per interface.
+
+struct ContactRow {
+  std::string_view key;
+  int decimals;
+};
+
+constexpr ContactRow kContactRows[] = {
+    {"radius_on_body_mm", 4},
+    {"radius_on_roller_mm", 4},
+    {"angle_on_body_deg", 4},
+    {"angle_on_roller_deg", 4},
+    {"normal_angle_deg", 4},
+    {"backlash_mm", 4},
+    {"flank_clearance_mm", 4},
+    {"body_crest_clearance_mm", 4},
+    {"roller_crest_clearance_mm", 4},
+    {"body_curvatures_per_mm", 6},
+    {"roller_curvatures_per_mm", 6},
+    {"relative_curvatures_per_mm", 6},
+    {"curvature_sum_per_mm", 6},
+    {"first_directions_angle_deg", 4},
+    {"ellipticity", 6},
+    {"hertz_constant_N_per_mm1_5", 1},
+};
+
+/// One number or both of a pair, in SI.
+std::array<Number, 2> values_of(const Contacts& contacts, Interface i,
+                                const Quantity<ContactAt>& q) {
+  const ContactAt contact{&contacts, i};
+  if (!contact.contact().geometry.ok()) return {};
+  if (q.value.number) {
+    const std::optional<double> si = q.value.number(contact);
+    return {si && std::isfinite(*si) ? si : std::nullopt, {}};
+  }
+  const auto pair = q.value.json(contact, kNoUnit);
+  return {pair[0].get<double>(), pair[1].get<double>()};
+}
+
+std::string contact_rows(const Contacts& contacts) {
+  std::string rows = kRows("Contacts", {label(Interface::screw), label(Interface::nut)});
+  for (const auto& [key, decimals] : kContactRows) {
+    const auto& q = quantity<ContactAt>(key);
+    const std::string_view unit = q.unit.text;
+    std::string label = fmt::format("  {}{}{}", title_of(q), unit.empty() ? "" : ", ", unit);
+    const auto screw = values_of(contacts, Interface::screw, q),
+               nut = values_of(contacts, Interface::nut, q);
+    for (std::size_t k = 0; k < screw.size(); ++k)
+      if (screw[k] || nut[k])
+        rows += kRows(with_table_unit(std::exchange(label, "")),
+                      {fixed(screw[k], unit, decimals), fixed(nut[k], unit, decimals)});
+  }
+  return rows;
+}
+
+// The load cases with equal shares, one row per interface.
+
+/// A thread's value under load; all threads of such a case have the same.
+struct LoadColumn {
+  std::string_view title;
+  std::string_view key;
+  int decimals;
+
+  const Quantity<InterfaceLoads>& of() const { return quantity<InterfaceLoads>(key); }
+};
+
+constexpr LoadColumn kLoadColumns[] = {
+    {"thread", "axial_load_N", 2},
+    {"normal", "normal_load_N", 2},
+    {"a", "semi_major_mm", 4},
+    {"b", "semi_minor_mm", 4},
+    {"peak", "peak_pressure_MPa", 1},
+    {"approach", "approach_um", 3},
+    {"shear", "max_shear_stress_MPa", 1},
+    {"depth", "max_shear_depth_mm", 4},
+};
+
+using Cases = std::vector<const LoadCaseResult*>;
+
+bool has_equal_shares(const LoadCaseResult& result) {
+  return result.load_case.share == LoadCase::Share::equal && result.threads.has_value();
+}
+
+Number value(const LoadCaseResult& result, Interface i, const LoadColumn& column) {
+  const std::span<const double> values = column.of().value.series((*result.threads)[i]);
+  return values.empty() ? std::nullopt : Number(values.front());
+}
+
+/// All of them or, of long ranges, the first, middle and last.
+Cases shown_cases(const std::vector<LoadCaseResult>& results, std::size_t& count) {
+  Cases shown;
+  count = 0;
+  for (const CaseGroup& group : group_cases(results)) {
+    Cases equal;
+    std::ranges::copy_if(group.cases, std::back_inserter(equal),
+                         [](const LoadCaseResult* result) { return has_equal_shares(*result); });
+    count += equal.size();
+    if (results.size() > kMaxUnfoldedCases && equal.size() > 3)
+      equal = {equal.front(), equal[equal.size() / 2], equal.back()};
+    shown.insert(shown.end(), equal.begin(), equal.end());
+  }
+  return shown;
+}
+
+std::string load_table(const std::vector<LoadCaseResult>& results) {
+  std::size_t count = 0;
+  const Cases cases = shown_cases(results, count);
+  if (cases.empty()) return {};
+  std::vector<LoadColumn> columns;
+  std::vector<std::string> titles, units;
+  for (const LoadColumn& column : kLoadColumns) {
+    if (std::ranges::none_of(cases, [&](const LoadCaseResult* c) {
+          return value(*c, Interface::screw, column) || value(*c, Interface::nut, column);
+        }))
+      continue;
+    columns.push_back(column);
+    titles.emplace_back(column.title);
+    units.push_back(with_table_unit(column.of().unit.text));
+  }
+  std::string table =
+      "\nEqual shares of all threads\n" + kLoadRows("", titles) + kLoadRows("  load case", units);
+  for (const LoadCaseResult* result : cases) {
+    std::string label = fitted(printable(result->load_case.name), kNameWidth, true);
+    for (const Interface i : kInterfaces) {
+      std::vector<std::string> cells;
+      for (const LoadColumn& column : columns)
+        cells.push_back(fixed(value(*result, i, column), column.of().unit.text, column.decimals));
+      table += kLoadRows(fmt::format("  {:{}} {}", std::exchange(label, ""), kNameWidth, name(i)),
+                         cells);
+    }
+  }
+  if (cases.size() < count) table += fmt::format("  … {} of {} cases\n", cases.size(), count);
+  return table;
+}
+
+}  // namespace
+
+std::string contact_table(const Result& result) {
+  const Contacts& contacts = result.contacts;
+  std::string table = mechanism_line(contacts) + '\n' + part_rows(contacts.threads) + '\n' +
+                      contact_rows(contacts) + load_table(result.load_cases);
+  return table + warning_section(all_warnings(result));
 }
 
 }  // namespace prs

@@ -2,7 +2,7 @@
 
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
-#include "prs/record/figure_parts.h"
+#include "prs/record/pictures.h"
 
 namespace prs {
 

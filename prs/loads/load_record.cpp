@@ -1,14 +1,15 @@
 #include "prs/loads/load_record.h"
 
+#include <fmt/ranges.h>
+
 #include <numeric>
 
 #include "fe/cholesky.h"
-#include "prs/loads/factorization.h"
-#include "prs/loads/full_result.h"
-#include "prs/model/preload.h"
+#include "prs/loads/load_case_result.h"
 #include "prs/record/record_table.h"
 
 namespace prs {
+
 std::optional<std::string> factorization(const LoadCaseResult& r) {
   if (!r.solve || r.solve->history.empty()) return std::nullopt;
   // `influence`, which knows no energy.
@@ -264,6 +265,439 @@ Record<LoadCaseResult> record_of(Type<LoadCaseResult>) {
       "LoadCase",
       "The answer to one load case; one that did not converge has its status and residual alone.",
       kLoadCase};
+}
+
+namespace {
+
+using Bodies = ModelOptions::Bodies;
+
+std::string_view name(ModelOptions::RollerContacts contacts) {
+  return contacts == ModelOptions::RollerContacts::opposite ? "opposite" : "half_pitch_apart";
+}
+
+std::string_view name(ModelOptions::Accuracy accuracy) {
+  return accuracy == ModelOptions::Accuracy::working ? "working" : "reference";
+}
+
+std::vector<std::string> effects_off(const RefinedEffects& e) {
+  const std::pair<std::string_view, bool> effects[] = {{"core", e.core},
+                                                       {"shear", e.shear},
+                                                       {"hoop", e.hoop},
+                                                       {"poisson", e.poisson},
+                                                       {"flange", e.flange},
+                                                       {"radial", e.radial},
+                                                       {"concentration", e.concentration}};
+  std::vector<std::string> off;
+  for (const auto& [effect, on] : effects)
+    if (!on) off.emplace_back(effect);
+  return off;
+}
+
+bool has_yamamoto(const ModelOptions& m) {
+  return m.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto;
+}
+
+/// What the model is known to be off by, at the full load of lesson 1's screw against finite
+/// elements (docs/refined.md, docs/influence.md); empty where it was changed for comparison.
+std::string_view known_bias(const ModelOptions& m) {
+  if (m.mechanism == ModelOptions::Mechanism::full && m.bodies == Bodies::bars)
+    return "all rollers; about as much too stiff as `bars` of a sector";
+  if (has_yamamoto(m)) return "for comparison: Hertz has the deflection of the teeth already";
+  switch (m.bodies) {
+    case Bodies::bars:
+      return "17 to 32 % stiffer than finite elements on an inverted 21 x 5 mm screw; nearer: "
+             "`model: {bodies: refined}`";
+    case Bodies::refined:
+      return effects_off(m.refined).empty()
+                 ? "0.4 to 3.4 % stiffer than finite elements on an inverted 21 x 5 mm screw"
+                 : "";
+    case Bodies::influence:
+      break;
+  }
+  return "within 0.5 % of finite elements on an inverted 21 x 5 mm screw";
+}
+
+const ModelOptions& options_of(const ModelSummary& s) { return s.result->model; }
+
+template <auto of_options, auto applies>
+constexpr auto of_model = of<[](const ModelSummary& s) { return of_options(options_of(s)); },
+                             [](const ModelSummary& s) { return applies(options_of(s)); }>;
+
+template <Bodies bodies>
+constexpr auto is = [](const ModelOptions& m) { return m.bodies == bodies; };
+
+constexpr Quantity<ModelSummary> kModelSummary[] = {
+    {"bodies", of<[](const ModelSummary& s) { return name(options_of(s).bodies); }>,
+     "bars | refined | influence"},
+    {"roller_contacts",
+     of<[](const ModelSummary& s) {
+       return name(roller_contacts(options_of(s), s.result->contacts.mechanism.starts.roller));
+     },
+        [](const ModelSummary& s) { return !is<Bodies::bars>(options_of(s)); }>,
+     "opposite | half_pitch_apart"},
+    {"effects_off",
+     of_model<[](const ModelOptions& m) { return effects_off(m.refined); }, is<Bodies::refined>>,
+     "effects of `refined` that are switched off"},
+    {"accuracy",
+     of_model<[](const ModelOptions& m) { return name(m.accuracy); }, is<Bodies::influence>>,
+     "working | reference, of `influence`"},
+    {"tooth_compliance_width_mm",
+     of_model<[](const ModelOptions& m) { return m.tooth_compliance.width; }, has_yamamoto>,
+     "of the teeth that deflect as Yamamoto has it", "", "", "", "", Reach::document},
+    {"note", of_model<known_bias, [](const ModelOptions& m) { return !known_bias(m).empty(); }>,
+     "how far it is known to be off"},
+};
+
+}  // namespace
+
+Record<ModelSummary> record_of(Type<ModelSummary>) {
+  return {"Model", "How the loads were solved.", kModelSummary};
+}
+
+std::string model_line(const Result& result) {
+  const ModelOptions& m = result.model;
+  if (std::ranges::none_of(result.load_cases,
+                           [](const LoadCaseResult& r) { return r.solve.has_value(); }))
+    return {};
+  std::string line = fmt::format("bodies: {}", name(m.bodies));
+  if (m.bodies != Bodies::bars)
+    line += fmt::format(", roller contacts {}",
+                        name(roller_contacts(m, result.contacts.mechanism.starts.roller)));
+  if (m.bodies == Bodies::influence) line += fmt::format(", {} accuracy", name(m.accuracy));
+  if (m.bodies == Bodies::refined && !effects_off(m.refined).empty())
+    line += fmt::format(", without {}", fmt::join(effects_off(m.refined), ", "));
+  if (has_yamamoto(m))
+    line += fmt::format(", tooth deflection after Yamamoto over {:g} mm",
+                        m.tooth_compliance.width * per_si::millimetre);
+  if (!known_bias(m).empty()) line += fmt::format(": {}", known_bias(m));
+  return line + '\n';
+}
+
+namespace {
+
+constexpr Quantity<PartNumbers> kPartNumbers[] = {
+    {"screw", of<&PartNumbers::screw>, "of the screw"},
+    {"rollers", of<&PartNumbers::rollers>, "of all rollers"},
+    {"nut", of<&PartNumbers::nut>, "of the nut"},
+};
+
+constexpr Quantity<PartSeries> kPartSeries[] = {
+    {"screw", of<&PartSeries::screw>, "of the screw"},
+    {"rollers", of<&PartSeries::rollers>, "of all rollers"},
+    {"nut", of<&PartSeries::nut>, "of the nut"},
+};
+
+constexpr Quantity<InterfaceNumbers> kInterfaceNumbers[] = {
+    {"screw", of<&InterfaceNumbers::screw>, "of the contacts at the screw"},
+    {"nut", of<&InterfaceNumbers::nut>, "of the contacts at the nut"},
+};
+
+std::optional<std::string> reason_of(const std::string& reason) {
+  return reason.empty() ? std::nullopt : std::optional(reason);
+}
+
+template <auto get>
+constexpr auto balanced = of<get, &HeatResult::converged>;
+
+constexpr Quantity<HeatResult> kHeat[] = {
+    {"converged", of<&HeatResult::converged>, "whether there is a steady state"},
+    {"status", of<&HeatResult::status>, "converged | no_steady_state | iteration_limit"},
+    {"reason", of<[](const HeatResult& r) { return reason_of(r.reason); }>, "where not converged"},
+    {"evaluations", of<&HeatResult::evaluations>, "of the losses at temperatures", "", "", "", "",
+     Reach::document},
+    {"other_steady_states", balanced<&HeatResult::others>,
+     "whether hotter ones exist; this one is reached from ambient temperature"},
+    {"temperature_degC", balanced<[](const HeatResult& r) { return celsius_of(r.temperature); }>,
+     "of each part"},
+    {"oil_degC", balanced<[](const HeatResult& r) {
+       return r.oil ? std::optional(celsius_of(*r.oil)) : std::nullopt;
+     }>,
+     "at the contacts of each interface: the mean of its two bodies; needs a lubricant"},
+    {"heat_W", balanced<[](const HeatResult& r) {
+       return PartNumbers{r.heat.screw, r.heat.roller, r.heat.nut};
+     }>,
+     "that friction puts into each part"},
+};
+
+template <auto get>
+constexpr auto periodic = of<get, &HeatCycle::converged>;
+
+constexpr Quantity<HeatCycle> kHeatCycle[] = {
+    {"converged", of<&HeatCycle::converged>, "whether there is a state that repeats itself"},
+    {"status", of<&HeatCycle::status>, "converged | no_steady_state | iteration_limit"},
+    {"reason", of<[](const HeatCycle& r) { return reason_of(r.reason); }>, "where not converged"},
+    {"period_s", of<&HeatCycle::period>, "of the duty"},
+    {"time_s", periodic<&HeatCycle::time>, "from the start of the cycle to its end"},
+    {"temperature_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.temperature); }>,
+     "of each part at these times"},
+    {"peak_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.peak); }>,
+     "largest of each part"},
+    {"mean_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.mean); }>,
+     "of each part over the cycle"},
+    {"energy_in_J", periodic<&HeatCycle::energy_in>,
+     "that shaft and load bring in while they drive, per cycle"},
+    {"energy_lost_J", periodic<&HeatCycle::energy_lost>, "to friction, per cycle"},
+    {"efficiency", periodic<&HeatCycle::efficiency>, "energy out over energy in"},
+};
+
+}  // namespace
+
+PartNumbers celsius_of(const PerPart<double>& k) {
+  return {k.screw - kZeroCelsius, k.roller - kZeroCelsius, k.nut - kZeroCelsius};
+}
+PartSeries celsius_of(const PerPart<std::vector<double>>& kelvin) {
+  PartSeries series{kelvin.screw, kelvin.roller, kelvin.nut};
+  for (std::vector<double>* part : {&series.screw, &series.rollers, &series.nut})
+    for (double& value : *part) value -= kZeroCelsius;
+  return series;
+}
+InterfaceNumbers celsius_of(const PerInterface<double>& k) {
+  return {k.screw - kZeroCelsius, k.nut - kZeroCelsius};
+}
+
+Record<PartNumbers> record_of(Type<PartNumbers>) {
+  return {"PartNumbers", "A number of each part.", kPartNumbers};
+}
+
+Record<PartSeries> record_of(Type<PartSeries>) {
+  return {"PartSeries", "Numbers of each part over time.", kPartSeries};
+}
+
+Record<InterfaceNumbers> record_of(Type<InterfaceNumbers>) {
+  return {"InterfaceNumbers", "A number of each interface.", kInterfaceNumbers};
+}
+
+Record<HeatResult> record_of(Type<HeatResult>) {
+  return {"Heat",
+          "Steady temperatures: what friction puts into the parts flows off through the "
+          "conductances.",
+          kHeat};
+}
+
+Record<HeatCycle> record_of(Type<HeatCycle>) {
+  return {"HeatCycle", "The state of a duty that repeats itself from cycle to cycle.", kHeatCycle};
+}
+
+namespace {
+
+using contact::MechanismGeometry;
+using TwoValues = std::array<double, 2>;
+
+template <class T>
+constexpr Quantity<PerPart<T>> kPerPart[] = {
+    {"screw", of<&PerPart<T>::screw>},
+    {"roller", of<&PerPart<T>::roller>},
+    {"nut", of<&PerPart<T>::nut>},
+};
+
+constexpr Quantity<PerInterface<double>> kPerInterface[] = {
+    {"screw", of<&PerInterface<double>::screw>},
+    {"nut", of<&PerInterface<double>::nut>},
+};
+
+template <class T>
+constexpr Quantity<PerDirection<T>> kPerDirection[] = {
+    {"tension", of<&PerDirection<T>::tension>},
+    {"compression", of<&PerDirection<T>::compression>},
+};
+
+template <auto get>
+constexpr auto point =
+    of<[](const ContactAt& c) { return std::invoke(get, c.contact().geometry.point); }>;
+
+template <contact::PrincipalValues contact::InterfaceGeometry::*values>
+constexpr auto both = of<[](const ContactAt& c) {
+  return TwoValues{(c.contact().geometry.*values).first, (c.contact().geometry.*values).second};
+}>;
+
+template <auto get>
+constexpr auto geometry =
+    of<[](const ContactAt& c) { return std::invoke(get, c.contact().geometry); }>;
+
+template <double contact::HertzConstants::*get>
+constexpr auto hertz = of<[](const ContactAt& c) { return c.contact().hertz.*get; },
+                          [](const ContactAt& c) { return c.contact().hertz.ok(); }>;
+
+template <double contact::SubsurfaceShear::*get>
+constexpr auto shear = of<[](const ContactAt& c) { return (*c.contact().shear).*get; },
+                          [](const ContactAt& c) { return c.contact().shear.has_value(); }>;
+
+template <auto get>
+constexpr auto clearance = of<[](const ContactAt& c) {
+  return c.contact().clearance ? std::optional<double>((*c.contact().clearance).*get)
+                               : std::nullopt;
+}>;
+
+using contact::HertzConstants;
+using contact::InterfaceGeometry;
+using Point = contact::ContactPoint;
+
+constexpr std::string_view kSandu = "Sandu 2018, chapter 1", kYao = "Yao 2023, (55) to (58)";
+
+constexpr Quantity<ContactAt> kInterfaceContact[] = {
+    {"radius_on_body_mm", point<&Point::radius_on_body>,
+     "of the contact point from the body's axis", kSandu, "radius on the body"},
+    {"radius_on_roller_mm", point<&Point::radius_on_roller>,
+     "of the contact point from the roller's axis", kSandu, "radius on the roller"},
+    {"angle_on_body_deg", point<&Point::angle_on_body>,
+     "of the contact point about the body's axis, from the line of centres", kSandu,
+     "angle on the body"},
+    {"angle_on_roller_deg", point<&Point::angle_on_roller>,
+     "of the contact point about the roller's axis, from the line of centres", kSandu,
+     "angle on the roller"},
+    {"flank_clearance_mm", clearance<&ThreadClearance::flank>,
+     "along the axis, each thread in the middle of the other's groove; half the backlash", kYao,
+     "flank to flank when centred"},
+    {"body_crest_clearance_mm", clearance<&ThreadClearance::body_crest>,
+     "along the axis, from the edge of the body's crest to the roller's flank", kYao,
+     "crest of the body to flank"},
+    {"roller_crest_clearance_mm", clearance<&ThreadClearance::roller_crest>,
+     "along the axis, from the edge of the roller's crest to the body's flank", kYao,
+     "crest of the roller to flank"},
+    {"body_curvatures_per_mm", both<&InterfaceGeometry::body>,
+     "principal curvatures, convex > 0, ascending in absolute value", kSandu,
+     "curvatures of the body"},
+    {"roller_curvatures_per_mm", both<&InterfaceGeometry::roller>,
+     "principal curvatures, convex > 0, ascending in absolute value", kSandu,
+     "curvatures of the roller"},
+    {"relative_curvatures_per_mm", both<&InterfaceGeometry::relative>,
+     "eigenvalues of the sum of both curvature tensors, without a factor 1/2", kSandu,
+     "relative curvatures"},
+    {"curvature_sum_per_mm", geometry<&InterfaceGeometry::curvature_sum>, "kappa_1 + kappa_2",
+     "Sandu 2018, (1.77)", "sum of the relative curvatures"},
+    {"equivalent_radius_mm",
+     geometry<[](const InterfaceGeometry& g) { return 1.0 / g.curvature_sum(); }>,
+     "1 over the sum of the relative curvatures"},
+    {"first_directions_angle_deg", geometry<&InterfaceGeometry::first_directions_angle>,
+     "between the first principal directions of body and roller", "Sandu 2018, (1.61)",
+     "angle of the first directions"},
+    {"normal_angle_deg", point<&Point::normal_angle>, "psi = arccos|n_z|", kSandu,
+     "normal against the axis"},
+    {"normal", of<[](const ContactAt& c) {
+       const contact::Vector3<double>& n = c.contact().geometry.point.normal;
+       return std::array{n.x, n.y, n.z};
+     }>,
+     "unit vector, outward from the roller: radial, across, axial", kSandu},
+    {"backlash_mm",
+     of<[](const ContactAt& c) { return c.contact().geometry.point.backlash; },
+        [](const ContactAt& c) { return c.same_pitch(); }>,
+     "axial play of both faces; < 0: the threads are too thick; needs equal pitches",
+     "Sandu 2018, (1.40)"},
+    {"hertz_constant_N_per_mm1_5", hertz<&HertzConstants::hertz_constant>,
+     "k_0 of N = k_0 delta^1.5", source::kHertz, "Hertz constant"},
+    {"ellipticity", hertz<&HertzConstants::ellipticity>, "b/a of the contact ellipse",
+     source::kHertz, "ellipticity b/a"},
+    {"semi_major_mm_per_N1_3", hertz<&HertzConstants::semi_major_per_cbrt_load>,
+     "semi-axis a over the cube root of the normal load", source::kHertz,
+     "semi-axis a over cube root of the load"},
+    {"semi_minor_mm_per_N1_3", hertz<&HertzConstants::semi_minor_per_cbrt_load>,
+     "semi-axis b over the cube root of the normal load", source::kHertz,
+     "semi-axis b over cube root of the load"},
+    {"max_shear_over_peak_pressure", shear<&contact::SubsurfaceShear::shear_over_pressure>,
+     "largest shear stress below the surface over p_0", source::kHertz,
+     "largest shear stress over peak pressure", "", "", Reach::complete},
+    {"max_shear_depth_over_semi_minor", shear<&contact::SubsurfaceShear::depth_over_semi_minor>,
+     "its depth over b", source::kHertz, "depth of the largest shear stress over semi-axis b", "",
+     "", Reach::complete},
+};
+
+PerPart<double> of_threads(const MechanismGeometry& threads, auto value) {
+  return {value(threads.screw), value(threads.roller), value(threads.nut)};
+}
+
+template <Interface i>
+constexpr auto contact_of = of<[](const Contacts& c) {
+  return c.interfaces[i].geometry.ok() ? std::optional(ContactAt{&c, i}) : std::nullopt;
+}>;
+
+constexpr Quantity<Contacts> kContacts[] = {
+    {"centre_distance_mm", of<[](const Contacts& c) { return c.threads.centre_distance; }>,
+     "from the axis of the screw to that of a roller"},
+    {"pitch_diameter_mm", of<[](const Contacts& c) {
+       return of_threads(c.threads, [](const auto& thread) { return 2.0 * thread.pitch_radius; });
+     }>,
+     "where thread and groove are equally wide, or as the file has it"},
+    {"helix_angle_deg", of<[](const Contacts& c) {
+       return of_threads(c.threads, [](const auto& thread) {
+         return contact::ThreadSurface(thread).helix_angle();
+       });
+     }>,
+     "at the pitch diameter"},
+    {"profile_radius_limits_mm", of<[](const Contacts& c) {
+       const auto range = [](const contact::Thread& thread) {
+         const contact::RadiusLimits limits = contact::flank_limits(thread);
+         return TwoValues{limits.smallest, limits.largest};
+       };
+       return PerPart<TwoValues>{range(c.threads.screw), range(c.threads.roller),
+                                 range(c.threads.nut)};
+     }>,
+     "radii between which there is a flank", "", "radii of the flanks"},
+    {"max_rollers", of<[](const Contacts& c) { return contact::largest_roller_count(c.threads); }>,
+     "that fit side by side", "", "rollers that fit"},
+    {"screw", contact_of<Interface::screw>, "of roller and screw"},
+    {"nut", contact_of<Interface::nut>, "of roller and nut"},
+};
+
+constexpr Quantity<ThreadWidths> kThreadWidths[] = {
+    {"crest_width_mm", of<&ThreadWidths::crest>, "along the axis; < 0: the profile ends before",
+     "Yao 2023, (52) to (54)", "crest width"},
+    {"root_width_mm", of<&ThreadWidths::root>, "along the axis", "Yao 2023, (52) to (54)",
+     "root width"},
+};
+
+template <contact::Thread MechanismGeometry::*part>
+constexpr auto widths = of<[](const MechanismGeometry& threads) {
+  const std::optional<ThreadWidths> widths = thread_widths(threads.*part);
+  return widths && (widths->crest || widths->root) ? widths : std::nullopt;
+}>;
+
+constexpr Quantity<MechanismGeometry> kThreads[] = {
+    {"screw", widths<&MechanismGeometry::screw>},
+    {"roller", widths<&MechanismGeometry::roller>},
+    {"nut", widths<&MechanismGeometry::nut>},
+};
+
+}  // namespace
+
+Record<PerPart<double>> record_of(Type<PerPart<double>>) {
+  return {"PerPart", "One number each of screw, roller and nut.", kPerPart<double>};
+}
+
+Record<PerPart<TwoValues>> record_of(Type<PerPart<TwoValues>>) {
+  return {"PerPartRange", "Smallest and largest value each of screw, roller and nut.",
+          kPerPart<TwoValues>};
+}
+
+Record<PerInterface<double>> record_of(Type<PerInterface<double>>) {
+  return {"PerInterface", "One number each of the roller's contacts with screw and nut.",
+          kPerInterface};
+}
+
+Record<PerDirection<double>> record_of(Type<PerDirection<double>>) {
+  return {"PerDirection", "One number for each sense of the load.", kPerDirection<double>};
+}
+
+Record<PerDirection<std::optional<double>>> record_of(Type<PerDirection<std::optional<double>>>) {
+  return {"PerDirection", "One number for each sense of the load.",
+          kPerDirection<std::optional<double>>};
+}
+
+Record<ContactAt> record_of(Type<ContactAt>) {
+  return {"InterfaceContact",
+          "Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.",
+          kInterfaceContact};
+}
+
+Record<Contacts> record_of(Type<Contacts>) {
+  return {"Contacts", "Mechanism and contacts of both interfaces.", kContacts};
+}
+
+Record<ThreadWidths> record_of(Type<ThreadWidths>) {
+  return {"ThreadWidths", "Axial widths of a truncated thread.", kThreadWidths};
+}
+
+Record<MechanismGeometry> record_of(Type<MechanismGeometry>) {
+  return {"Threads", "Threads of the parts by themselves; needs their heights.", kThreads};
 }
 
 }  // namespace prs

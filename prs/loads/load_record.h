@@ -1,8 +1,10 @@
 #pragma once
 
 #include "prs/loads/result.h"
+#include "prs/model/load_case.h"
 #include "prs/model/units.h"
 #include "prs/record/record.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
 
@@ -33,5 +35,68 @@ inline std::optional<double> entry(const std::vector<double>& values,
                                    std::optional<std::size_t> thread) {
   return thread && *thread < values.size() ? std::optional(values[*thread]) : std::nullopt;
 }
+
+/// Which model of the bodies the loads were solved with, and what it is known to be off by.
+struct ModelSummary {
+  const Result* result = nullptr;
+};
+
+Record<ModelSummary> record_of(Type<ModelSummary>);
+
+/// The same as a line for the terminal; empty where nothing was solved.
+std::string model_line(const Result& result);
+
+/// A number of each part as documents show it, of all rollers together.
+struct PartNumbers {
+  double screw = 0.0, rollers = 0.0, nut = 0.0;
+};
+/// Those over time.
+struct PartSeries {
+  std::vector<double> screw, rollers, nut;
+};
+struct InterfaceNumbers {
+  double screw = 0.0, nut = 0.0;
+};
+
+inline constexpr double kZeroCelsius = 273.15;  // [K]
+
+/// Temperatures in degC.
+PartNumbers celsius_of(const PerPart<double>& kelvin);
+PartSeries celsius_of(const PerPart<std::vector<double>>& kelvin);
+InterfaceNumbers celsius_of(const PerInterface<double>& kelvin);
+
+Record<PartNumbers> record_of(Type<PartNumbers>);
+Record<PartSeries> record_of(Type<PartSeries>);
+Record<InterfaceNumbers> record_of(Type<InterfaceNumbers>);
+Record<HeatResult> record_of(Type<HeatResult>);
+Record<HeatCycle> record_of(Type<HeatCycle>);
+
+/// One interface's contact, among what else is known of the threads.
+struct ContactAt {
+  const Contacts* contacts = nullptr;
+  Interface interface = Interface::screw;
+
+  const InterfaceContact& contact() const { return contacts->interfaces[interface]; }
+  /// Whether the backlash means something.
+  bool same_pitch() const {
+    const contact::MechanismGeometry& threads = contacts->threads;
+    return contact::same_pitch(interface == Interface::screw ? threads.screw : threads.nut,
+                               threads.roller);
+  }
+};
+
+// One value per part, interface or sense of the load; their unit is that of the key they stand
+// under.
+Record<PerPart<double>> record_of(Type<PerPart<double>>);
+Record<PerPart<std::array<double, 2>>> record_of(Type<PerPart<std::array<double, 2>>>);
+Record<PerInterface<double>> record_of(Type<PerInterface<double>>);
+Record<PerDirection<double>> record_of(Type<PerDirection<double>>);
+Record<PerDirection<std::optional<double>>> record_of(Type<PerDirection<std::optional<double>>>);
+
+Record<ContactAt> record_of(Type<ContactAt>);
+Record<Contacts> record_of(Type<Contacts>);
+Record<ThreadWidths> record_of(Type<ThreadWidths>);
+/// The threads by themselves.
+Record<contact::MechanismGeometry> record_of(Type<contact::MechanismGeometry>);
 
 }  // namespace prs

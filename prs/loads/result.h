@@ -1,13 +1,101 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "fe/newton.h"
-#include "prs/loads/heat_result.h"
-#include "prs/loads/running_loads.h"
 #include "prs/loads/slip_result.h"
 #include "prs/model/model_options.h"
+#include "prs/model/part.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {
+
+/// How the search for loads and friction that belong together ended.
+enum class RunningStatus {
+  converged,
+  iteration_limit,
+  slip_no_equilibrium,  ///< No slip ratio balances the moment on a roller.
+  jammed,               ///< Friction takes more of a contact's axial force than its normal gives.
+  no_equilibrium,       ///< Of the loads with that friction.
+  mechanism,
+};
+
+constexpr std::string_view name(RunningStatus status) {
+  constexpr std::string_view kNames[] = {"converged", "iteration_limit", "slip_no_equilibrium",
+                                         "jammed",    "no_equilibrium",  "mechanism"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+/// T of each thread on the roller: x along the axis from the loaded end of the screw, y outwards,
+/// tangential along the orbit [N]. Threads as in `InterfaceLoads`.
+struct FrictionForces {
+  int threads_per_roller = 0;
+  std::vector<double> axial, radial, tangential;
+};
+
+/// What a load case has where its loads are those of the running screw, with friction. SI units.
+struct RunningLoads {
+  RunningStatus status = RunningStatus::iteration_limit;
+  int rounds = 0;       ///< Evaluations of slip.
+  double change = 0.0;  ///< Of a thread's load in the last round, over the largest load.
+  /// R_near and R_far, forces of the guides on the roller, > 0 outwards; of each roller present
+  /// [N]. None where rollers stay straight.
+  std::vector<std::array<double, 2>> guide_force;
+
+  /// The same load case at rest.
+  struct AtRest {
+    PerInterface<double> largest_normal_load;  ///< [N]
+    double axial_displacement = 0.0;           ///< [m]
+  };
+  AtRest at_rest;
+
+  bool converged() const { return status == RunningStatus::converged; }
+};
+
+/// How the search for steady or periodic temperatures ended.
+enum class HeatStatus {
+  converged,
+  no_steady_state,  ///< The parts warm on until no oil and no steel stands it, or slip ends.
+  iteration_limit,
+};
+
+constexpr std::string_view name(HeatStatus status) {
+  constexpr std::string_view kNames[] = {"converged", "no_steady_state", "iteration_limit"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+/// Temperatures at which the losses of a load case and the heat that the parts pass on balance. SI
+/// units; of all rollers together.
+struct HeatResult {
+  HeatStatus status = HeatStatus::iteration_limit;
+  std::string reason = {};                  ///< Where not converged.
+  int evaluations = 0;                      ///< Of the losses at temperatures.
+  bool others = false;                      ///< Hotter steady states exist.
+  PerPart<double> temperature;              ///< [K]
+  std::optional<PerInterface<double>> oil;  ///< Of the contacts [K]; none without lubricant.
+  PerPart<double> heat;                     ///< That flows into each part [W].
+
+  bool converged() const { return status == HeatStatus::converged; }
+};
+
+/// The state that repeats itself from cycle to cycle of a duty. SI units.
+struct HeatCycle {
+  HeatStatus status = HeatStatus::iteration_limit;
+  std::string reason = {};
+  std::vector<double> time;                  ///< From the start of the cycle to its end [s].
+  PerPart<std::vector<double>> temperature;  ///< At these times [K].
+  PerPart<double> peak, mean;                ///< [K]
+  double period = 0.0;                       ///< [s]
+  double energy_in = 0.0;    ///< That shaft and load bring in while they drive, per cycle [J].
+  double energy_lost = 0.0;  ///< By friction, per cycle [J].
+  std::optional<double> efficiency;  ///< What comes out over what goes in; none where nothing does.
+
+  bool converged() const { return status == HeatStatus::converged; }
+};
 
 /// How an interface of the full mechanism spreads its load over the rollers.
 struct RollerShares {
@@ -74,7 +162,7 @@ struct LoadCaseResult {
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
   std::optional<OtherFlank> other_flank;                ///< With preload.
-  std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see full_result.h.
+  std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see load_case_result.h.
   std::optional<RunningLoads> running;    ///< Where these are loads of the running screw.
   std::optional<SlipResult> slip;         ///< Where it was asked for and the loads are known.
   std::optional<HeatResult> heat;         ///< With `heat` the slip is that at its temperatures.
@@ -93,5 +181,9 @@ struct Result {
   std::optional<HeatCycle> heat_cycle;  ///< Where the case has a duty.
   std::vector<Warning> warnings;
 };
+
+/// Library, version and kind of what factorized the sparse equations of a load case:
+/// `CHOLMOD 3.0.14, simplicial LDL'`. Absent where none were solved.
+std::optional<std::string> factorization(const LoadCaseResult& result);
 
 }  // namespace prs

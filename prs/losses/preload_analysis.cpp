@@ -1,11 +1,10 @@
 #include "prs/losses/preload_analysis.h"
 
-#include "prs/heat/warm_parts.h"
+#include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
-#include "prs/loads/load_json.h"
-#include "prs/loads/warnings.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/preload/preload_record.h"
-#include "prs/record/figure_parts.h"
+#include "prs/record/pictures.h"
 #include "prs/record/table_units.h"
 
 namespace prs {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/preload/analyze_preload.h"
+#include "prs/preload/preloaded_mechanism.h"
 #include "prs/record/analysis.h"
 #include "prs/record/csv_writer.h"
 

@@ -1,13 +1,10 @@
 #include "prs/losses/solve_analysis.h"
 
-#include "prs/loads/case_groups.h"
-#include "prs/loads/factorization.h"
-#include "prs/loads/load_analysis.h"
+#include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
-#include "prs/loads/load_table.h"
-#include "prs/loads/warnings.h"
-#include "prs/model/void_inputs.h"
+#include "prs/loads/result.h"
+#include "prs/model/check_case.h"
 #include "prs/slip/running.h"
 #include "prs/text.h"
 

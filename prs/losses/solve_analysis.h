@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prs/loads/analysis_options.h"
-#include "prs/loads/load_json.h"
+#include "prs/loads/load_analysis.h"
 
 namespace prs {
 

@@ -1,15 +1,14 @@
 #include "prs/measures/measures.h"
 
 #include <initializer_list>
+#include <map>
 
+#include "prs/life/analyze_life.h"
 #include "prs/life/rating_life.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/measures/stiffness.h"
-#include "prs/measures/thread_root.h"
-#include "prs/measures/transmission.h"
-#include "prs/measures/yang_distribution.h"
-#include "prs/sector/bodies.h"
+#include "prs/sector/sector_model.h"
 #include "prs/slip/slip.h"
+#include "prs/threads/kinematics.h"
 
 namespace prs {
 namespace {
@@ -294,6 +293,30 @@ void find_most_loaded(const Conditions& c, const Contacts& contacts, const Measu
   }
 }
 
+/// Static ratings of all load cases, each solved once: forces of one sense at one place have one.
+class StaticRatings {
+ public:
+  StaticRatings(const Conditions& c, const Contacts& contacts) : c_(c), contacts_(contacts) {}
+
+  void rate(const LoadCase& load, LoadMeasures& m) {
+    if (c_.model.mechanism == ModelOptions::Mechanism::full || !load.direction || !load.position ||
+        load.share != LoadCase::Share::solved || !(load.axial_force > 0.0))
+      return;
+    const auto [known, is_new] = ratings_.try_emplace({*load.direction, *load.position});
+    if (is_new)
+      known->second =
+          solved_static_rating(c_, contacts_, *load.direction, *load.position, load.axial_force);
+    if (!known->second) return;
+    m.solved_static_safety = known->second->force / load.axial_force;
+    m.solved_static_safety_limit = known->second->limit;
+  }
+
+ private:
+  const Conditions& c_;
+  const Contacts& contacts_;
+  std::map<std::pair<Direction, double>, std::optional<StaticRating>> ratings_;
+};
+
 }  // namespace
 
 std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& contacts,
@@ -405,6 +428,93 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
     m.back_driving_efficiency = prs::back_driving_efficiency(c, contacts, result);
   if (speed && *speed > 0.0) m.speed_safety = ratio(measures.critical_speed, speed);
   return m;
+}
+
+MeasuresResult measured(const Conditions& c, Result analysis, Detail detail) {
+  MeasuresResult result;
+  result.analysis = std::move(analysis);
+  const Contacts& contacts = result.analysis.contacts;
+  result.measures = measures_of(c, contacts);
+  if (detail == Detail::complete)
+    for (Warning& note : unusual_measures(c, contacts, result.measures))
+      result.analysis.warnings.push_back(std::move(note));
+  StaticRatings ratings(c, contacts);
+  for (LoadCaseResult& load_case : result.analysis.load_cases) {
+    if (!load_case.converged()) {
+      result.load_measures.push_back(std::nullopt);
+      continue;
+    }
+    LoadMeasures& measures = *result.load_measures.emplace_back(
+        load_measures_of(c, contacts, result.measures, load_case, detail));
+    if (detail != Detail::complete) continue;
+    ratings.rate(load_case.load_case, measures);
+    for (Warning& note : unusual_load_measures(c, result.measures, measures, load_case))
+      load_case.warnings.push_back(std::move(note));
+  }
+  return result;
+}
+
+MeasuresResult analyze_measures(const Conditions& c, Contacts found, AnalysisOptions options) {
+  return measured(c,
+                  c.load_cases.empty() ? analyze_contacts(c, std::move(found), options.detail)
+                                       : analyze(c, std::move(found), options),
+                  options.detail);
+}
+
+using std::numbers::pi;
+
+namespace {
+
+/// pi d mu/l: tangent of the friction angle over that of the lead angle.
+double friction_over_lead(double lead, double diameter, double friction) {
+  return pi * diameter * friction / std::abs(lead);
+}
+
+}  // namespace
+
+double velocity_ratio(double lead) { return std::abs(lead) / (2.0 * pi); }
+
+PlanetaryRatios planetary_ratios(Mechanism::Type type, double gear_ratio) {
+  KinematicGeometry g;
+  g.type = type;
+  g.gear_ratio = gear_ratio;
+  const double slip_ratio = type == Mechanism::Type::standard
+                                ? (1.0 - 2.0 * gear_ratio) / (2.0 * (1.0 - gear_ratio))
+                                : 1.0 / (2.0 * (1.0 + gear_ratio));
+  // With the nut at rest the carrier turns by the slip ratio.
+  return {kinematics(g, 1.0, slip_ratio).roller_to_carrier + slip_ratio, slip_ratio};
+}
+
+PlanetaryRatios ratios_to_frame(Mechanism::Type type, const PlanetaryRatios& nut_at_rest) {
+  const auto of = [&](double against_nut) {
+    return against_frame(type == Mechanism::Type::standard, against_nut, 1.0) /
+           turning_speed(type, 1.0);
+  };
+  return {of(nut_at_rest.roller), of(nut_at_rest.carrier)};
+}
+
+double efficiency(double lead, double diameter, double friction) {
+  return 1.0 / (1.0 + friction_over_lead(lead, diameter, friction));
+}
+
+std::optional<double> back_driving_efficiency(double lead, double diameter, double friction) {
+  const double efficiency = 1.0 - friction_over_lead(lead, diameter, friction);
+  return efficiency > 0.0 ? std::optional(efficiency) : std::nullopt;
+}
+
+double drive_torque(double force, double lead, double efficiency) {
+  return force * velocity_ratio(lead) / efficiency;
+}
+
+double roller_inertia(int rollers, double mass, double inertia, double centre_distance,
+                      const PlanetaryRatios& to_frame) {
+  const double orbit = centre_distance * to_frame.carrier;
+  return rollers * (inertia * to_frame.roller * to_frame.roller + mass * orbit * orbit);
+}
+
+double travel_inertia(double mass, double lead) {
+  const double ratio = velocity_ratio(lead);
+  return mass * ratio * ratio;
 }
 
 }  // namespace prs

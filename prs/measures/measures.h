@@ -1,11 +1,34 @@
 #pragma once
 
 #include "prs/life/static_limits.h"
+#include "prs/loads/analyze.h"
 #include "prs/loads/result.h"
-#include "prs/measures/system_stiffness.h"
+#include "prs/measures/stiffness.h"
 #include "prs/model/case.h"
+#include "prs/model/mechanism.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
+
+/// Nominal stresses at the root of a thread tooth, a cantilever of the root's width a under an
+/// axial load F [N] at the pitch line, the height c above the root, over `width` w of thread [m]:
+///
+///     shear    tau = F/(a w)            mean over the root
+///     bending  sigma = 6 F c/(a^2 w)    at the root's surface
+///
+/// as handbooks have it for power screws. The radial part of the contact load, which relieves the
+/// loaded side, and the notch at the root are left out; teeth of roller screws are shorter than
+/// wide (c < a), where beams give no more than an order of magnitude and shear rules. What width a
+/// point contact loads, theory does not say.
+struct RootStress {
+  double shear = 0.0;    ///< [Pa]
+  double bending = 0.0;  ///< [Pa]
+};
+
+inline RootStress root_stress(const ToothSection& tooth, double axial_load, double width) {
+  const double area = tooth.root_width * width;
+  return {axial_load / area, 6.0 * axial_load * tooth.height / (area * tooth.root_width)};
+}
 
 /// Design measures of a mechanism that no load case changes. SI units; absent where the case does
 /// not state what a measure needs. Formulas, validity and sources stand with the keys under which
@@ -104,5 +127,83 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& 
 LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
                               const Measures& measures, const LoadCaseResult& result,
                               Detail detail = Detail::complete);
+
+/// Everything that `analyze_measures` computes.
+struct MeasuresResult {
+  Result analysis;  ///< Contacts and thread loads that the measures are taken from.
+  Measures measures;
+  /// One per load case; absent where it did not converge.
+  std::vector<std::optional<LoadMeasures>> load_measures;
+  /// Whether the case has all for `slip` and `life`, which compute what is estimated here.
+  bool slips = false, lives = false;
+};
+
+/// The measures of what is known of a case: contacts, and load cases that are solved.
+MeasuresResult measured(const Conditions& c, Result analysis, Detail detail);
+
+/// The chain of `analyze`, then the design measures of the mechanism and of each load case. Reads
+/// nothing, prints nothing. The case must have passed `check_case` and the requirements of
+/// `measures`. Throws CaseError where the geometry gives no contact.
+MeasuresResult analyze_measures(const Conditions& c, Contacts found, AnalysisOptions options = {});
+inline MeasuresResult analyze_measures(const Case& c, AnalysisOptions options = {}) {
+  return analyze_measures(c, checked_contacts(c, options.detail), options);
+}
+
+/// Travel of the screw against the nut per angle [m/rad], |l|/(2 pi). Jung 2017, (8.30), has a
+/// factor d_s/d_r that does not belong there (erratum).
+double velocity_ratio(double lead);
+
+/// Speeds of rollers and carrier over that of the screw, nut at rest, > 0 in the screw's sense.
+struct PlanetaryRatios {
+  double roller = 0.0;   ///< omega_R/omega_S
+  double carrier = 0.0;  ///< omega_C/omega_S
+};
+
+/// Rollers that roll without slip, at the gears as on the other part, all on pitch circles (Sandu
+/// 2018, (2.4) and (2.21)); with matched pitch diameters
+///
+///     omega_C/omega_S = d_S/(2 (d_S + d_R)),   omega_R/omega_S = -d_S/(2 d_R)
+///
+/// Jung 2017, (2.27), is inverted and (2.9) to (2.13) are the carrier's view (errata). `gear_ratio`
+/// Gamma = |l_R/l_S| > 0, below 1 for standard mechanisms. `SlipResult` has the ratio with
+/// friction.
+PlanetaryRatios planetary_ratios(Mechanism::Type type, double gear_ratio);
+
+/// Speeds against the frame over that of the part that turns (`against_frame`, `turning_speed` of
+/// kinematics.h): x -> 1 - x for the inverted mechanism, whose nut turns.
+PlanetaryRatios ratios_to_frame(Mechanism::Type type, const PlanetaryRatios& nut_at_rest);
+
+/// Efficiency of turning rotation into travel (Jung 2017, (8.29)), with the friction angle of one
+/// equivalent thread on the screw's pitch diameter:
+///
+///     eta = 1/(1 + pi d_S mu/l)
+///
+/// `friction_coefficient` mu is that of the whole mechanism, as catalogues state it, not that of a
+/// sliding contact. Small mu and no preload.
+double efficiency(double lead, double screw_diameter, double friction_coefficient);
+
+/// Efficiency of turning travel into rotation, 1 - pi d_S mu/l = 2 - 1/eta, by the same argument.
+/// Absent where it is not positive: the screw is self-locking. A rough estimate: where the screw
+/// itself drives at 0.77 to 0.89, it misses a maker's values by -0.07 to +0.01 and those of slip by
+/// -0.06 to -0.03, as rolling and spinning contacts lose about the same share of the power both
+/// ways.
+std::optional<double> back_driving_efficiency(double lead, double screw_diameter,
+                                              double friction_coefficient);
+
+/// Torque [N m] that moves a load F [N] against its direction: F |l|/(2 pi eta).
+double drive_torque(double force, double lead, double efficiency);
+
+/// Inertia [kg m^2] of N_r rollers seen at the part that turns, their spin and their orbit:
+///
+///     N_r (I_R (omega_R/omega)^2 + M_R c^2 (omega_C/omega)^2)
+///
+/// `mass` M_R [kg] and `inertia` I_R [kg m^2] of one roller, speeds against the frame. Jung 2017,
+/// (8.33), has d_S/(2 d_N) in place of d_S/(2 d_R) and no orbit (erratum).
+double roller_inertia(int rollers, double mass, double inertia, double centre_distance,
+                      const PlanetaryRatios& to_frame);
+
+/// Inertia [kg m^2] of a travelling mass [kg] seen at the part that turns: M (l/(2 pi))^2, Jung
+/// 2017, (8.32) in its right form (erratum).
+double travel_inertia(double mass, double lead);
 
 }  // namespace prs

@@ -1,4 +1,4 @@
-#include "prs/measures/measures_record.h"
+#include "prs/measures/measures_analysis.h"
 
 #include <initializer_list>
 

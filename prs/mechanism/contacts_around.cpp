@@ -1,4 +1,4 @@
-#include "prs/mechanism/contacts_around.h"
+#include "prs/mechanism/full_influence.h"
 
 #include <Eigen/Jacobi>
 

@@ -2,8 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "prs/mechanism/contacts_around.h"
-#include "prs/mechanism/rigid_motions.h"
+#include "prs/mechanism/full_model.h"
 
 namespace prs {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "prs/sector/section_properties.h"
-#include "prs/threads/initial_gaps.h"
+#include "fe/shell.h"
+#include "prs/threads/threads.h"
 
 namespace prs {
 namespace {
@@ -143,6 +143,31 @@ FullModel full_model(const Mechanism& m, const Structure& structure, const Mater
   f.housing = structure.nut.housing;
   f.bearings = structure.screw.bearings;
   return f;
+}
+
+std::vector<NutHarmonic> nut_harmonics(const NutLine& line, const NutBore& bore,
+                                       const Material& material, int rollers, int highest) {
+  std::vector<NutHarmonic> harmonics;
+  for (int n = 2; n <= highest; ++n) {
+    if (n % rollers == 0) continue;
+    NutHarmonic harmonic{n, {}};
+    for (std::size_t i = 0; i < line.outer_radius.size(); ++i) {
+      const auto same = [&](std::size_t k) {
+        return line.outer_radius[k] == line.outer_radius[i] && bore.root[k] == bore.root[i] &&
+               std::abs(line.length(k) - line.length(i)) <= 1e-12 * line.length(i);
+      };
+      std::size_t k = 0;
+      while (k < i && !same(k)) ++k;
+      harmonic.segments.push_back(
+          k < i ? harmonic.segments[k]
+                : fe::stiffness_matrix(
+                      fe::oval_tube(n, bore.pitch, bore.root[i], line.outer_radius[i],
+                                    material.youngs_modulus, material.poisson_ratio),
+                      line.length(i)));
+    }
+    harmonics.push_back(std::move(harmonic));
+  }
+  return harmonics;
 }
 
 }  // namespace prs

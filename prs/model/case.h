@@ -1,13 +1,10 @@
 #pragma once
 
 #include "prs/model/deviations.h"
-#include "prs/model/heat.h"
-#include "prs/model/life.h"
-#include "prs/model/materials.h"
-#include "prs/model/measure_options.h"
+#include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
 #include "prs/model/operation.h"
-#include "prs/model/preload.h"
+#include "prs/model/part.h"
 
 namespace prs {
 

@@ -25,7 +25,7 @@ struct Command {
   }
 };
 
-// What a case must state, see check_case.cpp, life_check.cpp and preload_check.cpp.
+// What a case must state, see check_case.cpp and load_case_check.cpp.
 void need_solve(const Case& c, Problems& problems);
 void need_compare(const Case& c, Problems& problems);
 void need_slip(const Case& c, Problems& problems);

@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "prs/model/lateral.h"
 #include "prs/model/part.h"
 
 namespace prs {

@@ -3,8 +3,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "prs/model/lateral.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/part.h"
+#include "prs/model/structure.h"
 
 namespace prs {
 
@@ -77,5 +80,144 @@ inline std::string path_in(const LoadCase& c, std::string_view key) {
 inline double axial_force_on_nut(const LoadCase& c) {
   return c.direction == Direction::compression ? -c.axial_force : c.axial_force;
 }
+
+template <class T>
+struct PerDirection {
+  T tension{};
+  T compression{};
+
+  T& operator[](Direction d) { return d == Direction::tension ? tension : compression; }
+  const T& operator[](Direction d) const { return const_cast<PerDirection&>(*this)[d]; }
+};
+
+inline constexpr Direction kDirections[] = {Direction::tension, Direction::compression};
+
+constexpr Direction opposite(Direction d) {
+  return d == Direction::tension ? Direction::compression : Direction::tension;
+}
+
+/// Ring between the two nuts of a double nut, of the nut's material.
+struct Spacer {
+  double length = 0.0;          ///< [m]
+  double inner_diameter = 0.0;  ///< [m]
+  double outer_diameter = 0.0;  ///< [m]
+};
+
+/// External axial loads at equal distances, ends included; > 0 in tension [N].
+struct LoadSweep {
+  double from = 0.0;
+  double to = 0.0;
+  int steps = 41;
+};
+
+/// How a mechanism is rid of its play, and the loads that it is asked about. One of `force`,
+/// `interference` and `backlash` is given.
+struct Preload {
+  enum class Arrangement {
+    single_nut,  ///< Rollers wedged in the grooves of screw and nut, on both flanks.
+    double_nut,  ///< Two nuts on one screw, each with its rollers, pushed apart by a spacer.
+  };
+
+  Arrangement arrangement = Arrangement::single_nut;
+  std::optional<double> force;  ///< Axial load of each side without external load [N].
+  /// Single nut: pitch diameter of the rollers above the one that just fills the grooves. Double
+  /// nut: length of the spacer above the one that just touches [m].
+  std::optional<double> interference;
+  std::optional<double> backlash;  ///< Axial play in place of preload [m].
+  double position = 0.0;           ///< First roller contact on the first nut [m].
+  std::optional<Spacer> spacer;    ///< Double nut only.
+  std::optional<double> distance;  ///< Last contact of the first nut to the second's first [m].
+  LoadSweep load;
+  /// With `heat`: the load case at whose steady temperatures the curve holds; the first by default.
+  std::optional<std::string> load_case;
+  std::optional<double> lost_motion_load;  ///< [N]; `kLostMotionShare` of the largest if absent.
+};
+
+/// Share of the largest load of the curve at which the lost motion is read where none is given.
+inline constexpr double kLostMotionShare = 0.05;
+
+/// Axial position of the first contact on the second nut of a double nut [m].
+inline double second_position(const Mechanism& m, const Structure::Nut& nut,
+                              const Preload& preload) {
+  const double last = preload.position + (m.contacts_per_roller - 1) * axial_pitch(m);
+  return *preload.distance - (nut.length - last) - preload.spacer->length;
+}
+
+/// A column of a file of comma-separated values, by its name in the heading.
+struct CsvColumn {
+  std::string column;
+  std::string unit;
+
+  bool operator==(const CsvColumn&) const = default;
+};
+
+/// Loads over time or travel, from a file: one row per sample. How far the screw turns between two
+/// samples follows from `position`, from `speed` and the time, or from the operation's speed and
+/// the time.
+struct HistorySource {
+  std::string file;                        ///< Relative to the input file.
+  std::optional<std::string> sha256 = {};  ///< Of the file that is meant, hexadecimal.
+  CsvColumn force;                         ///< > 0 in tension.
+  std::optional<CsvColumn> time;
+  std::optional<double> interval;  ///< Between two samples [s], in place of `time`.
+  std::optional<CsvColumn> position;
+  std::optional<CsvColumn> speed;
+  /// Who drives, of running loads. By travel: the position grows as the screw moves out at its
+  /// loaded end, so that force x change > 0 is driven by the load; a speed counts as in slip.
+  enum class DrivenBy { travel, screw, load };
+  std::optional<DrivenBy> driven_by;  ///< Absent: travel where position or speed tells it.
+  double hysteresis = 0.0;            ///< Ranges up to this are no load cycles [N].
+  int bins = 32;                      ///< Classes of the cycle matrix, along range and mean.
+
+  bool operator==(const HistorySource&) const = default;
+};
+
+/// A load of a spectrum and how long it acts; one of the last four is given.
+struct SpectrumLoad {
+  double force = 0.0;  ///< [N], > 0
+  Direction direction = Direction::tension;
+  std::optional<double> revolutions;     ///< Revolutions of the screw against the nut.
+  std::optional<double> distance;        ///< Travel under the load [m].
+  std::optional<double> duration;        ///< Time at the operation's speed [s].
+  std::optional<double> share;           ///< Share of all revolutions.
+  DrivenBy driven_by = DrivenBy::screw;  ///< Of running loads.
+};
+
+/// Which temperatures the parts have in `life` with a block `heat`.
+enum class LifeTemperatures {
+  heat,       ///< Those of the mean heat of the whole spectrum.
+  reference,  ///< The reference temperature of all parts.
+};
+
+/// Inputs of `prs life`. One of `history` and `spectrum` is given.
+struct Life {
+  std::optional<HistorySource> history;
+  std::vector<SpectrumLoad> spectrum;
+  LoadCase::Share share = LoadCase::Share::solved;
+  LifeTemperatures temperatures = LifeTemperatures::heat;
+  std::optional<double> position;          ///< First roller contact on the nut [m].
+  std::optional<double> dynamic_capacity;  ///< C_a of a catalogue [N], in place of Lemor's.
+  std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].
+  double reliability = 0.90;               ///< Share that shall reach the rated life.
+  double modification_factor = 1.0;        ///< a_ISO of ISO 281, of the rated life.
+  /// Full mechanism only: the load case whose side loads, misalignment and orbit hold for all
+  /// forces.
+  std::optional<std::string> load_case;
+  /// Whether the temperatures of the parts follow from a block `heat`.
+  bool takes_heat(bool has_heat) const {
+    return has_heat && share == LoadCase::Share::solved && temperatures == LifeTemperatures::heat;
+  }
+  double fatigue_slope = 5.0;  ///< k of the equivalent load range: FKM, steel, normal stress.
+};
+
+/// Samples of a load over time or travel, SI. Empty where the file has no such column.
+struct LoadHistory {
+  std::vector<double> force;       ///< > 0 in tension [N]
+  std::vector<double> time;        ///< [s], not decreasing
+  std::vector<double> position;    ///< [m]
+  std::vector<double> speed;       ///< [rad/s], of either sign
+  bool speed_along_axis = false;   ///< Speeds are those of the travel [m/s].
+  std::optional<double> interval;  ///< Between two samples [s], where `time` is empty.
+};
 
 }  // namespace prs

@@ -1,8 +1,7 @@
-#include "prs/model/block_checks.h"
-
 #include <algorithm>
 #include <unordered_set>
 
+#include "prs/model/check_case.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {
@@ -31,6 +30,43 @@ struct RoomOnNut {
     return !none() && !(position < -tolerance || position > last + tolerance);
   }
 };
+
+void check_spacer(const Spacer& spacer, const Structure::Nut& nut, const Mechanism& m,
+                  Problems& problems) {
+  if (spacer.inner_diameter >= spacer.outer_diameter)
+    problems.add("preload.spacer.inner_diameter",
+                 "got {}; expected less than its outer diameter, {}; check the two diameters",
+                 mm(spacer.inner_diameter), mm(spacer.outer_diameter));
+  else if (spacer.inner_diameter >= nut.outer_diameter)
+    problems.add("preload.spacer.inner_diameter",
+                 "got {}; expected less than the nut's outer diameter, {}, or the ring misses the "
+                 "faces of the nuts; make it smaller",
+                 mm(spacer.inner_diameter), mm(nut.outer_diameter));
+  else if (m.pitch_diameter.nut && spacer.outer_diameter <= *m.pitch_diameter.nut)
+    problems.add("preload.spacer.outer_diameter",
+                 "got {}; expected more than the nut's pitch diameter, {}, or the ring misses the "
+                 "faces of the nuts; make it larger",
+                 mm(spacer.outer_diameter), mm(*m.pitch_diameter.nut));
+}
+
+/// The rollers of the second nut must lie on it, and clear those of the first.
+void check_distance(const Preload& p, const Structure& s, const Mechanism& m, Problems& problems) {
+  const double span = (m.contacts_per_roller - 1) * axial_pitch(m);
+  const double least = *p.distance - second_position(m, s.nut, p);
+  const double most = least + s.nut.length - span;
+  const double tolerance = kSamePlace * s.nut.length;
+  const double ends = axial_pitch(m) + 2.0 * s.roller.end_length;
+  if (*p.distance < least - tolerance || *p.distance > most + tolerance)
+    problems.add("preload.distance",
+                 "got {}; expected {} to {}, so that all {} contacts lie on the second nut; move "
+                 "its rollers or change the spacer",
+                 mm(*p.distance), mm(least), mm(std::max(least, most)), m.contacts_per_roller);
+  else if (*p.distance < ends - tolerance)
+    problems.add("preload.distance",
+                 "got {}; expected at least {}, a pitch and two ends of a roller, or the rollers "
+                 "of both nuts overlap; move them apart",
+                 mm(*p.distance), mm(ends));
+}
 
 }  // namespace
 
@@ -106,6 +142,234 @@ void check_loads(const Case& c, Problems& problems) {
   if (!has_speed)
     problems.add_missing("operation", "the speed for `model: {loads: running}`",
                          "{speed: 400 rpm}");
+}
+
+void check_preload(const Case& c, Problems& problems) {
+  const Preload& p = *c.preload;
+  const Mechanism& m = c.mechanism;
+  check_offset("preload.interference", p.interference.value_or(0.0), m, problems);
+  check_offset("preload.backlash", p.backlash.value_or(0.0), m, problems);
+  if (!(p.load.from < p.load.to))
+    problems.add("preload.load.to", "got {}; expected more than `from`, {}; swap the two",
+                 newton(p.load.to), newton(p.load.from));
+  if (!c.structure) return;
+  const Structure& s = *c.structure;
+  if (!s.nut.thrust.tension && !s.nut.thrust.compression)
+    problems.add("structure.nut.thrust",
+                 "missing; expected the axial position of the section that holds the nut; add "
+                 "`thrust: {tension: 10 mm}`, for example: one section holds both senses of the "
+                 "load");
+  check_position("preload", p.position, m, s.nut, problems);
+  if (p.arrangement != Preload::Arrangement::double_nut) return;
+  check_spacer(*p.spacer, s.nut, m, problems);
+  const double last = p.position + (m.contacts_per_roller - 1) * axial_pitch(m);
+  const double tolerance = kSamePlace * s.nut.length;
+  if (p.position >= -tolerance && last <= s.nut.length + tolerance)
+    check_distance(p, s, m, problems);
+}
+
+void require_warm_preload(const Case& c, Problems& problems) {
+  if (!c.heat || !c.preload) return;
+  std::string names;
+  bool found = false;
+  for (const LoadCase& load : c.load_cases) {
+    if (!load.is_solved()) continue;
+    names += (names.empty() ? "" : ", ") + load.name;
+    found = found || !c.preload->load_case || load.name == *c.preload->load_case;
+  }
+  if (!found)
+    problems.add("preload.load_case",
+                 "{}; expected the load case whose steady temperatures the parts have with "
+                 "`heat`: {}; {}",
+                 c.preload->load_case ? "got " + *c.preload->load_case : "missing",
+                 names.empty() ? "the file has none that is solved" : names,
+                 names.empty() ? "add one, or delete `heat`" : "write one of them");
+  require_slip(c, problems);
+  require_expansion(c, problems);
+}
+
+void require_preload(const Case& c, Problems& problems) {
+  if (!c.preload)
+    problems.add_missing(
+        "preload", "what takes out the play, and the loads, for `preload`",
+        "{arrangement: single_nut, force: 2 kN, position: 10 mm, load: {from: -10 kN, to: 10 "
+        "kN}}");
+  if (!c.materials)
+    problems.add_missing("materials", "elastic properties for `preload`", kMaterialsExample);
+  if (!c.structure)
+    problems.add_missing(
+        "structure", "the parts around the threads for `preload`",
+        "{roller: {end_length: 5 mm, end_diameter: 5 mm}, nut: {length: 90 mm, outer_diameter: "
+        "46 mm, thrust: {tension: 10 mm}}}");
+  if (c.model.mechanism == ModelOptions::Mechanism::full)
+    problems.add("model.mechanism",
+                 "got full, whose rollers touch one flank; expected sector, which joins both for "
+                 "`preload`; write `mechanism: sector` and see the rollers of the loaded flank by "
+                 "`solve`");
+  if (c.model.bodies == ModelOptions::Bodies::influence)
+    problems.add("model.bodies",
+                 "got influence; expected bars | refined: `preload` joins both sides in one "
+                 "one-dimensional model; write `bodies: refined`");
+}
+
+void need_preload(const Case& c, Problems& problems) {
+  require_preload(c, problems);
+  require_warm_preload(c, problems);
+}
+
+namespace {
+
+/// How long the loads of a spectrum act: all by shares, or none.
+void check_spectrum(const Case& c, Problems& problems) {
+  double shares = 0.0;
+  for (std::size_t i = 0; i < c.life->spectrum.size(); ++i) {
+    const SpectrumLoad& l = c.life->spectrum[i];
+    const std::string path = fmt::format("life.spectrum[{}]", i);
+    shares += l.share.value_or(0.0);
+    if (l.share.has_value() != c.life->spectrum.front().share.has_value())
+      problems.add(path,
+                   "mixes `share` with revolutions, distance or duration; expected shares of "
+                   "all loads, or of none; change one kind into the other");
+    if (l.duration && !(c.operation && c.operation->speed != 0.0))
+      problems.add(path + ".duration",
+                   "got a duration without speed; expected the speed that turns it into "
+                   "revolutions; add `operation: {speed: 400 rpm}`, for example");
+    if (c.structure && !c.preload && c.life->share == LoadCase::Share::solved)
+      check_thrust(l.direction, path, c.structure->nut, problems);
+  }
+  if (c.life->spectrum.front().share && std::abs(shares - 1.0) > 1e-3)
+    problems.add("life.spectrum",
+                 "got shares with the sum {:.6g}; expected 1, within 0.001; fix a share, or write "
+                 "revolutions",
+                 shares);
+}
+
+/// How far the screw turns between two samples.
+void check_history(const Case& c, Problems& problems) {
+  const HistorySource& h = *c.life->history;
+  if (h.position) return;
+  if (!h.time && !h.interval)
+    problems.add(
+        "life.history",
+        "got neither `position` nor a clock; expected how far the screw turns between two "
+        "samples; add `position: {column: .., unit: mm}`, or `time: {column: .., unit: s}` "
+        "or `interval: 10 ms`, for example");
+  else if (!h.speed && !(c.operation && c.operation->speed != 0.0))
+    problems.add("life.history",
+                 "got neither `position` nor a speed; expected how far the screw turns between two "
+                 "samples; add `speed: {column: .., unit: rpm}` or `operation: {speed: 400 rpm}`, "
+                 "for example");
+}
+
+/// With preload, what the sides are built from.
+void check_preloaded_life(const Case& c, Problems& problems) {
+  if (c.preload->arrangement == Preload::Arrangement::double_nut && c.life->position &&
+      std::abs(*c.life->position - c.preload->position) > kSamePlace * c.structure->nut.length)
+    problems.add("life.position",
+                 "got {} and preload.position {}; expected one place with `arrangement: "
+                 "double_nut`, whose second nut goes with it; change one of them",
+                 mm(*c.life->position), mm(c.preload->position));
+}
+
+/// The load case whose side loads act together with the forces of `life`.
+void check_load_case_of_life(const Case& c, Problems& problems) {
+  if (!c.life->load_case || c.model.mechanism == ModelOptions::Mechanism::sector) return;
+  if (c.life->share == LoadCase::Share::equal) {
+    problems.add("life.load_case",
+                 "stands with `share: equal`, which has all rollers carry alike; expected no such "
+                 "key there; delete it, or delete `share`");
+    return;
+  }
+  std::string names;
+  for (const LoadCase& load : c.load_cases) {
+    if (load.share == LoadCase::Share::equal) continue;
+    if (load.name == *c.life->load_case) return;
+    names += (names.empty() ? "" : ", ") + load.name;
+  }
+  problems.add("life.load_case",
+               "got {}; expected the name of a load case that is solved: {}; write one of them, or "
+               "delete the key",
+               *c.life->load_case, names.empty() ? "the file has none" : names);
+}
+
+/// Side loads that differ between load cases leave open which act together with the forces.
+void require_load_case_of_life(const Case& c, Problems& problems) {
+  if (c.model.mechanism == ModelOptions::Mechanism::sector || c.life->load_case ||
+      c.life->share == LoadCase::Share::equal)
+    return;
+  const SpatialLoad* first = nullptr;
+  for (const LoadCase& load : c.load_cases) {
+    if (load.share == LoadCase::Share::equal) continue;
+    if (!first) first = &load.spatial;
+    if (load.spatial == *first) continue;
+    problems.add(
+        "life.load_case",
+        "missing; expected the load case whose side loads, misalignment and orbit act together "
+        "with the forces of `life`, as they differ; add `load_case: {}`, for example",
+        load.name);
+    return;
+  }
+}
+
+/// What the losses need that give the temperatures of the parts.
+void require_warm_life(const Case& c, Problems& problems) {
+  constexpr std::string_view kWhy =
+      " for `life` at the temperatures of `heat`, or "
+      "`life: {temperatures: reference}`";
+  if (!c.friction)
+    problems.add_missing("friction", fmt::format("a law of friction{}", kWhy), "{model: jacod}");
+  if (!c.operation || c.operation->speed == 0.0)
+    problems.add_missing("operation", fmt::format("the speed{}", kWhy), "{speed: 400 rpm}");
+  require_friction(c, problems);
+  require_expansion(c, problems);
+}
+
+}  // namespace
+
+void check_life(const Case& c, Problems& problems) {
+  if (c.structure && c.life->share == LoadCase::Share::solved)
+    check_position("life", *c.life->position, c.mechanism, c.structure->nut, problems);
+  if (c.life->history)
+    check_history(c, problems);
+  else
+    check_spectrum(c, problems);
+  if (c.preload && c.structure) check_preloaded_life(c, problems);
+  check_load_case_of_life(c, problems);
+}
+
+void need_life(const Case& c, Problems& problems) {
+  if (!c.life)
+    problems.add_missing(
+        "life", "the loads and how long they act for `life`",
+        "{position: 10 mm, spectrum: [{force: 10 kN, direction: tension, share: 1}]}");
+  if (!c.materials)
+    problems.add_missing("materials", "elastic properties for `life`", kMaterialsExample);
+  if (!c.structure && c.life && c.life->share == LoadCase::Share::solved)
+    problems.add("structure",
+                 "missing; expected the parts around the threads for `life`; add `structure` with "
+                 "`roller` and `nut`, or `share: equal` to `life`");
+  if (!c.life) return;
+  if (life_takes_running_loads(c)) require_friction(c, problems);
+  if (c.life->takes_heat(c.heat.has_value())) require_warm_life(c, problems);
+  require_load_case_of_life(c, problems);
+  if (!c.preload) return;
+  if (c.model.mechanism == ModelOptions::Mechanism::full &&
+      c.life->share == LoadCase::Share::solved)
+    problems.add("preload",
+                 "got a preload with `mechanism: full`, whose flanks of the other sense are not in "
+                 "the model; expected one of them; write `mechanism: sector`, or delete `preload`");
+  else
+    require_preload(c, problems);
+}
+
+void check_measures(const MeasureOptions& m, Problems& problems) {
+  if (!m.system || !m.system->shaft) return;
+  const MeasureOptions::System::Shaft& shaft = *m.system->shaft;
+  if (shaft.from_bearing && *shaft.from_bearing >= shaft.length)
+    problems.add("measures.system.shaft.from_bearing",
+                 "got {}; expected less than `length`, {}, between whose ends the loaded section "
+                 "lies; change one of them",
+                 mm(*shaft.from_bearing), mm(shaft.length));
 }
 
 }  // namespace prs

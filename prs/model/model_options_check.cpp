@@ -1,7 +1,6 @@
-#include "prs/model/block_checks.h"
-
 #include <algorithm>
 
+#include "prs/model/check_case.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
 
@@ -141,6 +140,256 @@ void check_thickness(const Case& c, Problems& problems) {
                    fmt::format("got {}; expected none with `model.bodies` other than bars, whose "
                                "teeth are half a pitch thick; delete it, or write `bodies: bars`",
                                mm(*thread->thickness)));
+}
+
+namespace {
+
+/// Keys that a sector does not know. Every design of a study comes by: no text is made of keys that
+/// do not stand.
+void refuse_in_sector(const Case& c, Problems& problems) {
+  const auto refuse = [&](bool stands, std::string_view block, std::string_view key) {
+    if (!stands) return;
+    problems.add(fmt::format("{}.{}", block, key),
+                 "stands with `mechanism: sector`, which has one roller and no side loads; "
+                 "expected no such key there; delete it, or write `model: {mechanism: full}`");
+  };
+  refuse(c.model.contact_phase != ModelOptions::ContactPhase::equal, "model", "contact_phase");
+  refuse(c.model.shear, "model", "shear");
+  const Deviations& d = c.deviations;
+  refuse(!d.roller_diameters.empty(), "deviations", "roller_diameter");
+  refuse(!d.roller_position.near.empty() || !d.roller_position.far.empty(), "deviations",
+         "roller_position");
+  refuse(!d.missing_rollers.empty(), "deviations", "missing_rollers");
+  refuse(!d.index_error.screw.empty() || !d.index_error.nut.empty(), "deviations", "index_error");
+  refuse(d.thread_eccentricity != PerInterface<Lateral>{}, "deviations", "thread_eccentricity");
+  refuse(!d.pitch_error.roller.lists.empty(), "deviations", "pitch_error.roller.list");
+  if (c.structure) {
+    const Structure& s = *c.structure;
+    refuse(s.screw.far_length != 0.0, "structure", "screw.far_length");
+    refuse(!s.screw.bearings.empty(), "structure", "screw.bearings");
+    refuse(s.roller.rings != Rings{}, "structure", "roller.rings");
+    refuse(s.nut.housing != Housing{}, "structure", "nut.housing");
+  }
+  if (c.life) refuse(c.life->load_case.has_value(), "life", "load_case");
+  const SpatialLoad nothing;
+  for (const LoadCase& load : c.load_cases) {
+    const SpatialLoad& s = load.spatial;
+    if (s == nothing) continue;
+    refuse(s.carrier_angle != 0.0, load.input_path, "carrier_angle");
+    refuse(s.eccentricity != nothing.eccentricity, load.input_path, "eccentricity");
+    refuse(s.side_force != nothing.side_force, load.input_path, "side_force");
+    refuse(s.moment != nothing.moment, load.input_path, "moment");
+    refuse(s.nut_tilt != nothing.nut_tilt || s.nut_offset != nothing.nut_offset, load.input_path,
+           "misalignment");
+    refuse(s.orbit.has_value(), load.input_path, "orbit");
+  }
+}
+
+void check_list(std::string path, std::size_t size, int wanted, std::string_view of,
+                Problems& problems) {
+  if (size != 0 && size != static_cast<std::size_t>(wanted))
+    problems.add(std::move(path), "got {} value{}; expected {}, one for each {}; {}", size,
+                 size == 1 ? "" : "s", wanted, of,
+                 size < static_cast<std::size_t>(wanted)
+                     ? "add the others, 0 where nothing deviates"
+                     : "delete the others");
+}
+
+void check_lists(const Case& c, Problems& problems) {
+  const Deviations& d = c.deviations;
+  const Mechanism& m = c.mechanism;
+  check_list("deviations.roller_diameter", d.roller_diameters.size(), m.rollers, "roller",
+             problems);
+  check_list("deviations.roller_position", d.roller_position.near.size(), m.rollers, "roller",
+             problems);
+  check_list("deviations.roller_position", d.roller_position.far.size(), m.rollers, "roller",
+             problems);
+  check_list("deviations.pitch_error.roller.list", d.pitch_error.roller.lists.size(), m.rollers,
+             "roller", problems);
+  for (const std::vector<double>& list : d.pitch_error.roller.lists) {
+    check_list("deviations.pitch_error.roller.list", list.size(), m.contacts_per_roller,
+               "contact of a roller", problems);
+    for (const double value : list)
+      check_offset("deviations.pitch_error.roller.list", value, m, problems);
+  }
+  for (const Part part : {Part::screw, Part::nut})
+    if (!d.pitch_error[part].lists.empty())
+      problems.add(fmt::format("deviations.pitch_error.{}.list", name(part)),
+                   "got a list of lists; expected one list, as the part has one thread for all "
+                   "rollers; write one list");
+  for (const Interface i : kInterfaces)
+    check_list(fmt::format("deviations.index_error.{}", name(i)), d.index_error[i].size(),
+               m.starts.screw, "start", problems);
+  for (const auto* list : {&d.roller_diameters, &d.roller_position.near, &d.roller_position.far,
+                           &d.index_error.screw, &d.index_error.nut}) {
+    const char* path = list == &d.roller_diameters    ? "deviations.roller_diameter"
+                       : list == &d.index_error.screw ? "deviations.index_error.screw"
+                       : list == &d.index_error.nut   ? "deviations.index_error.nut"
+                                                      : "deviations.roller_position";
+    for (const double value : *list) check_offset(path, value, m, problems);
+  }
+  for (const Interface i : kInterfaces) {
+    const std::string path = fmt::format("deviations.thread_eccentricity.{}", name(i));
+    for (const double value : {d.thread_eccentricity[i].y, d.thread_eccentricity[i].z})
+      check_offset(path.c_str(), value, m, problems);
+  }
+}
+
+void check_missing_rollers(const Case& c, Problems& problems) {
+  std::vector<int> missing = c.deviations.missing_rollers;
+  const int rollers = c.mechanism.rollers;
+  std::ranges::sort(missing);
+  const auto wrong = std::ranges::find_if(missing, [&](int k) { return k < 1 || k > rollers; });
+  if (wrong != missing.end())
+    problems.add("deviations.missing_rollers",
+                 "got {}; expected numbers from 1 to {}; write one of them, or delete it", *wrong,
+                 rollers);
+  else if (const auto twice = std::ranges::adjacent_find(missing); twice != missing.end())
+    problems.add("deviations.missing_rollers",
+                 "got {} twice; expected each number once; delete one", *twice);
+  else if (static_cast<int>(missing.size()) == rollers && rollers > 0)
+    problems.add("deviations.missing_rollers",
+                 "got all {} rollers; expected one that is left; delete a number", rollers);
+  if (missing.empty()) return;
+  const auto refuse_equal = [&](LoadCase::Share share, std::string path) {
+    if (share == LoadCase::Share::equal)
+      problems.add(std::move(path),
+                   "got equal, which has all rollers carry alike, with "
+                   "`deviations.missing_rollers`; expected solved; write it, or delete the list");
+  };
+  for (const LoadCase& load : c.load_cases) refuse_equal(load.share, load.input_path + ".share");
+  if (c.life) refuse_equal(c.life->share, "life.share");
+}
+
+/// Loads and places that only an equilibrium can follow.
+void check_equal_shares(const Case& c, Problems& problems) {
+  const SpatialLoad none;
+  for (const LoadCase& load : c.load_cases) {
+    if (load.share != LoadCase::Share::equal || load.spatial == none) continue;
+    const SpatialLoad& s = load.spatial;
+    const auto refuse = [&](bool stands, std::string_view key) {
+      if (stands)
+        problems.add(fmt::format("{}.{}", load.input_path, key),
+                     "stands with `share: equal`, which has all rollers carry alike; expected no "
+                     "such key there; delete it, or delete `share`");
+    };
+    refuse(s.side_force.value != Lateral{}, "side_force");
+    refuse(s.moment.value != Lateral{}, "moment");
+    refuse(s.eccentricity != Lateral{}, "eccentricity");
+    refuse(s.nut_tilt != Lateral{} || s.nut_offset != Lateral{}, "misalignment");
+    refuse(s.orbit.has_value(), "orbit");
+  }
+}
+
+/// Two that hold the same section rigidly: which of both takes the load, nothing says.
+void check_bearings(const std::vector<Bearing>& bearings, double same_place, Problems& problems) {
+  for (std::size_t k = 0; k < bearings.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      const Bearing &a = bearings[i], &b = bearings[k];
+      const bool both_hold =
+          (a.lateral == kRigid && b.lateral == kRigid) || (a.tilt == kRigid && b.tilt == kRigid);
+      if (both_hold && std::abs(a.position - b.position) <= same_place)
+        problems.add(fmt::format("structure.screw.bearings[{}].position", k),
+                     "got {}, where bearings[{}] is rigid too; expected one rigid bearing at a "
+                     "place; move it, or delete one of the two",
+                     mm(b.position), i);
+    }
+}
+
+/// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].
+constexpr double kMostRotation = 5.0 * std::numbers::pi / 180.0;
+
+void check_rotation(std::string path, const Lateral& rotation, Problems& problems) {
+  for (const double value : {rotation.y, rotation.z})
+    if (std::abs(value) > kMostRotation)
+      problems.add(path,
+                   "got {:.7g} deg; expected at most 5 deg, as the model is for small rotations; "
+                   "check the unit",
+                   value * 180.0 / std::numbers::pi);
+}
+
+/// Displacements beyond this share of the screw's pitch diameter are not small.
+constexpr double kMostDisplacement = 0.1;
+
+void check_seat(std::string path, const Lateral& offset, const Mechanism& m, Problems& problems) {
+  if (!m.pitch_diameter.screw) return;
+  const double most = kMostDisplacement * *m.pitch_diameter.screw;
+  for (const double value : {offset.y, offset.z})
+    if (std::abs(value) > most)
+      problems.add(path,
+                   "got {}; expected at most {}, a tenth of the screw's pitch diameter, as the "
+                   "model is for small displacements; check the unit",
+                   mm(value), mm(most));
+}
+
+void check_small_motions(const Case& c, Problems& problems) {
+  for (const LoadCase& load : c.load_cases) {
+    check_rotation(load.input_path + ".misalignment.nut_tilt", load.spatial.nut_tilt, problems);
+    check_seat(load.input_path + ".misalignment.nut_offset", load.spatial.nut_offset, c.mechanism,
+               problems);
+  }
+  if (!c.structure) return;
+  const auto& bearings = c.structure->screw.bearings;
+  for (std::size_t k = 0; k < bearings.size(); ++k) {
+    const std::string path = fmt::format("structure.screw.bearings[{}]", k);
+    check_rotation(path + ".angle", bearings[k].angle, problems);
+    check_seat(path + ".offset", bearings[k].offset, c.mechanism, problems);
+  }
+}
+
+/// Places on the screw of a load case: from the loaded section to the far end.
+void check_places(const Case& c, Problems& problems) {
+  const Structure& s = *c.structure;
+  for (const LoadCase& load : c.load_cases) {
+    if (!load.position) continue;
+    const double first = *load.position - free_length(s);
+    const double last = *load.position +
+                        (c.mechanism.contacts_per_roller - 1) * axial_pitch(c.mechanism) +
+                        s.screw.far_length;
+    const double tolerance = kSamePlace * s.nut.length;
+    const auto check = [&](std::string path, double x) {
+      if (x < first - tolerance || x > last + tolerance)
+        problems.add(std::move(path),
+                     "got {}; expected a place on the screw, {} to {} in case `{}`; move it, or "
+                     "lengthen `structure.screw.{}`",
+                     mm(x), mm(first), mm(last), load.name,
+                     x < first ? "free_length" : "far_length");
+    };
+    for (std::size_t k = 0; k < s.screw.bearings.size(); ++k)
+      check(fmt::format("structure.screw.bearings[{}].position", k), s.screw.bearings[k].position);
+    if (load.spatial.side_force.at)
+      check(load.input_path + ".side_force.at", *load.spatial.side_force.at);
+    if (load.spatial.moment.at) check(load.input_path + ".moment.at", *load.spatial.moment.at);
+  }
+}
+
+}  // namespace
+
+void check_full_mechanism(const Case& c, Problems& problems) {
+  if (c.model.mechanism == ModelOptions::Mechanism::sector) return refuse_in_sector(c, problems);
+  if (c.model.bodies == ModelOptions::Bodies::influence &&
+      c.model.contact_phase != ModelOptions::ContactPhase::equal)
+    problems.add("model.contact_phase",
+                 "got helical with `bodies: influence`, bodies of revolution whose ridges have no "
+                 "lead; expected equal; delete it, or take `bodies: refined`");
+  if (c.mechanism.rollers < 2)
+    problems.add("mechanism.rollers",
+                 "got {}; expected at least 2 with `mechanism: full`; add rollers, or write "
+                 "`mechanism: sector`",
+                 c.mechanism.rollers);
+  check_lists(c, problems);
+  check_missing_rollers(c, problems);
+  check_equal_shares(c, problems);
+  check_small_motions(c, problems);
+  if (!c.structure) return;
+  const Rings& rings = c.structure->roller.rings;
+  if (c.model.roller == ModelOptions::Roller::rigid_bending &&
+      rings.carrier != Rings::Carrier::housing)
+    problems.add("structure.roller.rings",
+                 "got rings that move with a part and rollers that stay straight; expected `rings: "
+                 "housing` with `model.roller: rigid_bending`");
+  check_places(c, problems);
+  check_bearings(c.structure->screw.bearings, kSamePlace * c.structure->nut.length, problems);
 }
 
 }  // namespace prs

@@ -1,11 +1,37 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "contact/film.h"
 #include "contact/journal_bearing.h"
-#include "prs/model/named_lubricants.h"
 #include "prs/model/warning.h"
 
 namespace prs {
+
+/// A lubricant that the program knows: what its standard or data sheet states.
+struct NamedLubricant {
+  std::string_view name;  ///< As a file names it: `iso-vg-100`.
+  std::string_view what;
+  contact::BaseOil base;
+  double viscosity_40;  ///< Kinematic, of the oil or the base oil of the grease, at 40 degC [m^2/s]
+  double viscosity_100;  ///< The same at 100 degC [m^2/s]
+  double density;        ///< At 15 degC [kg/m^3]
+  std::string_view source;
+};
+
+/// All of them, in the order in which they are shown.
+std::span<const NamedLubricant> named_lubricants();
+
+/// Place in `named_lubricants`.
+enum class LubricantName : std::size_t {};
+
+const NamedLubricant& data_of(LubricantName name);
 
 /// Viscosity at one temperature, dynamic or kinematic.
 struct ViscosityPoint {
@@ -131,5 +157,47 @@ struct Carrier {
 
   bool is_oiled() const { return bearing && bearing->has_film(); }
 };
+
+/// Heat transfer of bare parts in still air, free convection and radiation together [W/(m^2 K)]: 5
+/// to 15 for parts of some cm that are 20 to 80 K warmer than the room (Incropera, DeWitt,
+/// Fundamentals of Heat and Mass Transfer, chapters 1 and 9).
+inline constexpr double kStillAir = 10.0;
+
+/// How the parts pass the heat of friction on, and the duty cycle that warms them. SI units.
+struct Heat {
+  /// Between two parts, or from a part to its surroundings [W/K].
+  struct Conductance {
+    double screw_ambient = 0.0;
+    double nut_ambient = 0.0;
+    double rollers_ambient = 0.0;
+    double screw_rollers = 0.0;
+    double rollers_nut = 0.0;
+
+    double to_ambient() const { return screw_ambient + nut_ambient + rollers_ambient; }
+  };
+  /// A load case for a while, or a rest without motion.
+  struct DutyStep {
+    std::optional<std::string> load_case;  ///< Name of the load case; none: a rest.
+    std::optional<double> duration;        ///< Duration of the load case [s].
+    std::optional<double> rest;            ///< Duration of a rest [s].
+
+    double time() const { return load_case ? *duration : *rest; }
+  };
+  /// Heat capacities [J/K]; `rollers`: all of them together.
+  struct Capacity {
+    double screw = 0.0;
+    double rollers = 0.0;
+    double nut = 0.0;
+  };
+
+  double ambient = 0.0;  ///< [K]
+  Conductance conductance;
+  std::vector<DutyStep> duty;  ///< Repeated without end; none: no cycle.
+  std::optional<Capacity> capacity;
+  std::optional<double> specific_heat;  ///< One for all parts, in place of `capacity` [J/(kg K)].
+};
+
+/// The viscosities that a named lubricant is sold with, at 40 and 100 degC.
+std::array<ViscosityPoint, 2> viscosities_of(LubricantName name);
 
 }  // namespace prs

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <string_view>
+
+#include "contact/hertz.h"
 
 namespace prs {
 
@@ -43,5 +48,48 @@ constexpr std::string_view name(Part p) {
 }
 
 constexpr std::string_view name(Interface i) { return i == Interface::screw ? "screw" : "nut"; }
+
+/// Components across the axis. A rotation turns about y or z, from z to x and from x to y.
+struct Lateral {
+  double y = 0.0;
+  double z = 0.0;
+
+  bool operator==(const Lateral&) const = default;
+};
+
+/// Along the direction at the azimuth `angle`, from y towards z.
+inline double along(const Lateral& l, double angle) {
+  return l.y * std::cos(angle) + l.z * std::sin(angle);
+}
+
+/// Stiffness of a support that does not give.
+inline constexpr double kRigid = std::numeric_limits<double>::infinity();
+
+/// At the near and at the far end of the rollers.
+template <class T>
+struct PerEnd {
+  T near{};
+  T far{};
+};
+
+/// Linear elastic, isotropic. SI units.
+struct Material {
+  double youngs_modulus = 0.0;    ///< E [Pa]
+  double poisson_ratio = 0.0;     ///< nu
+  std::optional<double> density;  ///< [kg/m^3]; of weight, centrifugal force, flash.
+  /// [1/K]; needed where temperatures are given.
+  std::optional<double> thermal_expansion = std::nullopt;
+  std::optional<double> conductivity = std::nullopt;   ///< [W/(m K)]; for flash temperatures.
+  std::optional<double> specific_heat = std::nullopt;  ///< [J/(kg K)]; the same.
+
+  operator contact::Elasticity() const { return {youngs_modulus, poisson_ratio}; }
+};
+
+using Materials = PerPart<Material>;
+
+/// Contact pressure beyond which the static capacity of through-hardened steel is exceeded: a
+/// permanent deformation of 1e-4 of the element's diameter at 4.0 GPa (ISO 76:2006, roller
+/// bearings).
+inline constexpr double kStaticPressureLimit = 4.0e9;
 
 }  // namespace prs

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "prs/model/lateral.h"
+#include "prs/model/part.h"
 
 namespace prs {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "prs/model/block_checks.h"
+#include "prs/model/check_case.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {

@@ -154,4 +154,110 @@ inline constexpr std::size_t kMostMapValues = 8'000'000;
 inline constexpr std::size_t kMostSobolDimensions = 3667;
 inline constexpr std::size_t kMostLevels = 100'000;
 
+/// A factor of a grid as an axis of its maps, numbers ascending.
+struct MapAxis {
+  std::size_t factor = 0;           ///< Index among the study's factors.
+  std::vector<std::size_t> levels;  ///< Indices of the factor's levels, one per node.
+  std::vector<double> numbers;      ///< Numbers of the levels, in the factor's unit.
+  bool logarithmic = false;         ///< Equidistant in their logarithm.
+  /// Whether factor and companions have values between two nodes: quantities, not words or whole
+  /// numbers.
+  bool continuous = false;
+
+  std::size_t nodes() const { return numbers.size(); }
+  /// The factor's number at a place from 0, the first node, to nodes - 1: linear between two nodes,
+  /// or linear in the logarithm.
+  double number(double place) const;
+  /// The place of a number; absent outside of the nodes.
+  std::optional<double> place(double number) const;
+};
+
+/// A place on one axis: a node and the share of the way to the next one.
+struct Between {
+  std::size_t node = 0;
+  double share = 0.0;
+};
+Between between(double place, std::size_t nodes);
+
+/// From one number to another, linear, or linear in the logarithm.
+double interpolated(double from, double to, double share, bool logarithmic);
+
+/// The axes of the maps of a study: a grid over two factors of at least two different numbers each.
+/// Absent for any other study.
+std::optional<std::array<MapAxis, 2>> map_axes(const Study& study);
+
+/// How designs are searched. The first three take several objectives, the others one.
+enum class Algorithm {
+  nsga2,  ///< Non-dominated sorting genetic algorithm II (Deb et al. 2002).
+  nspso,  ///< Non-dominated sorting particle swarm (Li 2003).
+  moead,  ///< Decomposition with differential evolution, MOEA/D-DE (Li & Zhang 2009).
+  sade,   ///< Self-adaptive differential evolution.
+  pso,    ///< Particle swarm.
+  cmaes,  ///< Covariance matrix adaptation.
+};
+
+/// `nsga2`
+std::string_view name(Algorithm algorithm);
+
+bool takes_several_objectives(Algorithm algorithm);
+
+/// A response that is made as small or as large as possible.
+struct Objective {
+  std::size_t response = 0;  ///< Index among the study's responses.
+  bool maximize = false;
+};
+
+/// What a response is held against, in its unit.
+struct Limit {
+  enum class Kind {
+    number,    ///< `value`
+    initial,   ///< `value` times that of the file's own design.
+    response,  ///< Another response of the same design.
+  };
+  Kind kind = Kind::number;
+  double value = 0.0;
+  std::size_t response = 0;
+};
+
+struct Constraint {
+  enum class Sense { at_least, at_most };
+
+  std::string name;  ///< What people read.
+  std::size_t response = 0;
+  Sense sense = Sense::at_least;
+  Limit limit;
+};
+
+/// Which design of the front is chosen. u: objectives scaled by the front's extent, 0 best and 1
+/// worst of the front.
+struct Compromise {
+  enum class By {
+    ideal,    ///< Least |u|: nearest to the best value of every objective.
+    knee,     ///< Least sum of u: farthest from the plane through the ends of the front (Das 1999).
+    weights,  ///< Least weighted sum of u.
+    best,     ///< Best value of one objective.
+  };
+  By by = By::ideal;
+  std::vector<double> weights;  ///< One per objective.
+  std::size_t objective = 0;
+};
+
+/// What is varied, what is wanted and how it is searched.
+struct Optimization {
+  /// Factors are the variables: numbers between the ends of a uniform distribution, or levels. The
+  /// responses are those of objectives and constraints.
+  Study study;
+  std::vector<Objective> objectives;
+  std::vector<Constraint> constraints;
+  Algorithm algorithm = Algorithm::nsga2;
+  std::optional<Algorithm> check;  ///< Searches once more, for comparison.
+  std::size_t population = 40;     ///< Designs of a generation.
+  std::size_t generations = 50;    ///< The first, random one included.
+  std::uint64_t seed = 1;
+  Compromise compromise;
+};
+
+/// Designs to evaluate: the file's own and those of the searches.
+std::size_t design_count(const Optimization& optimization);
+
 }  // namespace prs

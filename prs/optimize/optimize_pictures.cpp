@@ -1,11 +1,11 @@
-#include "prs/optimize/optimize_pictures.h"
+#include "prs/optimize/optimize_files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "prs/record/table_units.h"
-#include "prs/study/study_parts.h"
+#include "prs/study/study_pictures.h"
 
 namespace prs {
 namespace {

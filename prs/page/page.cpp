@@ -9,7 +9,6 @@
 #include "prs/embed.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
-#include "prs/report/svg.h"
 #include "prs/run/commands.h"
 #include "prs/sha256.h"
 #include "prs/text.h"

@@ -1,7 +1,6 @@
 #include "prs/preload/preload_record.h"
 
-#include "prs/loads/contact_record.h"
-#include "prs/loads/heat_record.h"
+#include "prs/loads/load_record.h"
 #include "prs/record/record_table.h"
 
 namespace prs {

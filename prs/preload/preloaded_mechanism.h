@@ -1,7 +1,12 @@
 #pragma once
 
+#include <map>
+
+#include "prs/loads/analyze.h"
+#include "prs/loads/result.h"
 #include "prs/model/case.h"
 #include "prs/preload/preload_solver.h"
+#include "prs/sector/roller_guides.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {
@@ -50,5 +55,91 @@ class PreloadedMechanism {
  private:
   PreloadSolver tension_, compression_;
 };
+
+/// Load cases of a mechanism under preload, at rest: both flanks of its threads, or both nuts. The
+/// fit is that of `preload.position`, the loads are those at the load case's. The case must have
+/// passed `check_case` and the requirements of `preload`.
+class FlankSolver {
+ public:
+  FlankSolver(const Conditions& c, const Contacts& contacts);
+
+  /// Loads of the flank that the direction names, and of the other one. A load of 0 has no
+  /// stiffness but the tangent and no shares.
+  LoadCaseResult solve(const LoadCase& load_case);
+
+  /// Both sides of the last load case under pushes on the rollers, from the last state on. Those of
+  /// a single nut are of one roller: the centrifugal force stands in one of them.
+  PreloadPoint go_on(const LoadCase& load_case, const PerDirection<RollerPush>& push);
+
+  /// R_near and R_far of the roller, or of one of each nut, that of the named direction first; none
+  /// where rollers stay straight [N].
+  std::vector<std::array<double, 2>> guide_forces(const PreloadPoint& point, Direction named,
+                                                  const PerDirection<RollerPush>& push) const;
+
+ private:
+  struct At {
+    PreloadedMechanism mechanism;
+    PerDirection<std::optional<RollerGuides>> guides;
+  };
+
+  const Conditions& conditions_;
+  const Contacts& contacts_;
+  PerInterface<ContactLaw> laws_;
+  PreloadSectors fitted_at_;  ///< With the fit's first contact.
+  Fit fit_;
+  std::map<double, At> at_position_;
+  At* last_ = nullptr;
+  PreloadSolver* solver_ = nullptr;
+};
+
+/// The result of a load case from both its sides.
+LoadCaseResult both_flanks_result(const LoadCase& load_case, const Contacts& contacts,
+                                  const PerInterface<ContactLaw>& laws, PreloadPoint point);
+
+/// Displacement over external load, with stiffness and lost motion around zero.
+struct PreloadCurve {
+  std::vector<PreloadPoint> points;  ///< In the order of the case's loads.
+  /// dF/du without external load, reached from either sense [N/m]; absent where the screw is loose.
+  PerDirection<std::optional<double>> stiffness_at_zero;
+  /// Displacement between the lost-motion load in tension and in compression [m].
+  std::optional<double> lost_motion;
+};
+
+/// Everything that `analyze_preload` computes from a case. SI units.
+struct PreloadResult {
+  Preload preload;
+  Contacts contacts;
+  PerDirection<double> section;  ///< Where the first nut is held, by the sense of the load [m].
+  PreloadPoint at_rest;          ///< At the temperatures of the case.
+  double reference_force = 0.0;  ///< Axial load of each side where the fit was made [N].
+  double reference_temperature = 0.0;              ///< There [K].
+  std::optional<PerPart<double>> temperature;      ///< Of the parts, where not that [K].
+  std::optional<std::string> load_case;            ///< From whose heat they follow.
+  HeatStatus heat_status = HeatStatus::converged;  ///< Of that heat.
+  std::optional<double> interference;  ///< As `Preload::interference`; absent with play [m].
+  /// External load at which the side that opposes it opens [N], > 0.
+  PerDirection<std::optional<double>> opening_force;
+  double lost_motion_load = 0.0;  ///< [N]
+  PreloadCurve curve;
+  std::optional<PreloadCurve> without_preload;  ///< Neither preload nor play; absent with play.
+  std::vector<Warning> warnings;
+
+  /// Axial load of each side at the screw without external load, at the temperatures of the case
+  /// [N].
+  double force() const { return at_rest.sides.tension.axial_load.screw; }
+  /// Largest peak pressure of a side [Pa]; absent where the geometry gives no contact.
+  std::optional<double> peak_pressure(const SideLoads& loads) const;
+  bool converged() const;
+};
+
+/// Contacts -> both sides' model -> fit -> equilibrium at each load. Reads nothing, prints nothing.
+/// The case must have passed `check_case` and the requirements of `preload`. A load that does not
+/// converge is a point with its status. Throws CaseError where the geometry gives no contact and
+/// the case does not override it.
+/// With a block `heat` see prs/heat/analyze_heat.h.
+PreloadResult analyze_preload(const Conditions& c, Contacts contacts);
+inline PreloadResult analyze_preload(const Case& c) {
+  return analyze_preload(c, checked_contacts(c, Detail::complete));
+}
 
 }  // namespace prs

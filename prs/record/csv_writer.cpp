@@ -3,16 +3,88 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <array>
+#include <bit>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "prs/model/units.h"
-#include "prs/record/short_number.h"
 
 namespace prs {
 namespace {
+
+/// Powers of ten that doubles have exactly.
+constexpr auto kPowers = [] {
+  std::array<double, 23> powers{};
+  double power = 1.0;
+  for (double& p : powers) {
+    p = power;
+    power *= 10.0;
+  }
+  return powers;
+}();
+
+constexpr int kMostDigits = 12;     ///< A product's rounding is then below 1e-3 of the last digit.
+constexpr int kLeastExponent = -4;  ///< Below, and from `digits` on, numbers have an exponent.
+
+constexpr auto kWholePowers = [] {
+  std::array<std::uint64_t, kMostDigits + 1> powers{1};
+  for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = 10 * powers[k - 1];
+  return powers;
+}();
+
+double power(int exponent) { return kPowers[static_cast<std::size_t>(exponent)]; }
+
+/// Exponent of the first digit of a number from 1e-4 on; at a power of ten it may be the next one.
+int first_exponent(double size) {
+  static constexpr auto kStarts = [] {
+    std::array<double, kMostDigits + 8> starts{1e-4, 1e-3, 1e-2, 1e-1};
+    for (std::size_t k = 4; k < starts.size(); ++k) starts[k] = kPowers[k - 4];
+    return starts;
+  }();
+  // log10(2) = 0.30103; the binary exponent alone is off by one at most.
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &size, sizeof bits);
+  const auto binary = static_cast<int>(bits >> 52U) - 1023;
+  const int below = (binary * 1233) >> 12;
+  return below + (size >= kStarts[static_cast<std::size_t>(below + 1 - kLeastExponent)] ? 1 : 0);
+}
+
+/// The digits of numbers below 10,000 side by side, 32 bits for each, the first one in the lowest
+/// byte: halves of two digits, then of one, are split side by side.
+std::uint64_t digits_of(std::uint64_t fours) {
+  const std::uint64_t hundreds = ((fours * 10'486) >> 20U) & 0x7F'0000'007F;
+  const std::uint64_t twos = hundreds | (fours - 100 * hundreds) << 16U;
+  const std::uint64_t tens = ((twos * 103) >> 10U) & 0xF'000F'000F'000F;
+  return tens | (twos - 10 * tens) << 8U;
+}
+
+/// Sixteen characters, the first one in the lowest byte.
+struct Characters {
+  std::uint64_t low, high;
+
+  void drop(int count) {
+    if (count >= 8) {
+      low = std::exchange(high, 0);
+      count -= 8;
+    }
+    const auto bits = static_cast<unsigned>(8 * count);
+    low = low >> bits | (high << 1U) << (63U - bits);
+    high >>= bits;
+  }
+  void write(char* at) const {
+    for (std::uint64_t word : {low, high}) {
+      if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap64(word);
+      std::memcpy(at, &word, sizeof word);
+      at += sizeof word;
+    }
+  }
+};
 
 /// A number, alone or with its unit behind a blank: no formula however it starts.
 bool is_quantity(std::string_view text) {
@@ -40,6 +112,44 @@ bool is_formula(std::string_view text) {
 }
 
 }  // namespace
+
+char* write_short(char* at, double value, int digits) {
+  const double size = std::abs(value);
+  const auto by_fmt = [&] { return fmt::format_to(at, "{:.{}g}", value, digits); };
+  if (digits > kMostDigits || !(size >= 1e-4 && size < power(digits))) return by_fmt();
+  const int exponent = first_exponent(size);
+  const double scaled = size * power(digits - 1 - exponent);
+  const auto number = static_cast<std::int64_t>(scaled + 0.5);
+  if (std::abs(scaled - static_cast<double>(number)) > 0.499) return by_fmt();
+  // At a power of ten the exponent is that of the rounded number.
+  const auto whole = static_cast<std::uint64_t>(number);
+  if (whole < kWholePowers[static_cast<std::size_t>(digits - 1)] ||
+      whole >= kWholePowers[static_cast<std::size_t>(digits)])
+    return by_fmt();
+
+  const std::uint64_t high = whole / 100'000'000, low = whole % 100'000'000;
+  const std::uint64_t first = digits_of(high),
+                      last = digits_of(low / 10'000 | (low % 10'000) << 32U);
+  const int zeros = last != 0 ? std::countl_zero(last) / 8 : 4 + std::countl_zero(first) / 8;
+  constexpr std::uint64_t kZeros = 0x3030'3030'3030'3030;
+  Characters text{(first | last << 32U) + kZeros, (last >> 32U) + kZeros};
+  text.drop(kMostDigits - digits);
+  const int used = digits - zeros;
+  if (value < 0.0) *at++ = '-';
+  if (exponent < 0) {
+    std::memcpy(at, "0.000", 1 - kLeastExponent);
+    at += 1 - exponent;
+    text.write(at);
+    return at + used;
+  }
+  text.write(at);
+  at += exponent + 1;
+  if (used <= exponent + 1) return at;
+  *at++ = '.';
+  text.drop(exponent + 1);
+  text.write(at);
+  return at + (used - exponent - 1);
+}
 
 CsvWriter::CsvWriter(const CsvStyle& style, Part part) : style_(style) {
   if (style.european && part == Part::whole) put("\uFEFF");

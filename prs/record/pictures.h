@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <iterator>
 #include <stdexcept>
 
+#include "prs/json_type.h"
 #include "prs/model/part.h"
 #include "prs/record/figure.h"
 
@@ -70,5 +72,118 @@ Figures figures(const Pictures& pictures, bool all = false);
 /// One of them, the first where the options leave several, in one panel if they ask for it. Throws
 /// NoFigure.
 Figure figure(const Pictures& pictures, std::string_view name, const FigureOptions& options);
+
+/// A description as documents have it under `figures`; what has its default is absent.
+Json to_json(const Figure& figure);
+
+/// What documents have under `figures`.
+Json to_json(const Figures& figures);
+
+/// Descriptions in a file, of which `figures_of` makes the figures again; none where the text is no
+/// such file. Numbers have seven digits.
+inline constexpr std::string_view kFiguresEnding = "_figures.json";
+std::string figures_text(const Figures& figures);
+Figures figures_of(std::string_view text);
+
+/// Options as a JSON object with the names of their members. Throws NoFigure.
+FigureOptions figure_options(const std::string& text);
+
+/// JSON Schema of a description.
+Json figure_schema();
+
+/// Lines that can be told apart.
+inline constexpr std::size_t kMostLines = kPaletteSize;
+
+/// Points that a curve over loads needs.
+inline constexpr std::size_t kMinSweepPoints = 3;
+
+/// The k-th of several lines with marks.
+Style marked_line(std::size_t k);
+
+/// The k-th of several load cases or models, in other colours than those of the parts as far as
+/// there are any; grey is what stands behind, or belongs to all of them.
+constexpr Colour case_colour(std::size_t k) {
+  constexpr Colour kOrder[] = {Colour::ink,   Colour::orange, Colour::purple,    Colour::sky,
+                               Colour::green, Colour::blue,   Colour::vermillion};
+  return kOrder[k % std::size(kOrder)];
+}
+Style case_line(std::size_t k);
+
+constexpr Style kMeanStyle = line_of(Colour::reference, Dash::dashed, Weight::thin);
+constexpr Style kZeroStyle = line_of(Colour::reference, Dash::solid, Weight::thin);
+
+constexpr Colour colour_of(Part part) {
+  return part == Part::screw    ? Colour::blue
+         : part == Part::roller ? Colour::green
+                                : Colour::vermillion;
+}
+
+constexpr std::string_view title(Part part) {
+  return part == Part::screw ? "screw" : part == Part::roller ? "roller" : "nut";
+}
+
+/// `Roller-screw` or `Roller-nut`.
+std::string interface_title(Interface i);
+
+/// What users named, in one line that is not too long.
+std::string shown_name(std::string_view name);
+
+/// Label of loads in both senses.
+inline constexpr std::string_view kSignedForce = "Axial force, tension >\u00a00";
+
+Axis thread_axis(std::size_t threads);
+
+/// (1, value), (2, value), .. in shown units.
+Polyline over_threads(const std::vector<double>& values, double factor);
+
+Polyline rectangle(double left, double right, double bottom, double top);
+
+/// A closed line, with the major semi-axis at an angle from x.
+Polyline ellipse(double x, double y, double semi_major, double semi_minor, double angle);
+
+/// A number with a typographic minus, as the axes have it.
+std::string number(double value, int decimals);
+
+/// Names along y, from above, for bars at 1, 2, ..
+Axis ranked_axis(const std::vector<std::string>& names);
+/// Where the k-th stands, from 0.
+double rank_position(std::size_t k, std::size_t count);
+
+/// Axes and colours in one unit instead of another, of which it is `factor`, where their numbers
+/// reach `least`.
+struct UnitChange {
+  std::string from;
+  std::string to;
+  double factor = 1e-3;
+  double least = 0.0;
+};
+Figure in_unit(Figure figure, const UnitChange& change);
+
+/// Forces of 10 kN and more in kN where the figure has them in N.
+Figure in_kilonewtons(Figure figure);
+
+/// As tables of the page have them: kN from 1000 N on, and GPa.
+Figure in_page_units(Figure figure);
+
+/// A dashed line where all threads would share the load equally, at `mean`, in every panel.
+void add_mean(Figure& figure, double mean);
+
+/// The least of 1, 2 or 5 times a power of ten that is not below `least` > 0.
+double round_step(double least);
+
+/// Round numbers around all values, at most so many steps; empty where there is none.
+std::vector<double> round_levels(const Range& range, std::size_t most_steps);
+
+/// Says in the legend of each line that lies under another where that is; without entries of which
+/// nothing is shown.
+Figure with_true_legend(Figure figure);
+
+/// Drops what is beyond the first `count` and says so in the title.
+template <class Item>
+void keep_first(std::vector<Item>& items, std::size_t count, std::string& title) {
+  if (items.size() <= count) return;
+  title += ", first " + std::to_string(count) + " of " + std::to_string(items.size());
+  items.resize(count);
+}
 
 }  // namespace prs

@@ -1,10 +1,16 @@
 #include <charconv>
+#include <iterator>
 
+#include "prs/input/reader.h"
 #include "prs/input/units.h"
-#include "prs/model/void_inputs.h"
+#include "prs/mechanism/full_distribution.h"
+#include "prs/model/check_case.h"
 #include "prs/record/table_units.h"
 #include "prs/report/findings.h"
-#include "prs/report/svg.h"
+#include "prs/report/report.h"
+#include "prs/report/tables.h"
+#include "prs/run/document_schema.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -315,6 +321,222 @@ std::string controls_html(const Findings& all) {
     text += slider_html(all, slider, static_cast<int>(k));
   }
   return group ? text + "</fieldset>\n" : text;
+}
+
+namespace {
+
+using ThreadRows = std::vector<std::vector<std::string>>;
+
+/// The entries of an array, those of arrays in it one after the other: roller after roller.
+std::vector<Json> flat(const Json& array) {
+  std::vector<Json> all;
+  if (!array.is_array()) return all;
+  for (const Json& entry : array)
+    if (entry.is_array())
+      std::ranges::copy(flat(entry), std::back_inserter(all));
+    else
+      all.push_back(entry);
+  return all;
+}
+
+/// What a record has of one thread at both interfaces: the entries of series as long as that of
+/// the loads.
+void add_thread_rows(const RecordInfo& info, const Json& json, std::size_t thread,
+                     std::size_t threads, ThreadRows& rows) {
+  const Json& screw = under(json, "screw");
+  const Json& nut = under(json, "nut");
+  const RecordInfo* side = record_in(info, "screw");
+  if (side && screw.is_object() && nut.is_object()) {
+    for (const QuantityInfo& q : side->quantities) {
+      const auto value = [&](const Json& body) {
+        const std::vector<Json> values = flat(under(body, std::string(q.key)));
+        return values.size() == threads ? values[thread] : Json();
+      };
+      const Json screw_value = value(screw), nut_value = value(nut);
+      double largest = 0.0;
+      for (const Json* one : {&screw_value, &nut_value})
+        if (one->is_number()) largest = std::max(largest, std::abs(one->get<double>()));
+      const ReportUnit unit = report_unit(q.key, q.unit, largest);
+      const std::string at_screw = report_value(screw_value, unit),
+                        at_nut = report_value(nut_value, unit);
+      if (at_screw.empty() && at_nut.empty()) continue;
+      rows.push_back({html(capitalised(q.title)), at_screw, at_nut, html(unit.text)});
+    }
+  }
+  for (const QuantityInfo& q : info.quantities) {
+    const Json& inner = under(json, std::string(q.key));
+    if (q.kind == Kind::record && inner.is_object() && q.key != "screw" && q.key != "nut")
+      add_thread_rows(q.record(), inner, thread, threads, rows);
+  }
+}
+
+}  // namespace
+
+std::string thread_html(Findings& all, const ThreadChoice& choice) {
+  const CommandAnswer* slip = all.answer(Command::slip);
+  const CommandAnswer* loads = all.most_complete();
+  const CommandAnswer* numbers = slip ? slip : loads;
+  if (!numbers) return {};
+  const Result& result = *numbers->delivery.result<Result>();
+  if (choice.load_case >= result.load_cases.size()) return "<p>There is no such load case.</p>\n";
+  const auto& known = result.load_cases[choice.load_case].threads;
+  const std::size_t threads = known ? known->screw.normal_load.size() : 0;
+  if (threads == 0) return "<p>The loads of this case are not known.</p>\n";
+  if (choice.thread >= threads) return "<p>There is no such thread.</p>\n";
+  ThreadRows rows;
+  add_thread_rows(*record_at("load_cases[]"), numbers->document["load_cases"][choice.load_case],
+                  choice.thread, threads, rows);
+  std::string text;
+  const FigureOptions options{.load_case = choice.load_case, .thread = choice.thread};
+  const auto add = [&](const CommandAnswer* answer, const char* name) {
+    if (!answer) return;
+    const auto picture = std::ranges::find(answer->pictures, name, &Picture::name);
+    if (picture == answer->pictures.end()) return;
+    for (const Figure& figure : picture->make(options)) text += figure_html(all, figure);
+  };
+  add(loads, "thread_pressure");
+  add(loads, "thread_stress");
+  add(slip, "thread_friction");
+  return text + plain_table({"", "Roller-screw", "Roller-nut", "Unit"}, rows, true);
+}
+
+Json thread_choices(const Findings& all) {
+  const CommandAnswer* loads = all.most_complete();
+  if (!loads) return nullptr;
+  Json choices{{"cases", Json::array()}};
+  double most = -1.0;
+  for (const LoadCaseResult& load_case : loads->delivery.result<Result>()->load_cases) {
+    const std::size_t place = choices["cases"].size();
+    choices["cases"].push_back(printable(load_case.load_case.name));
+    if (!load_case.threads || load_case.threads->screw.normal_load.empty()) continue;
+    const InterfaceLoads& screw = load_case.threads->screw;
+    const std::size_t count = screw.normal_load.size();
+    const auto row =
+        screw.threads_per_roller > 0 ? static_cast<std::size_t>(screw.threads_per_roller) : count;
+    const auto largest = std::ranges::max_element(screw.normal_load);
+    if (*largest <= most) continue;
+    most = *largest;
+    choices["rollers"] = count / row;
+    choices["threads"] = row;
+    choices["load_case"] = place;
+    choices["thread"] = largest - screw.normal_load.begin();
+  }
+  return choices.contains("threads") ? choices : Json();
+}
+
+namespace {
+
+constexpr std::string_view kThread = "thread";
+
+bool is_wanted(const LiveQuestion& q, const SectionRow& row) {
+  constexpr std::string_view kOfReport[] = {"studies", "provenance"};
+  if (std::ranges::find(kOfReport, row.id) != std::end(kOfReport)) return false;
+  if (q.quick && !row.is_quick) return false;
+  return q.sections.empty() || std::ranges::find(q.sections, row.id) != q.sections.end();
+}
+
+/// The report that a page started from and what serves its questions, kept from one to the next.
+struct Kept {
+  input::Source source;
+  std::unique_ptr<Findings> quick, complete;
+  FullSolver full{FullStart::neighbour};
+};
+
+bool is_same(const input::Source& a, const input::Source& b) {
+  return a.text == b.text && a.overrides == b.overrides && a.name == b.name && a.files == b.files;
+}
+
+Findings findings_for(const input::Source& source, bool quick, Kept& kept) {
+  return quick ? quick_findings_of(source, kept.full)
+               : findings_of(source, {}, reported_commands());
+}
+
+/// The findings of the report with its figures.
+Findings& report_of(const input::Source& report, bool quick, Kept& kept) {
+  if (!is_same(kept.source, report)) {
+    kept.quick.reset();
+    kept.complete.reset();
+    kept.source = report;
+  }
+  std::unique_ptr<Findings>& known = quick ? kept.quick : kept.complete;
+  if (known) return *known;
+  auto found = std::make_unique<Findings>(findings_for(report, quick, kept));
+  found->keeps_figures = true;
+  for (const SectionRow& row : section_rows())
+    if (!quick || row.is_quick) section_of(*found, row);
+  found->keeps_figures = false;
+  known = std::move(found);
+  return *known;
+}
+
+/// What has loads of its own that are still the report's, while the load cases have others.
+std::map<Command, std::string> unmoved(const input::Source& report, const input::Source& changed) {
+  const auto values = [](const input::Source& source) {
+    return input::read_case_input(source, Command::check).values;
+  };
+  const Case before = values(report), now = values(changed);
+  const auto told = [](std::string_view key) {
+    return fmt::format(
+        "This does not follow the axial force of the load cases: its loads are those of "
+        "<code>{}</code>.",
+        key);
+  };
+  std::map<Command, std::string> all;
+  const auto same_force = [](const LoadCase& a, const LoadCase& b) {
+    return a.axial_force == b.axial_force;
+  };
+  const auto same_load = [](const SpectrumLoad& a, const SpectrumLoad& b) {
+    return a.force == b.force;
+  };
+  if (std::ranges::equal(before.load_cases, now.load_cases, same_force)) return all;
+  if (now.life && before.life &&
+      std::ranges::equal(before.life->spectrum, now.life->spectrum, same_load))
+    all[Command::life] = told(now.life->history ? "life.history" : "life.spectrum");
+  if (now.preload && before.preload && before.preload->load.from == now.preload->load.from &&
+      before.preload->load.to == now.preload->load.to)
+    all[Command::preload] = told("preload.load");
+  return all;
+}
+
+LiveAnswer answer_of(Findings& all, const LiveQuestion& question) {
+  LiveAnswer answer{Json::object(), {}, nullptr, all.unmoved.empty(), all.notes, all.converged};
+  for (const SectionRow& row : section_rows()) {
+    if (!is_wanted(question, row)) continue;
+    std::string body = section_of(all, row).body;
+    for (const auto& [command, why] : all.unmoved)
+      if (name(command) == row.id && !body.empty())
+        body = fmt::format("<p>{}</p>\n<div class=\"stale\">\n{}</div>\n", why, body);
+    answer.sections[std::string(row.id)] = std::move(body);
+  }
+  if (!question.quick && !all.check.empty()) {
+    answer.head = head_html(all);
+    answer.threads = thread_choices(all);
+  }
+  if (question.thread) {
+    all.section = kThread;
+    answer.sections[std::string(kThread)] = thread_html(all, *question.thread);
+  }
+  return answer;
+}
+
+}  // namespace
+
+LiveAnswer live_sections(const input::Source& source, const LiveQuestion& question) {
+  constexpr Command kOfThread[] = {Command::contact, Command::solve, Command::slip};
+  thread_local Kept kept;
+  const TableUnits units(question.units);
+  if (question.sections == std::vector{std::string(kThread)}) {
+    Findings few = findings_of(source, {}, kOfThread);
+    return answer_of(few, question);
+  }
+  input::Source own = source;
+  own.overrides.resize(std::min(question.own, own.overrides.size()));
+  Findings& report = report_of(own, question.quick, kept);
+  if (is_same(source, own)) return answer_of(report, question);
+  Findings changed = findings_for(source, question.quick, kept);
+  changed.before = &report;
+  if (!question.quick) changed.unmoved = unmoved(own, source);
+  return answer_of(changed, question);
 }
 
 }  // namespace prs

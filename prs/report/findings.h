@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "prs/loads/warnings.h"
+#include "prs/loads/case_table.h"
 #include "prs/report/report.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"

@@ -5,13 +5,12 @@
 
 #include "prs/compare/compare_analysis.h"
 #include "prs/input/units.h"
-#include "prs/loads/case_groups.h"
+#include "prs/loads/case_table.h"
 #include "prs/model/units.h"
-#include "prs/record/figure_json.h"
+#include "prs/record/pictures.h"
 #include "prs/report/findings.h"
-#include "prs/report/svg.h"
 #include "prs/report/tables.h"
-#include "prs/run/results_schema.h"
+#include "prs/run/document_schema.h"
 #include "prs/text.h"
 #include "prs/version.h"
 

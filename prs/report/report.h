@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/input/source.h"
+#include "prs/record/figure.h"
 #include "prs/record/table_units.h"
+#include "prs/svg/elements.h"
 
 namespace prs {
 
@@ -80,5 +82,11 @@ struct LiveAnswer {
 /// The sections of `report_parts` for changed values, those of the report behind them. Throws
 /// InputError where the case is wrong.
 LiveAnswer live_sections(const input::Source& source, const LiveQuestion& question);
+
+/// A figure as an SVG element for an HTML page with `svg_style()`. `id` is unique on the page.
+std::string svg(const Figure& figure, const std::string& id);
+
+/// The rules that its classes follow, by the variables of the page's theme (`svg_rules`).
+std::string svg_style();
 
 }  // namespace prs

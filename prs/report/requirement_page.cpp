@@ -1,7 +1,6 @@
 #include <filesystem>
 
 #include "prs/report/report.h"
-#include "prs/report/svg.h"
 #include "prs/report/tables.h"
 #include "prs/run/commands.h"
 #include "prs/size/size_analysis.h"

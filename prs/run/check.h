@@ -1,12 +1,99 @@
 #pragma once
 
+#include <map>
+
 #include "prs/input/echo.h"
+#include "prs/life/analyze_life.h"
 #include "prs/loads/result.h"
+#include "prs/measures/measures.h"
+#include "prs/model/command.h"
+#include "prs/model/limits.h"
 #include "prs/model/problems.h"
 #include "prs/record/analysis.h"
-#include "prs/run/verdict.h"
+#include "prs/record/record.h"
+
+/// Whether a case meets its limits: the one definition that `prs check`, the report and the page
+/// read. Each criterion has the worst value of all load cases, with the real thread loads.
+///
+/// Where the case states a limit (`limits`), the criterion is green if the limit is met and red if
+/// it is missed. Where it states none, the criterion is red if physics does not allow the value,
+/// amber if the value falls short of the recommended one, and green otherwise. A criterion without
+/// any of these limits is a plain number. A value that cannot be computed never meets a limit.
 
 namespace prs {
+
+/// Recommended where the case states nothing: makers ask for a static safety of 1 to 3, catalogues
+/// allow half of the buckling load and 80 % of the critical speed.
+inline constexpr double kRecommendedStaticSafety = 1.5;
+inline constexpr double kRecommendedBucklingSafety = 2.0;
+inline constexpr double kRecommendedCriticalSpeedShare = 0.8;
+
+enum class Sense { least, greatest };
+std::string_view name(Sense sense);
+
+enum class LimitSource { stated, physics, recommended };
+std::string_view name(LimitSource source);  ///< As documents have it: `case` for stated.
+
+enum class Standing { green, amber, red, no_limit, not_computed, not_applicable };
+std::string_view name(Standing standing);
+
+struct Criterion {
+  std::string_view name;   ///< Its key in `limits`, where it has one.
+  std::string_view title;  ///< `Static safety`
+  std::string_view unit;   ///< Of value and limit; empty for ratios and fractions.
+  Sense sense = Sense::least;
+  std::optional<double> value;  ///< The worst.
+  std::optional<double> best;   ///< Of all load cases, where there are several.
+  std::optional<double> limit;
+  std::optional<LimitSource> source;
+  Standing standing = Standing::no_limit;
+  std::string load_case;  ///< Where the worst value stands.
+  std::string reason;     ///< What limits it, or why there is no value.
+};
+
+struct CaseVerdict {
+  std::vector<Criterion> criteria = {};
+  bool is_complete = true;  ///< All commands were asked that the case is ready for.
+
+  /// The worst: red, amber, green; amber where a stated limit has no value. `no_limit` where
+  /// nothing is held against a limit.
+  Standing standing() const;
+};
+
+/// What a case states and what its commands found.
+struct VerdictFacts {
+  const Case& c;
+  Limits limits = {};
+  const Contacts* contacts = nullptr;
+  const Result* loads = nullptr;
+  const Result* slip = nullptr;
+  const LifeResult* life = nullptr;
+  const MeasuresResult* measures = nullptr;
+  /// Why commands were not run: what to add, or what they found wrong. One that is neither here nor
+  /// above was not asked; what it would have given is left out.
+  std::map<Command, std::string> lacking = {};
+};
+
+CaseVerdict verdict_of(const VerdictFacts& facts);
+
+std::string words(Standing standing);  ///< `met`, `not computed`
+
+/// How tables and pages show value and limit: shown = value * factor.
+struct ShownCriterion {
+  std::string_view unit;
+  double factor = 1.0;
+};
+ShownCriterion shown(const Criterion& criterion);
+
+/// What the verdict comes to: `Not met: static safety, peak pressure. ..`.
+std::string summary(const CaseVerdict& verdict);
+/// Criteria without a value or without anything to apply to: `temperature (add heat), ..`.
+std::string not_computed(const CaseVerdict& verdict);
+/// `limits.static_safety`, `physical limit`, `recommended`.
+std::string origin(const Criterion& criterion);
+
+Record<CaseVerdict> record_of(Type<CaseVerdict>);
+Record<Criterion> record_of(Type<Criterion>);
 
 /// What a case must get before a command runs; nothing where it does.
 struct CommandNeeds {

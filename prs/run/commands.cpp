@@ -2,7 +2,7 @@
 
 #include "prs/compare/compare_analysis.h"
 #include "prs/input/document.h"
-#include "prs/input/resolved_input.h"
+#include "prs/input/echo.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/preload_analysis.h"

@@ -27,4 +27,7 @@ Delivery run(const AnyAnalysis& analysis, const input::Source& source);
 /// Origin of a command's documents of a source, which must have been read for it without an error.
 DocumentInfo document_info(const input::Source& source, Command command);
 
+/// How a run ended: exit statuses of the programs, statuses of answers.
+enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
+
 }  // namespace prs

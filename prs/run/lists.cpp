@@ -4,7 +4,7 @@
 
 #include "prs/input/units.h"
 #include "prs/loads/case_table.h"
-#include "prs/model/named_lubricants.h"
+#include "prs/model/operation.h"
 #include "prs/record/table_units.h"
 #include "prs/run/commands.h"
 #include "prs/study/response.h"

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "prs/input/study_reader.h"
+#include "prs/optimize/optimizer.h"
 #include "prs/study/derivatives.h"
 #include "prs/study/design_engine.h"
-#include "prs/study/schedule.h"
 #include "prs/study/study_result.h"
+#include "prs/study/study_run.h"
 
 namespace prs {
 
@@ -32,5 +34,19 @@ std::vector<Warning> study_warnings(const input::StudyInput& in, const StudyResu
 /// What the rows of a study depend on, as one hash: program, file, overrides and the force history
 /// that they refer to.
 std::string key_of(const input::StudyInput& in, Command command);
+
+/// Checks limits relative to the file's own design once its responses are known. Throws InputError.
+void check_initial(const input::OptimizeInput& input, const EvaluatedDesign& initial);
+
+/// Runs the optimization of a source on `threads` threads: the file's own design first, on which
+/// limits may depend, then the search on the journal that `open` gives for it. Absent where it was
+/// interrupted. Throws InputError, also for a response that the design does not have.
+std::optional<OptimizationResult> run_optimization(
+    const input::OptimizeInput& in, std::size_t threads,
+    const std::function<Journal(const JournalHeader&)>& open, const OptimizeOptions& options);
+
+/// The source with the chosen design written into it; nothing where no design was chosen.
+std::optional<std::string> chosen_case(const OptimizationResult& result,
+                                       const input::Source& source);
 
 }  // namespace prs

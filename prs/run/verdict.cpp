@@ -1,7 +1,7 @@
-#include "prs/run/verdict.h"
+#include "prs/run/check.h"
 
 #include "prs/life/life_record.h"
-#include "prs/loads/heat_record.h"
+#include "prs/loads/load_record.h"
 #include "prs/record/record_table.h"
 
 namespace prs {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fe/model.h"
+#include "fe/newton.h"
 #include "prs/sector/sector_model.h"
 
 namespace prs {
@@ -35,5 +36,69 @@ template <class... Parts>
 Sector build_sector(const Mechanism& mechanism, const Parts&... parts) {
   return build_sector(sector_model(mechanism, parts...));
 }
+
+/// How one axial load spreads over the threads of one roller. SI units, thread 1 first.
+struct LoadDistribution {
+  fe::NewtonSummary solve;
+  PerInterface<std::vector<double>> normal_load;  ///< N [N]
+  PerInterface<std::vector<double>> approach;     ///< Hertz approach delta [m]
+  /// Loaded section against thrust section [m], > 0 along the load.
+  double axial_displacement = 0.0;
+  /// dF/du of the whole mechanism at the load [N/m]; absent where the tangent is singular.
+  std::optional<double> tangent_stiffness;
+};
+
+/// Adds the energy of a spring of this compliance [m/N] between the loaded section and a force [N]:
+/// what the model has of the displacement without its freedoms, -c F^2/2.
+void add_offset_energy(fe::NewtonSummary& summary, double compliance, double force);
+
+/// Solves load after load on one sector; the symbolic factorization is shared.
+class SectorSolver {
+ public:
+  explicit SectorSolver(Sector sector);
+  SectorSolver(const SectorSolver&) = delete;
+  SectorSolver& operator=(const SectorSolver&) = delete;
+
+  /// Equilibrium under the axial force on the whole mechanism [N], > 0. Starts from rigid bodies
+  /// that share the load equally, so the answer does not depend on earlier loads.
+  LoadDistribution solve(double axial_force);
+
+  /// Equilibrium under further loads [N, N m] besides the axial force, from the last state on.
+  /// `is_trial`: of loads that may have none, given up early.
+  fe::NewtonSummary go_on(double axial_force, const std::vector<fe::NodalLoad>& further,
+                          bool is_trial);
+
+  /// The same under a load that follows the state, see `fe::NewtonSolver::follow`.
+  bool follow(double axial_force, const fe::FollowingLoad& load) {
+    return solver_.follow(load, newton_options(axial_force), state_);
+  }
+
+  /// What a state says under the axial force, be it in equilibrium or not; `solve` is left empty.
+  LoadDistribution at(const fe::State& state, double axial_force);
+
+  /// State that the last solve ended with.
+  const fe::State& state() const { return state_; }
+
+  /// dq/dt at the last solve's state for the rate dr/dt of the residual: K x = -rate. False where
+  /// the tangent K is singular.
+  bool state_rate(const Eigen::VectorXd& residual_rate, Eigen::VectorXd& rate);
+
+  /// State of rigid bodies with equal shares: screw and roller shifted until every thread carries.
+  Eigen::VectorXd equal_shares(double axial_force) const;
+
+  const Sector& sector() const { return sector_; }
+  const fe::Equations& equations() const { return equations_; }
+  /// Load vector of a unit force per sector along the load's direction.
+  const Eigen::VectorXd& unit_load() const { return unit_load_; }
+  fe::NewtonOptions newton_options(double axial_force) const;
+
+ private:
+  Sector sector_;
+  fe::Equations equations_;
+  fe::NewtonSolver solver_;
+  Eigen::VectorXd unit_load_;
+  fe::State state_;
+  Eigen::VectorXd rate_;
+};
 
 }  // namespace prs

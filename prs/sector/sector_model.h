@@ -1,8 +1,13 @@
 #pragma once
 
+#include <numbers>
+#include <vector>
+
 #include "prs/model/deviations.h"
 #include "prs/model/load_case.h"
 #include "prs/model/mechanism.h"
+#include "prs/model/part.h"
+#include "prs/model/structure.h"
 #include "prs/sector/refined/nut_formulas.h"
 #include "prs/sector/refined/nut_shell.h"
 #include "prs/sector/sector_numbers.h"
@@ -100,5 +105,71 @@ struct BodyRadii {
 BodyRadii body_radii(const Mechanism& mechanism, const Structure& structure,
                      const Materials& materials, const ModelOptions& options,
                      const PerInterface<ContactLaw>& laws, const NutLine& line);
+
+/// What pushes a roller that runs, in the plane of its axis and the screw's, besides the normal
+/// loads of its contacts. x along the axis, y outwards, as the sector has them.
+struct RollerPush {
+  /// T_x and T_y, friction of each thread on the roller; an equal force acts back on screw or nut
+  /// [N].
+  PerInterface<std::vector<double>> axial, radial;
+  bool per_normal_load = false;  ///< Whether these are T over N [-].
+  bool is_trial = false;         ///< Whether it may have no equilibrium: given up early.
+  /// m' c Omega^2 of the orbit, outwards, per length of thread and of heads [N/m].
+  double of_thread = 0.0, of_heads = 0.0;
+};
+
+// The parts as bodies of revolution that are bounded by the pitch diameters, where a thread is as
+// wide as its groove: what crests add, roots lack, but for the difference of their radii.
+
+/// Volume and polar moment of volume of a body about its axis.
+struct RoundBody {
+  double volume = 0.0;        ///< [m^3]
+  double polar_moment = 0.0;  ///< Integral of r^2 dV [m^5]; times the density, the inertia.
+};
+
+/// Cylinder or tube of a length: pi/4 (D^2 - d^2) L and pi/32 (D^4 - d^4) L.
+RoundBody tube(double outer_diameter, double inner_diameter, double length);
+
+/// Nut with its flanges, bored to the pitch diameter over its whole length.
+RoundBody nut_body(const Mechanism& mechanism, const Structure::Nut& nut);
+
+/// One roller as in the sector model: its pitch diameter over the threads with half a pitch of
+/// run-out at both ends, N p together, and both end pieces.
+RoundBody roller_body(const Mechanism& mechanism, const Structure::Roller& roller);
+
+/// Screw of a length, from its bore to the pitch diameter.
+RoundBody screw_body(const Mechanism& mechanism, const Structure::Screw& screw, double length);
+
+/// Volume of the cylinder around the nut [m^3]: its largest diameter over its length.
+double envelope_volume(const Structure::Nut& nut);
+
+/// pi d^2/4 [m^2]
+inline double disc_area(double diameter) { return std::numbers::pi / 4.0 * diameter * diameter; }
+
+/// Between two diameters [m^2].
+inline double ring_area(double outer, double inner) { return disc_area(outer) - disc_area(inner); }
+
+/// A ring-shaped section, m the inner over the outer diameter (Cowper 1966):
+///
+///     I = pi (d_o^4 - d_i^4)/64,   q = (1 + m^2)^2,
+///     kappa = 6 (1 + nu) q/((7 + 6 nu) q + (20 + 12 nu) m^2)
+inline RollerSection<double> ring_rigidity(const Material& material, double outer, double inner,
+                                           bool shear) {
+  const double modulus = material.youngs_modulus, nu = material.poisson_ratio;
+  const double area = ring_area(outer, inner);
+  RollerSection<double> r{
+      modulus * area,
+      modulus * (std::numbers::pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4))), 0.0};
+  if (!shear) return r;
+  const double m2 = std::pow(inner / outer, 2), q = (1.0 + m2) * (1.0 + m2);
+  const double kappa = 6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m2);
+  r.shear = kappa * (modulus / (2.0 * (1.0 + nu))) * area;
+  return r;
+}
+
+/// A full round section.
+inline RollerSection<double> disc_rigidity(const Material& material, double diameter, bool shear) {
+  return ring_rigidity(material, diameter, 0.0, shear);
+}
 
 }  // namespace prs

@@ -1,4 +1,4 @@
-#include "prs/configurations/complete_screw.h"
+#include "prs/configurations/configurations.h"
 #include "prs/heat/thermal_network.h"
 #include "prs/life/analyze_life.h"
 #include "prs/measures/measures.h"

@@ -1,7 +1,13 @@
 #include "prs/size/size.h"
 
+#include <nlohmann/json.hpp>
+
+#include "prs/input/csv_reader.h"
+#include "prs/input/described_file.h"
 #include "prs/input/document.h"
-#include "prs/study/schedule.h"
+#include "prs/input/force_history.h"
+#include "prs/model/quantity_text.h"
+#include "prs/study/study_run.h"
 
 namespace prs {
 namespace {
@@ -143,6 +149,348 @@ SizeResult size_screws(const SizeInput& in, const SizeOptions& options) {
   if (options.curve_of >= 1 && options.curve_of <= result.candidates.size())
     result.curve = force_over_speed(result.input, result.candidates[options.curve_of - 1]);
   return result;
+}
+
+namespace {
+
+constexpr std::size_t kMostCandidates = 100'000;
+constexpr double kNoTravel = 1e-3;  ///< Stands for the travel where nothing moves under load [m].
+
+constexpr std::string_view kNeededColumns[] = {"screw_diameter_mm", "lead_mm", "starts"};
+/// Those behind `type` are shown and not used.
+constexpr std::string_view kOtherColumns =
+    " rollers nut_diameter_mm nut_length_mm dynamic_capacity_kN static_capacity_kN efficiency "
+    "back_driving_efficiency name screw type nut_and_rollers_kg screw_kg_per_m "
+    "screw_inertia_kg_mm2_per_m nut_inertia_kg_mm2 roller_inertia_seen_by_screw_kg_mm2 "
+    "screw_outer_diameter_mm screw_root_diameter_mm ";
+
+bool is_known(const std::string& column) {
+  return std::ranges::count(kNeededColumns, column) > 0 ||
+         (column.find(' ') == column.npos &&
+          kOtherColumns.find(" " + column + " ") != kOtherColumns.npos);
+}
+
+class CatalogueReader {
+ public:
+  CatalogueReader(std::string_view text, std::string name, const input::Source& source)
+      : text_(text), name_(std::move(name)), source_(source), reader_(text) {}
+
+  std::vector<CandidateData> read(std::vector<Warning>& warnings) {
+    if (!next()) fail("has no heading; expected the names of the columns, then a screw per row");
+    heading_.assign(reader_.fields().begin(), reader_.fields().end());
+    check_heading(warnings);
+    std::vector<CandidateData> rows;
+    while (next()) {
+      rows.push_back(row());
+      rows.back().number = rows.size();
+      if (rows.size() > kMostCandidates)
+        fail(fmt::format("has more than {} rows; expected as many at most", kMostCandidates));
+    }
+    if (rows.empty()) fail("has no rows; expected a screw per row below the heading");
+    return rows;
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view what) const {
+    input::fail_at(source_, kCatalogueFile, "got {}, which {}; check the file", name_, what);
+  }
+  [[noreturn]] void refuse_at(std::size_t offset, std::string_view message) const {
+    throw input::InputError(
+        fmt::format("{}: error: {}", input::place_in(name_, text_, offset), message));
+  }
+  [[noreturn]] void refuse(std::size_t field, std::string_view expected,
+                           std::string_view fix) const {
+    const auto& fields = reader_.fields();
+    refuse_at(
+        reader_.field_offset(reader_.row_offset(), field),
+        fmt::format("{}: got {}; expected {}; {}",
+                    field < heading_.size() ? input::shown(heading_[field]) : "row",
+                    field < fields.size() && !fields[field].empty() ? input::shown(fields[field])
+                                                                    : "nothing",
+                    expected, fix));
+  }
+  bool next() {
+    try {
+      return reader_.next();
+    } catch (const input::CsvError& error) {
+      refuse_at(error.offset(), error.what());
+    }
+  }
+
+  void check_heading(std::vector<Warning>& warnings) const {
+    for (const std::string_view needed : kNeededColumns)
+      if (std::ranges::find(heading_, needed) == heading_.end())
+        fail(fmt::format("lacks the column {}; expected {} at least", needed,
+                         fmt::join(kNeededColumns, ", ")));
+    for (const std::string& column : heading_) {
+      if (std::ranges::count(heading_, column) > 1)
+        fail(fmt::format("has two columns {}; expected one of that name", input::shown(column)));
+      if (!is_known(column))
+        warnings.push_back({std::string(kCatalogueFile), "unknown_column_" + column,
+                            fmt::format("the column {} of {} is not known, and not used",
+                                        input::shown(column), name_),
+                            "see docs/size.md for the columns"});
+    }
+  }
+
+  std::size_t place_of(std::string_view column) const {
+    return static_cast<std::size_t>(std::ranges::find(heading_, column) - heading_.begin());
+  }
+  /// Empty where it is absent or not printed.
+  std::string_view text(std::string_view column) const {
+    const std::size_t place = place_of(column);
+    const auto& fields = reader_.fields();
+    return place < fields.size() && fields[place] != "-" ? fields[place] : std::string_view();
+  }
+  /// Above 0; a lead of a left-handed screw below it.
+  std::optional<double> number(std::string_view column, double per_si = 1.0) const {
+    const std::string_view field = text(column);
+    const std::size_t place = place_of(column);
+    if (field.empty()) {
+      if (std::ranges::count(kNeededColumns, column)) refuse(place, "a number", "complete the row");
+      return std::nullopt;
+    }
+    const bool is_lead = column == "lead_mm", is_count = column == "starts" || column == "rollers";
+    const std::optional<double> value = input::parse_number(field);
+    if (!value || (is_lead ? *value == 0.0 : *value <= 0.0) ||
+        (is_count && (*value != std::round(*value) || *value > 1000.0)))
+      refuse(place,
+             is_count  ? "a whole number > 0"
+             : is_lead ? "a number other than 0"
+                       : "a number > 0",
+             "fix the field, or write `-` for a value that is not printed");
+    if (column.ends_with("efficiency") && *value > 1.0)
+      refuse(place, "a fraction up to 1", "write 0.85 for 85 %");
+    return *value / per_si;
+  }
+
+  CandidateData row() const {
+    if (reader_.fields().size() > heading_.size())
+      refuse(heading_.size(), fmt::format("{} fields as in the heading", heading_.size()),
+             "write decimal marks as points, or quote texts that hold the separator");
+    CandidateData c;
+    c.is_row = true;
+    c.name = text(text("name").empty() ? "screw" : "name");
+    const std::string_view type = text("type");
+    if (!type.empty() && type != "standard" && type != "inverted")
+      refuse(place_of("type"), "standard or inverted", "write one of these");
+    if (type == "inverted") c.screw.type = Mechanism::Type::inverted;
+    c.screw.screw_diameter = *number("screw_diameter_mm", 1e3);
+    c.screw.lead = *number("lead_mm", 1e3);
+    c.screw.starts = static_cast<int>(*number("starts"));
+    if (const auto rollers = number("rollers")) c.screw.rollers = static_cast<int>(*rollers);
+    c.screw.nut_diameter = number("nut_diameter_mm", 1e3);
+    c.screw.nut_length = number("nut_length_mm", 1e3);
+    c.dynamic_capacity = number("dynamic_capacity_kN", 1e-3);
+    c.static_capacity = number("static_capacity_kN", 1e-3);
+    c.row_efficiency = number("efficiency");
+    c.row_back_driving_efficiency = number("back_driving_efficiency");
+    return c;
+  }
+
+  std::string_view text_;
+  std::string name_;
+  const input::Source& source_;
+  input::CsvReader reader_;
+  std::vector<std::string> heading_;
+};
+
+void add_designs(const Requirement::Designs& d, const input::Source& source,
+                 std::vector<CandidateData>& all) {
+  const std::vector<double> diameters = d.screw_diameter.values(), leads = d.lead.values();
+  const std::vector<double> starts = d.starts ? d.starts->values() : std::vector<double>{0.0};
+  double count = static_cast<double>(all.size());
+  count += static_cast<double>(d.type.size()) * static_cast<double>(diameters.size()) *
+           static_cast<double>(leads.size()) * static_cast<double>(starts.size());
+  if (count > static_cast<double>(kMostCandidates))
+    input::fail_at(source, "candidates",
+                   "got {:.0f} candidates; expected at most {}; take fewer diameters, leads or "
+                   "starts",
+                   count, kMostCandidates);
+  std::size_t number = 0;
+  for (const Mechanism::Type type : d.type)
+    for (const double diameter : diameters)
+      for (const double lead : leads)
+        for (const double n : starts) {
+          CandidateData& c = all.emplace_back();
+          c.number = ++number;
+          c.screw.type = type;
+          c.screw.screw_diameter = diameter;
+          c.screw.lead = lead;
+          if (n > 0.0) c.screw.starts = static_cast<int>(n);
+        }
+}
+
+/// The screw of a candidate as its written case has it.
+CompleteScrew screw_of(const CandidateData& candidate, const std::optional<double>& stroke) {
+  CompleteScrew screw = complete_screw(candidate.screw);
+  if (candidate.screw.type == Mechanism::Type::inverted && stroke) {
+    const double threads = screw.c.mechanism.contacts_per_roller * axial_pitch(screw.c.mechanism);
+    const double least = *stroke + threads + 2.0 * screw.c.structure->roller.end_length;
+    if (candidate.screw.nut_length) {
+      if (*candidate.screw.nut_length < least * (1.0 - 1e-9))
+        throw CaseError("nut_length",
+                        fmt::format("got {}; expected at least {}, in which the rollers travel {}",
+                                    mm(*candidate.screw.nut_length), mm(least), mm(*stroke)));
+    } else {
+      ScrewData longer = candidate.screw;
+      longer.nut_length = 1e-3 * std::ceil(1e3 * std::max(least, threads / kThreadedShare) - 1e-9);
+      screw = complete_screw(longer);
+    }
+  }
+  require_capacity(screw);
+  return as_written(std::move(screw));
+}
+
+double shaft_length(const Requirement& r, const CompleteScrew& s) {
+  if (r.shaft.length) return *r.shaft.length;
+  const double d = s.data.screw_diameter, nut = s.c.structure->nut.length;
+  if (!r.stroke) return 20.0 * d;
+  return (s.data.type == Mechanism::Type::standard ? *r.stroke : 0.0) + nut + 2.0 * d;
+}
+
+/// `speed` along the axis; a case counts it > 0 with tension where the screw drives.
+LoadCase load_case(const SizeInput& in, const CompleteScrew& s, std::string_view name, double force,
+                   double speed) {
+  const Direction direction = direction_of(in.values, force);
+  const bool as_in_case = (force > 0.0) == (direction == Direction::tension);
+  return {.name = std::string(name),
+          .axial_force = std::abs(force),
+          .direction = direction,
+          .position = s.position,
+          .speed = input::rotation(as_in_case ? speed : -speed, s.c.mechanism.lead)};
+}
+
+}  // namespace
+
+std::vector<CandidateData> candidates_of(const SizeInput& in, std::vector<Warning>& warnings) {
+  const Requirement::Candidates& from = in.values.candidates;
+  std::vector<CandidateData> all;
+  if (from.catalogue)
+    all = CatalogueReader(input::named_file_text(*from.catalogue, kCatalogueFile, in.source),
+                          input::name_in_messages(*from.catalogue, in.source), in.source)
+              .read(warnings);
+  else if (!from.designs)
+    all = CatalogueReader(standard_screws(), "standard_screws.csv", in.source).read(warnings);
+  if (from.designs) add_designs(*from.designs, in.source, all);
+  for (CandidateData& c : all)
+    if (c.name.empty())
+      c.name = fmt::format("{:.6g}x{:.6g}", 1e3 * c.screw.screw_diameter, 1e3 * c.screw.lead);
+  return all;
+}
+
+SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
+  const Requirement& r = in.values;
+  const MotionCycle& cycle = in.cycle;
+  SizedCase sized;
+  sized.screw = screw_of(candidate, r.stroke);
+  const CompleteScrew& s = sized.screw;
+  sized.shaft_length = shaft_length(r, s);
+  Case& c = sized.c;
+  c = s.c;
+  c.model.bodies = ModelOptions::Bodies::refined;
+  if (r.loads == ModelOptions::Loads::at_rest) c.model.loads = r.loads;
+  Life& life = c.life.emplace();
+  life.position = s.position;
+  life.reliability = r.life.reliability;
+  life.modification_factor = r.life.modification_factor;
+  for (const MotionSegment& segment : cycle.shown) {
+    std::optional<std::size_t>& place = sized.load_case_of.emplace_back();
+    if (segment.force == 0.0) continue;
+    life.spectrum.push_back({.force = std::abs(segment.force),
+                             .direction = direction_of(r, segment.force),
+                             .distance = cycle.mean_load ? std::abs(segment.travel()) : kNoTravel,
+                             .driven_by = segment.driven_by()});
+    if (segment.sense() == 0) continue;
+    place = c.load_cases.size();
+    c.load_cases.push_back(
+        load_case(in, s, segment.name, segment.force, segment.sense() * segment.mean_speed()));
+  }
+  c.load_cases.push_back(load_case(in, s, kBackDriving, cycle.largest_sign * cycle.driving_force(),
+                                   -cycle.largest_sign * cycle.driving_speed()));
+  c.operation = Operation{.speed = input::rotation(cycle.driving_speed(), s.c.mechanism.lead)};
+  c.friction = r.friction;
+  c.lubricant = r.lubricant;
+  c.roughness = r.roughness;
+  c.carrier = r.carrier;
+  c.measures = r.measures;
+  c.measures->shaft = MeasureOptions::Shaft{sized.shaft_length, r.shaft.ends};
+  return sized;
+}
+
+namespace {
+
+/// The block `heat` with the cycle as its duty.
+Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Conductance& k) {
+  Heat heat{.ambient = in.values.ambient, .conductance = k};
+  heat.specific_heat = 460.0;
+  for (std::size_t j = 0; j < in.cycle.shown.size(); ++j) {
+    const MotionSegment& s = in.cycle.shown[j];
+    Heat::DutyStep& step = heat.duty.emplace_back();
+    if (sized.load_case_of[j]) step.load_case = nlohmann::json(s.name).dump();
+    (sized.load_case_of[j] ? step.duration : step.rest) = s.duration;
+  }
+  return heat;
+}
+
+/// As a case has them: a life there counts travel under load alone.
+Limits limits_of(const SizeInput& in) {
+  const Requirement::Life& life = in.values.life;
+  Limits limits = in.values.limits;
+  limits.temperature.reset();  // Of the block `heat`, which is a comment.
+  if (in.cycle.mean_load && (life.hours || life.distance)) {
+    const double cycles =
+        life.hours ? *life.hours / in.cycle.duration : *life.distance / in.cycle.travel;
+    limits.life = LeastLife{.travel = cycles * in.cycle.loaded_travel};
+  }
+  return limits;
+}
+
+}  // namespace
+
+std::string written_candidate(const SizeInput& in, const SizedCandidate& candidate) {
+  using input::block_text, input::value_of, input::Block, input::format_quantity;
+  SizedCase sized = sized_case(in, candidate);
+  Case& c = sized.c;
+  std::string text =
+      screw_text(
+          sized.screw,
+          fmt::format("Chosen by `prs size` for {}: {}, {} {}.", in.source.name, candidate.name,
+                      candidate.is_row ? "row of the catalogue" : "design", candidate.number)) +
+      fmt::format("\nmodel: {{bodies: refined{}}}\n", c.model.loads ? ", loads: static" : "") +
+      "# One load case per segment of the motion, at its mean speed; the load drives the last.\n"
+      "load_cases:\n";
+  for (const LoadCase& load : c.load_cases)
+    text += fmt::format(
+        "  - {{name: {}, axial_force: {}, direction: {}, position: {}, speed: {}}}\n",
+        nlohmann::json(load.name).dump(), format_quantity(load.axial_force, input::unit::force),
+        name(*load.direction), format_quantity(*load.position, input::unit::length),
+        format_quantity(*load.speed, input::unit::rotational_speed));
+  text += fmt::format("\noperation: {{speed: {}}}   # mean of the time in motion\nfriction: {}\n",
+                      format_quantity(c.operation->speed, input::unit::rotational_speed),
+                      text_of(value_of(*c.friction, input::ChoiceUnder{"model"})));
+  const PerPart<double>& rough = *c.roughness;
+  text +=
+      block_text("lubricant", value_of(*c.lubricant, Block{})) +
+      fmt::format("roughness: {{screw: {:.15g} um, roller: {:.15g} um, nut: {:.15g} um}}\n",
+                  1e6 * rough.screw, 1e6 * rough.roller, 1e6 * rough.nut) +
+      block_text("carrier", value_of(c.carrier, Block{})) +
+      "\n# Temperatures that follow from the losses, with `prs slip`; the list took the mean of "
+      "the\n# cycle at the lubricant's temperature:\n";
+  Heat heat = heat_of_cycle(in, sized, candidate.conductance);
+  std::string of_heat = block_text("heat", value_of(heat, Block{}));
+  for (std::size_t at = 0; at < of_heat.size(); at = of_heat.find('\n', at) + 1)
+    of_heat.insert(at, "# ");
+  Life& life = *c.life;
+  if (candidate.life_basis == Requirement::Basis::maker) {
+    life.dynamic_capacity = candidate.dynamic_capacity;
+    life.static_capacity = candidate.static_capacity;
+  }
+  Limits limits = limits_of(in);
+  return text + of_heat + "\n# Without a capacity, as makers print it, life is that by threads.\n" +
+         block_text("life", value_of(life, Block{})) + "\n" +
+         block_text("measures", value_of(*c.measures, Block{})) + "\n# Life: travel under load.\n" +
+         block_text("limits", value_of(limits, Block{}));
 }
 
 }  // namespace prs

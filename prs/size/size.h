@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "prs/configurations/complete_screw.h"
+#include "prs/configurations/configurations.h"
 #include "prs/loads/slip_result.h"
 #include "prs/record/record.h"
 #include "prs/size/requirement.h"

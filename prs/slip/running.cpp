@@ -2,10 +2,8 @@
 
 #include <Eigen/QR>
 
-#include "prs/loads/load_case_result.h"
-#include "prs/sector/bodies.h"
-#include "prs/sector/running_sector.h"
-#include "prs/sector/section_properties.h"
+#include "prs/sector/roller_guides.h"
+#include "prs/sector/sector_model.h"
 #include "prs/slip/slip.h"
 
 namespace prs {

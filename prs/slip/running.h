@@ -1,12 +1,12 @@
 #pragma once
 
 #include "prs/loads/analyze.h"
-#include "prs/loads/full_result.h"
-#include "prs/preload/both_flanks.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/preload/preloaded_mechanism.h"
 #include "prs/sector/influence/influence_solver.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 #include "prs/slip/slip_model.h"
-#include "prs/threads/contact_laws.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
 

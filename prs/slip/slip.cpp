@@ -1,7 +1,7 @@
 #include "prs/slip/slip.h"
 
 #include "prs/loads/load_case_result.h"
-#include "prs/model/block_checks.h"
+#include "prs/model/check_case.h"
 #include "prs/slip/running.h"
 
 namespace prs {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/flash_temperature.h"
 #include "contact/patch.h"
 #include "prs/model/operation.h"
 #include "prs/slip/slip_formulas.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "simd/asinh.h"
-#include "simd/transposed.h"
+#include "simd/lanes.h"
 
 namespace prs {
 namespace {

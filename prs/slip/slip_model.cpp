@@ -2,9 +2,9 @@
 
 #include <numeric>
 
-#include "prs/loads/full_result.h"
-#include "prs/sector/bodies.h"
-#include "prs/threads/contact_laws.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/sector/sector_model.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
 namespace {

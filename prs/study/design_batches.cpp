@@ -1,7 +1,6 @@
 #include "prs/study/design_batches.h"
 
-#include "prs/sector/chain/fallback_solver.h"
-#include "prs/threads/initial_gaps.h"
+#include "prs/sector/chain/chain_solver.h"
 #include "prs/threads/threads.h"
 
 namespace prs {

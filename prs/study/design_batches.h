@@ -1,8 +1,7 @@
 #pragma once
 
 #include "prs/loads/load_case_result.h"
-#include "prs/sector/chain/bar_designs.h"
-#include "prs/sector/chain/refined_designs.h"
+#include "prs/sector/chain/design_solvers.h"
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_designs.h"
 #include "prs/threads/contact_batch.h"

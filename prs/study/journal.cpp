@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "prs/bytes.h"
+#include "prs/file_descriptor.h"
 #include "prs/output/files.h"
-#include "prs/regular_file.h"
 #include "prs/sha256.h"
 
 namespace prs {

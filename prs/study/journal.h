@@ -3,7 +3,7 @@
 #include <span>
 
 #include "prs/input/source.h"
-#include "prs/output/file_lock.h"
+#include "prs/output/staged_file.h"
 #include "prs/study/designs.h"
 
 namespace prs {

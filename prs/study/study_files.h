@@ -1,12 +1,41 @@
 #pragma once
 
-#include "prs/components/column_file.h"
-#include "prs/loads/load_json.h"
+#include "prs/components/components.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/output/staged_file.h"
-#include "prs/study/study_csv.h"
+#include "prs/record/csv_writer.h"
+#include "prs/record/record.h"
+#include "prs/study/derivatives.h"
+#include "prs/study/study_result.h"
 #include "prs/study/study_run.h"
 
 namespace prs {
+
+/// `study.csv`: one row per design, the base case first, then status, reason and the responses
+/// under their paths. Before them stand the values of all factors or, where designs differ from the
+/// base case in one value, this one: `factor`, `label`, `value`, `number`, `unit`.
+class StudyCsv {
+ public:
+  /// Study and columns must outlive the object.
+  StudyCsv(const Study& study, const std::vector<FactorColumn>& columns, const CsvStyle& style = {})
+      : study_(study), columns_(columns), style_(style) {}
+
+  std::string header() const;
+
+  /// `factors`: of the block, see `factor_values`. From any thread.
+  std::string rows(const RowBlock& block, const std::vector<double>& factors) const;
+
+ private:
+  const Study& study_;
+  const std::vector<FactorColumn>& columns_;
+  CsvStyle style_;
+};
+
+/// `envelope.csv`: one row per node of the grid and then one per point that was read off, which is
+/// named in `point`; number of the design where it is one, factors and companions, responses,
+/// measures divided by what normalises them (`normalised.PATH`) and the `envelope`.
+std::string envelope_csv(const Study& study, const GridMaps& maps, const EnvelopeResult& envelope,
+                         const CsvStyle& style = {});
 
 /// `study.nc`, netCDF-4: the columns of `study.csv` as variables over the dimension `design`, with
 /// units and titles. Words are flags, `status` too; reasons stand in `study.csv`. What a design
@@ -60,5 +89,56 @@ using TakeRows = std::function<void(const RowBlock& block, std::span<const doubl
 std::string write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
                        const std::filesystem::path* folder, std::size_t threads,
                        const TakeRows& add, const CsvStyle& style = {});
+
+Record<CaseDerivatives> record_of(Type<CaseDerivatives>);
+
+/// The document of `prs study --json` with `plan: derivatives`: under `derivatives` one entry a
+/// response, with its value and what each factor does to it.
+Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info);
+
+/// `derivatives.csv`: one row per response and factor.
+std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style = {});
+
+/// One table per response: what 1 % of each factor does to it, the strongest first.
+std::string derivatives_table(const CaseDerivatives& result);
+
+/// What the derivatives of a case can show. The result must outlive the list.
+Pictures derivatives_pictures(const CaseDerivatives& result);
+
+/// As the input writes it: `latin_hypercube`.
+std::string_view name(Plan plan);
+
+/// What the document of a study says of it.
+struct StudyDocument {
+  const StudyResult* result = nullptr;
+  bool with_rows = true;
+};
+Record<StudyDocument> record_of(Type<StudyDocument>);
+Record<Level> record_of(Type<Level>);
+
+/// The document of `prs study --json`: the study; under `summary` what the designs say together,
+/// under `envelope` the envelope of a study that has one, and under `designs` what each of those
+/// kept gave, with `designs_shown` where that is not all of them.
+Json study_json(const StudyResult& result, const DocumentInfo& info);
+/// The same with an empty list of designs.
+Json study_outline(const StudyResult& result, const DocumentInfo& info);
+
+/// An outline with the designs of the result in its empty list: what `json_text` gives of
+/// `study_json`, one design after the other.
+void write_study(const Json& outline, const StudyResult& result, const TextSink& sink);
+
+/// A study within 100 columns. Where designs differ in one value: their rows, one table per factor
+/// with the base case in it. Otherwise what matters most to each response, by shares of its
+/// variance or contributions to its linear surface, then statistics and, of a grid, the extremes.
+/// What has no room stands in study.csv and study.json. Last come the designs without an answer.
+std::string study_table(const StudyResult& result);
+
+/// What is wrong with the designs that have no answer, of the first ones; empty where all have one.
+std::string study_failures(const StudyResult& result);
+
+/// `120 of 500 designs (40 from the journal), 850 a second, 0:12 left`; `done` counts the `found`
+/// ones of the journal too, which took no time.
+std::string progress_line(std::size_t done, std::size_t total, double seconds,
+                          std::size_t found = 0);
 
 }  // namespace prs

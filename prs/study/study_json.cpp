@@ -1,4 +1,4 @@
-#include "prs/study/study_json.h"
+#include "prs/study/study_files.h"
 
 namespace prs {
 namespace {}  // namespace

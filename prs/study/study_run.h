@@ -1,9 +1,41 @@
 #pragma once
 
+#include <functional>
+
+#include "prs/components/components.h"
+#include "prs/study/designs.h"
 #include "prs/study/journal.h"
-#include "prs/study/schedule.h"
 
 namespace prs {
+
+/// Answers designs [first, first + count), or the first of them where that takes long; none once
+/// the run is interrupted. A pure function, called from many threads at once.
+using Evaluate = std::function<RowBlock(std::size_t first, std::size_t count)>;
+
+/// The next designs to evaluate, about `most` of them; none once all are given away. From any
+/// thread.
+using NextRange = std::function<std::optional<DesignRange>(std::size_t most)>;
+
+/// Takes an encoded block, in any order, from any thread.
+using TakeRecord = std::function<void(const std::string& record)>;
+
+/// Processors that this process may use.
+std::size_t available_processors();
+
+/// Threads of a run whose user names no number: one per processor, or one where TBB is missing.
+std::size_t default_threads();
+
+/// Evaluates `chunk` designs at a time on `threads` threads until none is left, and encodes them,
+/// in as many blocks as `evaluate` makes of them. The number of blocks under way is limited, so
+/// that a slow `take` slows the rest down. An exception in one of the functions ends the run and is
+/// thrown again.
+void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next,
+                  const Evaluate& evaluate, const TakeRecord& take);
+
+/// Calls `prepare(k)` for k = 0 .. count-1 on `threads` threads, and what it returns one at a time
+/// in the order of k.
+void run_in_order(std::size_t count, std::size_t threads,
+                  const std::function<std::function<void()>(std::size_t k)>& prepare);
 
 /// The rows that journals of one study hold: each design once, in the order of designs.
 class StoredRows {
@@ -91,5 +123,54 @@ StoredRows run_study(const JournalHeader& header, const StudyFolder* folder, con
 /// The rows that the journals in the folders hold. Throws StudyFolderError where there is none,
 /// where they are of different studies, and where designs are missing, which it then names.
 StoredRows gather_rows(const std::vector<std::filesystem::path>& folders);
+
+/// The processes that an MPI launcher (`mpirun`, `srun`) started together. Without a launcher, and
+/// where MPI knows of one process only, the first rank is alone; without a launcher MPI is not even
+/// loaded.
+///
+/// The first rank gives designs away and takes all rows, so that neither results nor files depend
+/// on the number of ranks and only it needs the disk; it evaluates designs too. The others ask for
+/// more whenever they deliver. A rank that dies ends the job, as launchers do.
+class Ranks {
+ public:
+  /// `join` false: alone in any case. Throws modules::Missing where a launcher started several
+  /// processes and this build has no MPI.
+  explicit Ranks(bool join);
+  /// The first rank ends the work of the others; all ranks wait for each other.
+  ~Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  int size() const { return size_; }
+  bool is_first() const { return rank_ == 0; }
+
+  /// Threads that each rank should run: the processors that the ranks of this machine may use, in
+  /// equal parts.
+  std::size_t threads() const;
+
+  /// Whether all ranks say the same. Every rank must call it.
+  bool agree(const std::string& text) const;
+
+  /// What `make` gives on the first rank, on all ranks. Every rank must call it. Where `make`
+  /// throws, the others get nothing.
+  std::optional<std::string> share(const std::function<std::string()>& make) const;
+
+  /// First rank: `run` here, while the other ranks do their part of it.
+  void lead(const NextRange& next, const TakeRecord& take, std::size_t chunk,
+            const RunDesigns& run);
+
+  /// Other ranks: evaluates designs that the first rank gives, on `threads` threads, until it ends
+  /// the work. A rank that does not call it takes no part.
+  void assist(const Evaluate& evaluate, std::size_t threads);
+
+ private:
+  /// Answers the other ranks with designs of `next` until none of them computes any more.
+  void serve(const NextRange& next, const TakeRecord& take, std::size_t chunk);
+
+  std::unique_ptr<Communicator> communicator_;  ///< Without a launcher: none.
+  int rank_ = 0;
+  int size_ = 1;
+  bool served_ = false;  ///< First rank: the others are done; others: they have been heard of.
+};
 
 }  // namespace prs

@@ -1,12 +1,10 @@
-#include "prs/study/study_table.h"
+#include "prs/study/study_files.h"
 
 #include <tuple>
 
 #include "prs/loads/case_table.h"
-#include "prs/loads/warnings.h"
 #include "prs/record/table_units.h"
-#include "prs/study/study_json.h"
-#include "prs/study/study_parts.h"
+#include "prs/study/study_pictures.h"
 
 namespace prs {
 namespace {

@@ -1,11 +1,10 @@
-#include "prs/svg/map.h"
+#include "prs/svg/panel.h"
 
 #include <algorithm>
 #include <unordered_map>
 
-#include "prs/svg/palette.h"
+#include "prs/svg/elements.h"
 #include "prs/svg/png.h"
-#include "prs/svg/series.h"
 
 namespace prs {
 namespace {

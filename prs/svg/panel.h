@@ -1,7 +1,7 @@
 #pragma once
 
+#include "prs/record/figure.h"
 #include "prs/svg/elements.h"
-#include "prs/svg/layout.h"
 
 namespace prs {
 
@@ -11,5 +11,39 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
 
 /// The scale of the colours, with its numbers and label below the box.
 std::string colour_bar_svg(const ColourScale& scale, const Box& box);
+
+/// A map in the colours of a scale: cells of one colour or, as an embedded image, filled contours
+/// and cells that are many.
+std::string map_svg(const Map& map, const ColourScale& scale, const Frame& frame);
+
+/// The lines where a map has one value.
+struct Contours {
+  double level = 0.0;
+  std::vector<Polyline> lines = {};
+};
+
+/// Those between filled contours.
+std::vector<Contours> contours_of(const Map& map, const ColourScale& scale);
+
+std::string contours_svg(const std::vector<Contours>& contours, const Frame& frame);
+
+/// Their numbers, where there is room; what they take joins `taken`.
+std::string contour_numbers(const std::vector<Contours>& contours, const Frame& frame,
+                            std::vector<TextBox>& taken);
+
+/// The way through points, broken where one has no place. Points that only lead around outside of
+/// the panel are left out.
+std::string way(const Polyline& points, const Frame& frame, bool closed);
+
+std::string series_svg(const Figure& figure, const Series& series, const Frame& frame);
+
+constexpr int kLegendSymbolWidth = 34, kLegendSymbolHeight = 16;
+
+/// What stands before an entry of the legend, with its upper left at 0, 0.
+std::string legend_symbol(const Style& style);
+
+/// A figure as an SVG file of its own: all panels, the scale of colours and the legend, on white
+/// paper.
+std::string svg_file(const Figure& figure);
 
 }  // namespace prs

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "prs/threads/threads.h"
+#include "prs/model/groove.h"
+#include "prs/model/units.h"
 
 namespace prs {
 namespace {
@@ -155,6 +156,47 @@ void warn(Contacts& c) {
   warn_of_conformity(c, c.warnings);
 }
 
+/// From the crest of the body's flank to the roller's crest on the line of centres [m]; < 0 where
+/// they overlap.
+double distance_of_crests(const contact::ThreadPair& pair, Interface i) {
+  return i == Interface::screw
+             ? pair.centre_distance - pair.body.largest_radius - pair.roller.largest_radius
+             : pair.body.smallest_radius - pair.roller.largest_radius - pair.centre_distance;
+}
+
+std::string off_the_flanks(const contact::FlankViolations& violations, Interface i) {
+  std::string text = "the contact point lies ";
+  const char* separator = "";
+  for (const contact::FlankViolation& v : violations) {
+    text += fmt::format("{}{:.4f} mm beyond the {} of the {}", separator, v.by * per_si::millimetre,
+                        contact::name(v.end), v.of_roller ? "roller" : name(i));
+    separator = ", ";
+  }
+  return text;
+}
+
+std::string without_hertz(contact::HertzStatus status) {
+  switch (status) {
+    case contact::HertzStatus::no_point_contact:
+      return "the smaller relative curvature is zero, which gives a line contact";
+    case contact::HertzStatus::conforming_surface:
+      return "the smaller relative curvature is negative: the surfaces overlap next to the point";
+    default:
+      return fmt::format("the contact cannot be computed ({})", contact::name(status));
+  }
+}
+
+void require(const Contacts& contacts, const PerInterface<bool>& lacks, std::string_view fix) {
+  std::string path, message;
+  for (const Interface i : kInterfaces) {
+    if (!lacks[i]) continue;
+    const Problem why = failure(contacts, i);
+    if (path.empty()) path = why.path;
+    message += fmt::format("the {} threads give no Hertz contact: {}; ", label(i), why.message);
+  }
+  if (!path.empty()) throw CaseError(path, message.append(fix));
+}
+
 }  // namespace
 
 Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials,
@@ -189,6 +231,125 @@ Problem failure(const Contacts& contacts, Interface i) {
     if (contacts.bad_threads[p]) return *contacts.bad_threads[p];
   const InterfaceContact& c = contacts.interfaces[i];
   return why_no_contact(contacts.threads, c.geometry, c.hertz.status, i);
+}
+
+const char* label(Interface i) { return i == Interface::screw ? "roller-screw" : "roller-nut"; }
+
+contact::ThreadPair pair_of(const contact::MechanismGeometry& threads, Interface i) {
+  return i == Interface::screw ? contact::screw_pair(threads) : contact::nut_pair(threads);
+}
+
+Problem why_no_contact(const contact::MechanismGeometry& threads,
+                       const contact::InterfaceGeometry& geometry, contact::HertzStatus hertz,
+                       Interface i) {
+  using Status = contact::ContactPointStatus;
+  switch (geometry.point.status) {
+    case Status::ok:
+      return {"mechanism.profile", without_hertz(hertz)};
+    case Status::straight_on_straight:
+      return {"mechanism.profile", "both profiles are straight, which gives no point contact"};
+    case Status::out_of_reach: {
+      const double distance = distance_of_crests(pair_of(threads, i), i);
+      return {"mechanism.centre_distance",
+              fmt::format("the flanks of roller and {} {} by {:.4f} mm", name(i),
+                          distance > 0.0 ? "miss each other" : "overlap",
+                          std::abs(distance) * per_si::millimetre)};
+    }
+    case Status::outside_flank:
+      return {"mechanism.thread",
+              off_the_flanks(point_beyond_flanks(pair_of(threads, i), geometry.point), i)};
+    case Status::not_a_minimum:
+      return {"mechanism.profile", "the surfaces cut each other where their slopes agree"};
+    case Status::not_converged:
+    case Status::not_computed:
+      break;
+  }
+  return {
+      "mechanism.profile",
+      "the clearance of the flanks has no minimum between their ends: profiles that conform too "
+      "closely, or diameters that do not fit"};
+}
+
+void require_contacts(const Conditions& c, const Contacts& contacts) {
+  PerInterface<bool> lacks;
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    lacks[i] = !contact.geometry.ok() || (c.materials && !contact.hertz.ok());
+  }
+  require(contacts, lacks, "fix profiles, flank angles or diameters");
+}
+
+ContactLaw contact_law(const ContactOverrides& overrides, const InterfaceContact& contact,
+                       Interface i) {
+  return {overrides.hertz_constant[i].value_or(contact.hertz.hertz_constant),
+          overrides.normal_angle[i] ? *overrides.normal_angle[i] : contact.normal_angle()};
+}
+
+PerInterface<ContactLaw> contact_laws(const Conditions& c, const Contacts& contacts) {
+  PerInterface<bool> lacks;
+  for (const Interface i : kInterfaces)
+    lacks[i] = !contacts.interfaces[i].has_hertz() &&
+               !(c.contact.hertz_constant[i] && c.contact.normal_angle[i]);
+  require(contacts, lacks,
+          "fix profiles, flank angles or diameters, or give both "
+          "contact.hertz_constant and contact.normal_angle of the interface");
+  PerInterface<ContactLaw> laws;
+  for (const Interface i : kInterfaces) laws[i] = contact_law(c.contact, contacts.interfaces[i], i);
+  if (c.structure &&
+      c.model.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto) {
+    const PerInterface<double> teeth = yamamoto_compliance(
+        contacts.mechanism, *c.structure, *c.materials,
+        {laws.screw.normal_angle, laws.nut.normal_angle}, c.model.tooth_compliance.width);
+    for (const Interface i : kInterfaces) laws[i].compliance = teeth[i];
+  }
+  return laws;
+}
+
+ToothDeflection yamamoto_deflection(const ToothSection& t, const Material& m, double diameter,
+                                    double nut_outer_diameter) {
+  using std::numbers::pi;
+  const double a = t.root_width, b = t.pitch_width, c = t.height, p = t.pitch;
+  const double tangent = std::tan(t.flank_angle);
+  const double e = m.youngs_modulus, nu = m.poisson_ratio;
+  const double plane = (1.0 - nu * nu) / e;
+  const double slope = 1.0 - std::pow(2.0 - b / a, 2) + 2.0 * std::log(a / b);
+  const double outer = nut_outer_diameter * nut_outer_diameter, inner = diameter * diameter;
+  ToothDeflection d;
+  d.bending = 0.75 * plane * (slope / std::pow(tangent, 3) - 4.0 * c * c / (a * a) * tangent);
+  d.shear = 1.2 * (1.0 + nu) / e / tangent * std::log(a / b);
+  d.root_inclination = 12.0 * plane * c / (pi * a * a) * (c - 0.5 * b * tangent);
+  d.root_shear = 2.0 * plane / pi *
+                 (p / a * std::log((p + 0.5 * a) / (p - 0.5 * a)) +
+                  0.5 * std::log(4.0 * p * p / (a * a) - 1.0));
+  const double ring = nut_outer_diameter > 0.0 ? (outer + inner) / (outer - inner) + nu : 1.0 - nu;
+  d.radial = 0.5 / e * diameter / p * tangent * tangent * ring;
+  return d;
+}
+
+ToothSection tooth_section(const Mechanism& m, Part part) {
+  const double flank = m.flank_angle[part], pitch = axial_pitch(m);
+  // The flank's normal leaves the axis by the flank angle.
+  const double height = m.thread[part]
+                            ? m.thread[part]->dedendum
+                            : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
+  const double width =
+      m.thread[part] ? m.thread[part]->thickness.value_or(0.5 * pitch) : 0.5 * pitch;
+  return {width + 2.0 * height * std::tan(flank), width, height, flank, pitch};
+}
+
+PerInterface<double> yamamoto_compliance(const Mechanism& m, const Structure& structure,
+                                         const Materials& materials,
+                                         const PerInterface<double>& normal_angle, double width) {
+  const auto of = [&](Part part) {
+    return yamamoto_deflection(tooth_section(m, part), materials[part], *m.pitch_diameter[part],
+                               part == Part::nut ? structure.nut.outer_diameter : 0.0)
+               .total() /
+           width;
+  };
+  PerInterface<double> compliance;
+  for (const Interface i : kInterfaces)
+    compliance[i] = (of(body_of(i)) + of(Part::roller)) * std::pow(std::cos(normal_angle[i]), 2);
+  return compliance;
 }
 
 }  // namespace prs

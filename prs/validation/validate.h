@@ -1,11 +1,114 @@
 #pragma once
 
-#include "prs/loads/load_json.h"
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/input/csv_reader.h"
+#include "prs/input/source.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/model/case.h"
+#include "prs/model/command.h"
 #include "prs/output/files.h"
-#include "prs/validation/reference.h"
 
 namespace prs {
+
+/// A number as a source prints it; what is known of it ends with its last digit.
+struct PrintedNumber {
+  std::string text;             ///< `3.6062e5`
+  std::optional<int> decimals;  ///< In place of the last digit's, where the source drops zeros.
+
+  double value() const;
+  /// Half a unit of the last known digit.
+  double half_unit() const;
+  /// Whether a computed number, rounded, is this one.
+  bool is_reproduced_by(double computed) const;
+  /// Known digits, a leading zero of a number below 1 not counted; those of 0 are its decimals.
+  int digits() const;
+  /// How many of them a computed number shares, counted by the distance in units of the last.
+  int agreeing_digits(double computed) const;
+
+ private:
+  int last_place() const;
+};
+
+/// What a source prints for a quantity, and what is known to be wrong with it.
+struct PrintedValue {
+  std::string quantity;  ///< Path in the JSON document: `contact.screw.hertz_constant_N_per_mm1_5`.
+  std::string where;     ///< Table or equation of the source.
+  PrintedNumber printed;
+  std::string differs;  ///< Why the theory does not give it, where it does not; else empty.
+  std::optional<PrintedNumber> corrected;  ///< What it gives instead, from an independent source.
+};
+
+/// A case, or formulas that the source's code computes without one, and the numbers printed for it.
+struct ReferenceCase {
+  std::filesystem::path file;        ///< Empty for formulas.
+  std::string formulas;              ///< What they give: `table 7.1`; empty for a case.
+  Command command = Command::solve;  ///< `solve`, `contact` or `slip`
+  std::vector<PrintedValue> values;
+};
+
+/// What a source says in words, and the name of its check in the source's code.
+struct PrintedStatement {
+  std::string section;  ///< Where the source makes it.
+  std::string text;     ///< The source's words.
+  std::string check;
+  std::string why = {};  ///< The mechanics behind it where it does not hold; shown only then.
+};
+
+/// `reference.yaml` of one source.
+struct Reference {
+  std::filesystem::path folder;
+  std::string source;  ///< Citation.
+  std::vector<ReferenceCase> cases;
+  std::vector<PrintedStatement> statements;
+};
+
+/// Reads a `reference.yaml`; unknown, duplicate and missing keys are errors. Throws
+/// input::InputError.
+Reference read_reference(const std::filesystem::path& file);
+
+/// Comma-separated values below one line of column names, see `input::CsvReader`. Empty fields are
+/// refused, as are rows of another length than the first. All members throw input::InputError,
+/// which names file, line and column.
+class CsvTable {
+ public:
+  explicit CsvTable(const std::filesystem::path& file);
+  CsvTable(const CsvTable&) = delete;
+  CsvTable& operator=(const CsvTable&) = delete;
+
+  std::size_t rows() const { return rows_.size(); }
+  /// Index of the column; an error where there is none.
+  std::size_t column(std::string_view name) const;
+  bool has_column(std::string_view name) const;
+
+  std::string text(std::size_t row, std::size_t column) const;
+  /// A finite number and nothing else.
+  double number(std::size_t row, std::size_t column) const;
+  /// Half a unit of the number's last digit.
+  double half_unit(std::size_t row, std::size_t column) const;
+
+  /// What turns out to be wrong with a field.
+  [[noreturn]] void fail(std::size_t row, std::size_t column, std::string_view message) const;
+
+ private:
+  struct Row {
+    std::size_t offset = 0;  ///< Where it begins in the file.
+    std::vector<std::string> fields;
+  };
+
+  /// The next row; none at the end of the file.
+  std::optional<Row> next_row();
+  [[noreturn]] void fail_at(std::size_t offset, std::string_view key,
+                            std::string_view message) const;
+
+  input::Source source_;
+  input::CsvReader reader_;  ///< Reads the source's text.
+  std::vector<std::string> header_;
+  std::vector<Row> rows_;
+};
 
 /// What a predicate found: whether the statement is true of some results, and the numbers that say
 /// so.

@@ -12,9 +12,9 @@
 
 #include "prs/export/system_model.h"
 #include "prs/input/document.h"
+#include "prs/input/echo.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
-#include "prs/input/written_case.h"
 #include "prs/output/staged_file.h"
 #include "prs/page/page.h"
 #include "prs/run/commands.h"

@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "prs/loads/load_json.h"
-#include "prs/record/figure_json.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/study/designs.h"
 #include "python/engine/interpreter_guard.h"
 

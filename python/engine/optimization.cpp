@@ -9,10 +9,9 @@
 #include <optional>
 #include <utility>
 
-#include "prs/optimize/optimize_json.h"
-#include "prs/optimize/optimize_pictures.h"
+#include "prs/optimize/optimize_files.h"
 #include "prs/run/commands.h"
-#include "prs/run/optimization.h"
+#include "prs/run/study.h"
 #include "python/engine/document.h"
 #include "python/engine/interpreter_guard.h"
 

@@ -12,7 +12,7 @@
 
 #include "contact/film.h"
 #include "contact/hertz.h"
-#include "prs/life/rainflow.h"
+#include "prs/life/load_history.h"
 #include "prs/life/rating_life.h"
 #include "python/engine/document.h"
 #include "python/engine/interpreter_guard.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "contact/lubricant.h"
 #include "tests/support/plain_slip.h"
 
 namespace contact {

@@ -1,4 +1,4 @@
-#include "contact/flash_temperature.h"
+#include "contact/patch.h"
 
 #include <gtest/gtest.h>
 

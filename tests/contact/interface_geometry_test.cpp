@@ -1,4 +1,4 @@
-#include "contact/interface_geometry.h"
+#include "contact/contact_point.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/flank_edge.h"
 #include "contact/hertz.h"
 #include "contact/mechanism_geometry.h"
 #include "support/count.h"

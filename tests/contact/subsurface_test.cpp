@@ -1,4 +1,4 @@
-#include "contact/subsurface.h"
+#include "contact/hertz.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "contact/viscosity.h"
+#include "contact/film.h"
 
 #include <gtest/gtest.h>
 

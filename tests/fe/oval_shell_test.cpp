@@ -1,4 +1,4 @@
-#include "fe/oval_shell.h"
+#include "fe/shell.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "prs/loads/load_json.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/record/pictures.h"
 #include "prs/study/study_result.h"
 

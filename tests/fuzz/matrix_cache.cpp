@@ -14,7 +14,7 @@
 #include "prs/mechanism/full_influence.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/sha256.h"
-#include "prs/threads/contact_laws.h"
+#include "prs/threads/contacts.h"
 #include "tests/fuzz/files.h"
 #include "tests/fuzz/mutators.h"
 #include "tests/fuzz/targets.h"

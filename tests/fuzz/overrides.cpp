@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "prs/input/resolved_input.h"
-#include "prs/input/written_case.h"
+#include "prs/input/echo.h"
 #include "prs/run/commands.h"
 #include "tests/fuzz/bounds.h"
 #include "tests/fuzz/documents.h"

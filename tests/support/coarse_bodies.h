@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/sector/influence/flexibility_options.h"
+#include "prs/sector/influence/grooved_body.h"
 
 namespace test {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "prs/svg/elements.h"
-#include "prs/svg/file.h"
+#include "prs/svg/panel.h"
 
 namespace test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "prs/mechanism/full_distribution.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 
 namespace test {
 

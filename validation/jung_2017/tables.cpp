@@ -1,12 +1,153 @@
 #include "validation/jung_2017/tables.h"
 
+#include <fmt/ranges.h>
+
 #include <Eigen/Dense>
 
 #include "contact/hertz_formulas.h"
+#include "prs/life/rating_life.h"
+#include "prs/model/units.h"
+#include "prs/threads/contacts.h"
 #include "validation/extensions.h"
-#include "validation/jung_2017/recipe.h"
 
 namespace prs::jung_2017 {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kContactAngle = pi / 4.0;
+constexpr double kLead = kStarts * kPitch;
+constexpr Material kSteel = {.youngs_modulus = 2.1e11, .poisson_ratio = 0.3, .density = {}};
+constexpr double kDensity = 7850.0;
+
+/// Table 3.1 prints 6.056 deg; with it four of the ten capacities of table 7.1 end in another
+/// digit, with 6.054 deg none does.
+constexpr double kPrintedHelixAngle = 6.054 * pi / 180.0;
+/// Axial load of a thread, nowhere printed: the ten stiffnesses leave 1476 to 1509 N.
+constexpr double kThreadLoad = 1500.0;
+
+double square(double x) { return x * x; }
+
+std::array<Diameters, 10> table(double (*roller)(int row, double screw)) {
+  std::array<Diameters, 10> rows;
+  for (int row = 0; row < 10; ++row) {
+    Diameters& d = rows[static_cast<std::size_t>(row)];
+    d.nut_outer = (54.0 + 3.0 * row) / per_si::millimetre;
+    d.screw = 0.5 * d.nut_outer;
+    d.roller = roller(row, d.screw);
+  }
+  return rows;
+}
+
+/// Lemor's factor at the ratio of the diameters; not a number outside its range.
+double factor_of(const Diameters& d) {
+  return geometry_factor(d.roller * std::cos(kContactAngle) / d.nut_inner()).value_or(std::nan(""));
+}
+
+double capacity(const Diameters& d, double helix_angle) {
+  return lemor_capacity(factor_of(d), kContactAngle, kContacts,
+                        rolling_element_diameter(kPitch, d.roller), helix_angle);
+}
+
+/// Relative curvatures (3.27)-(3.38) of one contact [1/m], the equal ones of the ball first.
+struct Curvatures {
+  double along, across;
+  double sum() const { return along + across; }
+};
+struct BothCurvatures {
+  Curvatures nut, screw;
+};
+BothCurvatures curvatures(const Diameters& d) {
+  const double ball = 2.0 * std::sin(kContactAngle) / d.roller;
+  const double radial = 2.0 * std::cos(kContactAngle);
+  return {{ball, ball - radial / d.nut_inner()}, {ball, ball + radial / d.screw}};
+}
+
+ThreadCompliance yamamoto(const Diameters& d, const ToothSection& tooth, double screw_width,
+                          double nut_width) {
+  const ToothDeflection screw = yamamoto_deflection(tooth, kSteel, d.screw);
+  const ToothDeflection nut = yamamoto_deflection(tooth, kSteel, d.nut_inner(), d.nut_outer);
+  ThreadCompliance c;
+  c.teeth = (screw.total() - screw.radial) / screw_width + (nut.total() - nut.radial) / nut_width;
+  c.screw_radial = screw.radial / screw_width;
+  c.nut_radial = nut.radial / nut_width;
+  return c;
+}
+
+}  // namespace
+
+std::array<Diameters, 10> case_1() {
+  return table([](int row, double) { return (9.0 + row) / per_si::millimetre; });
+}
+
+std::array<Diameters, 10> case_2() {
+  return table([](int, double screw) { return screw / 3.0; });
+}
+
+ThreadCompliance compliance_as_printed(const Diameters& d) {
+  constexpr double kWidth = 1e-3;
+  const ToothSection tooth{.root_width = 7.0 / 8.0 * kPitch,
+                           .pitch_width = kPitch / 2.0,
+                           .height = kPitch / 8.0,
+                           .flank_angle = kContactAngle,
+                           .pitch = kLead};
+  ThreadCompliance c = yamamoto(d, tooth, kWidth, kWidth);
+  constexpr double kModulus = 4.333e-12, kApproach = 0.98;
+  const auto approach = [](double sum) {  // (3.43), (3.44) [mm/N^(2/3)]
+    sum /= per_si::millimetre;
+    return kApproach * std::pow(1.5 * kModulus / sum, 2.0 / 3.0) * sum / 2.0;
+  };
+  const BothCurvatures rho = curvatures(d);
+  const double axial = std::sin(kContactAngle) * std::cos(kPrintedHelixAngle);
+  c.hertz = (approach(rho.nut.sum()) + approach(rho.screw.sum())) * std::cbrt(1.0 / kThreadLoad) *
+            std::pow(axial, -5.0 / 3.0) / per_si::millimetre;
+  return c;
+}
+
+Measures as_printed(const Diameters& d) {
+  Measures m;
+  const double outer = d.nut_outer, inner = d.nut_inner();
+  m.nut_thickness = outer - inner;
+  m.volume = pi * kLength *
+             (square(outer) + square(d.screw) - square(inner) + kRollers * square(d.roller));
+  m.stiffness = 1.0 / compliance_as_printed(d).total();
+  m.load_capacity = capacity(d, kPrintedHelixAngle);
+  // In mm and in this order: a weight of table 7.2 ends in a rounded 5.
+  const double d_r = per_si::millimetre * d.roller, d_n = per_si::millimetre * outer;
+  const double wall = d_n - per_si::millimetre * d.screw - 2.0 * d_r;
+  m.weight = 0.006165 * square(d_r) * kRollers * kLength + 0.02466 * (d_n - wall) * wall * kLength;
+  return m;
+}
+
+ThreadCompliance right_compliance(const Diameters& d) {
+  const ToothSection tooth{.root_width = 7.0 / 8.0 * kPitch,
+                           .pitch_width = kPitch / 2.0,
+                           .height = 3.0 / 16.0 * kPitch,
+                           .flank_angle = kContactAngle,
+                           .pitch = kPitch};
+  ThreadCompliance c = yamamoto(d, tooth, pi * d.screw / kRollers, pi * d.nut_inner() / kRollers);
+  const double modulus = contact::contact_modulus(kSteel, kSteel);
+  const auto approach = [&](const Curvatures& rho, double diameter) {
+    const double axial = std::sin(kContactAngle) * std::cos(std::atan(kLead / (pi * diameter)));
+    const contact::HertzContact contact = contact::at_load(
+        contact::hertz_constants(rho.along, rho.across, modulus), kThreadLoad / axial);
+    return contact.approach / axial;
+  };
+  const BothCurvatures rho = curvatures(d);
+  c.hertz = (approach(rho.nut, d.nut_inner()) + approach(rho.screw, d.screw)) / kThreadLoad;
+  return c;
+}
+
+Measures corrected(const Diameters& d) {
+  Measures m;
+  m.nut_thickness = 0.5 * (d.nut_outer - d.nut_inner());
+  m.volume = 0.25 * pi * kLength *
+             (square(d.nut_outer) - square(d.nut_inner()) + kRollers * square(d.roller));
+  m.stiffness = 1.0 / right_compliance(d).total();
+  m.load_capacity = capacity(d, std::atan(kLead / (pi * d.screw)));
+  m.weight = kDensity * m.volume;
+  return m;
+}
 
 ContactParameters contact_parameters(double f) {
   const double axis_ratio = contact::ellipticity((1.0 - f) / (1.0 + f));
@@ -279,10 +420,290 @@ std::vector<ValidationTable> tables() {
   return all;
 }
 
+using input::ErrorList;
+using input::InputError;
+using input::Node;
+
+/// A diameter that the user gives.
+struct Given {
+  std::string_view key;
+  double Diameters::*diameter;
+};
+constexpr Given kGiven[] = {{"nut_outer", &Diameters::nut_outer},
+                            {"screw", &Diameters::screw},
+                            {"roller", &Diameters::roller}};
+constexpr std::size_t kGivenCount = std::size(kGiven);
+constexpr std::string_view kExample = "54 mm, 27 mm, 9 mm";
+
+/// Smaller and larger ones are units gone wrong.
+constexpr double kSmallest = 1e-4, kLargest = 10.0;
+
+/// What is wrong with a row and with which of its diameters.
+struct Problem {
+  std::size_t given = 0;
+  std::string message;
+};
+
+std::string in_mm(double length) { return fmt::format("{:.10g} mm", length * per_si::millimetre); }
+
+std::optional<Problem> problem_of(const Diameters& d) {
+  for (std::size_t k = 0; k < kGivenCount; ++k) {
+    const double value = d.*kGiven[k].diameter;
+    if (!(value >= kSmallest && value <= kLargest))
+      return Problem{k,
+                     fmt::format("got {}; expected 0.1 mm to 10 m; check its unit", in_mm(value))};
+  }
+  if (d.nut_outer <= d.nut_inner())
+    return Problem{0, fmt::format("got {}; expected more than screw and two rollers, {}; enlarge "
+                                  "the nut or make the rollers smaller",
+                                  in_mm(d.nut_outer), in_mm(d.nut_inner()))};
+  const double cosine = std::numbers::sqrt2 / 2.0;
+  const double ratio = d.roller * cosine / d.nut_inner();
+  if (geometry_factor(ratio)) return {};
+  // d_r cos/d_n = q, d_n = d_s + 2 d_r; to whole micrometres within the range.
+  const auto roller_at = [&](double limit) {
+    return d.screw / (cosine / limit - 2.0) * per_si::micrometre;
+  };
+  return Problem{
+      2, fmt::format("got {}, d_r cos(45 deg)/d_n = {:.4g}; expected 0.01 to 0.30, where Lemor's "
+                     "geometry factor is known; with this screw take {:g} to {:g} mm",
+                     in_mm(d.roller), ratio, std::ceil(roller_at(kFactorRatios.least)) * 1e-3,
+                     std::floor(roller_at(kFactorRatios.greatest)) * 1e-3)};
+}
+
+/// A length, or a message what is wrong with its text.
+struct ParsedLength {
+  double value = 0.0;
+  std::string message = {};
+};
+ParsedLength parse_length(std::string_view text) {
+  const input::ParsedQuantity parsed = input::parse_quantity(text, input::unit::length);
+  if (parsed.value) return {*parsed.value};
+  return {0.0, fmt::format("got {}; expected a length; {}", input::shown(text),
+                           parsed.hint.empty() ? "write for example 54 mm" : parsed.hint)};
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+Diameters read_text(const std::string& text) {
+  const auto fail = [&](const std::string& message) {
+    throw InputError(
+        fmt::format("prs: error: --diameters \"{}\": {}", input::shown(text), message));
+  };
+  std::vector<std::string_view> fields;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    fields.push_back(trimmed(std::string_view(text).substr(from, to - from)));
+    from = to + 1;
+  }
+  if (fields.size() != kGivenCount)
+    fail(
+        fmt::format("got {} values; expected 3, the diameters of nut (outer), screw and roller, "
+                    "separated by commas; write for example --diameters \"{}\"",
+                    fields.size(), kExample));
+  Diameters d;
+  for (std::size_t k = 0; k < kGivenCount; ++k) {
+    const ParsedLength length = parse_length(fields[k]);
+    if (!length.message.empty()) fail(fmt::format("{}: {}", kGiven[k].key, length.message));
+    d.*kGiven[k].diameter = length.value;
+  }
+  if (const std::optional<Problem> problem = problem_of(d))
+    fail(fmt::format("{}: {}", kGiven[problem->given].key, problem->message));
+  return d;
+}
+
+std::string key_list() {
+  return fmt::format("{}, {} and {}", kGiven[0].key, kGiven[1].key, kGiven[2].key);
+}
+
+std::optional<Diameters> read_row(const Node& row, ErrorList& errors) {
+  if (row.kind != Node::Kind::map) {
+    errors.add(row.place, row.key,
+               fmt::format("expected a map of {}; write for example - {{nut_outer: 54 mm, screw: "
+                           "27 mm, roller: 9 mm}}",
+                           key_list()));
+    return {};
+  }
+  for (const Node& child : row.children)
+    if (std::ranges::find(kGiven, child.key, &Given::key) == std::end(kGiven))
+      errors.add(child.key_place, child.key,
+                 fmt::format("unknown key; expected one of {}", key_list()));
+  Diameters d;
+  std::array<const Node*, kGivenCount> nodes{};
+  bool complete = true;
+  for (std::size_t k = 0; k < kGivenCount; ++k) {
+    nodes[k] = input::find(row, kGiven[k].key);
+    std::string message = "missing; expected a length; write for example 54 mm";
+    if (nodes[k] != nullptr) {
+      const bool scalar = nodes[k]->kind == Node::Kind::scalar;
+      ParsedLength length = parse_length(scalar ? nodes[k]->text : "");
+      d.*kGiven[k].diameter = length.value;
+      message = std::move(length.message);
+    }
+    if (message.empty()) continue;
+    errors.add(nodes[k] != nullptr ? nodes[k]->place : row.place, kGiven[k].key, message);
+    complete = false;
+  }
+  if (!complete) return {};
+  if (const std::optional<Problem> problem = problem_of(d))
+    errors.add(nodes[problem->given]->place, kGiven[problem->given].key, problem->message);
+  return d;
+}
+
+std::vector<Diameters> read_yaml(const std::string& file) {
+  const input::Source source = input::load_source(file, {});
+  ErrorList errors(source);
+  const Node root = input::read_document(source, errors);
+  std::vector<Diameters> rows;
+  const Node* list = input::find(root, "diameters");
+  for (const Node& child : root.children)
+    if (&child != list)
+      errors.add(child.key_place, child.key, "unknown key; expected diameters and nothing else");
+  if (list == nullptr || list->kind != Node::Kind::sequence || list->children.empty())
+    errors.add(list != nullptr ? list->place : root.place, "diameters",
+               fmt::format("expected a list of {}; write for example - {{nut_outer: 54 mm, screw: "
+                           "27 mm, roller: 9 mm}}",
+                           key_list()));
+  else
+    for (const Node& row : list->children)
+      if (const std::optional<Diameters> d = read_row(row, errors)) rows.push_back(*d);
+  errors.throw_if_any();
+  return rows;
+}
+
+std::vector<Diameters> read_csv(const std::string& file) {
+  const CsvTable table{file};
+  std::array<std::size_t, kGivenCount> columns{};
+  for (std::size_t k = 0; k < kGivenCount; ++k)
+    columns[k] = table.column(fmt::format("{}_mm", kGiven[k].key));
+  std::vector<Diameters> rows(table.rows());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t k = 0; k < kGivenCount; ++k)
+      rows[row].*kGiven[k].diameter = table.number(row, columns[k]) / per_si::millimetre;
+    if (const std::optional<Problem> problem = problem_of(rows[row]))
+      table.fail(row, columns[problem->given], problem->message);
+  }
+  return rows;
+}
+
+/// A column as keys, headings and table 7.1 have it.
+struct Column {
+  const char* key;
+  const char* heading;
+  double factor;  ///< Shown = SI * factor.
+  const char* format;
+  double (*value)(const Diameters&, const Measures&);
+};
+constexpr Column kColumns[] = {
+    {"nut_outer_mm", "D_n, mm", per_si::millimetre, "{:.10g}",
+     [](const Diameters& d, const Measures&) { return d.nut_outer; }},
+    {"screw_mm", "d_s, mm", per_si::millimetre, "{:.10g}",
+     [](const Diameters& d, const Measures&) { return d.screw; }},
+    {"roller_mm", "d_r, mm", per_si::millimetre, "{:.10g}",
+     [](const Diameters& d, const Measures&) { return d.roller; }},
+    {"nut_thickness_mm", "T, mm", per_si::millimetre, "{:.6g}",
+     [](const Diameters&, const Measures& m) { return m.nut_thickness; }},
+    {"volume_l", "V, l", 1e3, "{:.3f}",
+     [](const Diameters&, const Measures& m) { return m.volume; }},
+    {"stiffness_N_per_mm", "k, N/mm", 1e-3, "{:.6g}",
+     [](const Diameters&, const Measures& m) { return m.stiffness; }},
+    {"load_capacity_kN", "C_a, kN", per_si::kilonewton, "{:.3f}",
+     [](const Diameters&, const Measures& m) { return m.load_capacity; }},
+    {"weight_kg", "W, kg", 1.0, "{:.3f}",
+     [](const Diameters&, const Measures& m) { return m.weight; }},
+    {"force_density_kN_per_kg", "C_a/W, kN/kg", per_si::kilonewton, "{:.3f}",
+     [](const Diameters&, const Measures& m) { return m.force_density(); }},
+};
+
+double shown(const Column& c, const Diameters& d, const Measures& m) {
+  return c.factor * c.value(d, m);
+}
+
 }  // namespace
 
 SourceExtension extension() {
   return {.folder = "jung_2017", .formulas = formulas, .tables = tables};
+}
+
+const std::vector<Recipe>& recipes() {
+  static const std::vector<Recipe> all = {
+      {"jung-as-printed", as_printed,
+       "Jung 2017, tables 7.1 and 7.2 as printed, slips included (their m^3 are litres)"},
+      {"jung-corrected", corrected,
+       "Jung 2017, columns of tables 7.1 and 7.2 by the right formulas"}};
+  return all;
+}
+
+const Recipe* find_recipe(std::string_view name) {
+  const auto found = std::ranges::find(recipes(), name, &Recipe::name);
+  return found != recipes().end() ? &*found : nullptr;
+}
+
+std::vector<Diameters> read_diameters(const std::string& file,
+                                      const std::vector<std::string>& texts) {
+  std::vector<Diameters> rows;
+  if (!file.empty()) rows = file.ends_with(".csv") ? read_csv(file) : read_yaml(file);
+  for (const std::string& text : texts) rows.push_back(read_text(text));
+  if (rows.empty())
+    throw InputError(
+        fmt::format("prs: error: --recipe: got no diameters; expected a file or --diameters; write "
+                    "for example --diameters \"{}\", nut (outer), screw and roller",
+                    kExample));
+  return rows;
+}
+
+std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows) {
+  std::vector<std::vector<std::string>> lines(1);
+  for (const Column& c : kColumns) lines[0].emplace_back(c.heading);
+  for (const Diameters& d : rows) {
+    const Measures m = recipe.measures(d);
+    std::vector<std::string>& line = lines.emplace_back();
+    for (const Column& c : kColumns)
+      line.push_back(fmt::format(fmt::runtime(c.format), shown(c, d, m)));
+  }
+  std::array<std::size_t, std::size(kColumns)> widths{};
+  for (const auto& line : lines)
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+  std::string text = fmt::format("{}: {}\n", recipe.name, recipe.title);
+  for (const auto& line : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k)
+      text += fmt::format("  {:>{}}", line[k], widths[k]);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows,
+                       const CsvStyle& style) {
+  CsvWriter csv(style);
+  for (const Column& c : kColumns) csv.text(c.key);
+  csv.end_row();
+  for (const Diameters& d : rows) {
+    const Measures m = recipe.measures(d);
+    for (const Column& c : kColumns) csv.number(c.value(d, m), c.factor);
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+Json row_json(const Recipe& recipe, const Diameters& d) {
+  const Measures m = recipe.measures(d);
+  Json row = Json::object();
+  for (const Column& c : kColumns) row[c.key] = shown(c, d, m);
+  return row;
+}
+
+Json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows,
+                 const DocumentInfo& info) {
+  Json document = document_head(info, {});
+  document["recipe"] = recipe.name;
+  document["rows"] = Json::array();
+  for (const Diameters& d : rows) document["rows"].push_back(row_json(recipe, d));
+  return document;
 }
 
 }  // namespace prs::jung_2017

@@ -4,7 +4,7 @@
 
 #include "prs/loads/analyze.h"
 #include "prs/model/problems.h"
-#include "prs/validation/csv_table.h"
+#include "prs/validation/validate.h"
 
 namespace prs::reference_fe {
 namespace {

@@ -1,6 +1,6 @@
 #include "validation/reference_fe/extension.h"
 
-#include "prs/record/figure_parts.h"
+#include "prs/record/pictures.h"
 #include "validation/extensions.h"
 
 namespace prs::reference_fe {

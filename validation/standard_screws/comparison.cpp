@@ -2,8 +2,8 @@
 
 #include <tuple>
 
-#include "prs/sector/bodies.h"
-#include "prs/validation/csv_table.h"
+#include "prs/sector/sector_model.h"
+#include "prs/validation/validate.h"
 #include "validation/extensions.h"
 
 namespace prs::standard_screws {

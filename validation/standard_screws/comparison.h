@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "prs/configurations/complete_screw.h"
-#include "prs/life/capacity.h"
+#include "prs/configurations/configurations.h"
+#include "prs/life/rating_life.h"
 #include "prs/measures/measures.h"
 
 namespace prs::standard_screws {

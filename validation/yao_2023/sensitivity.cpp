@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "prs/loads/analyze.h"
-#include "prs/study/sampling.h"
+#include "prs/study/designs.h"
 #include "prs/study/sensitivity.h"
 #include "validation/extensions.h"
 

@@ -1,4 +1,4 @@
 #pragma once
 
 // Stresses below a contact: `contact::largest_subsurface_shear`.
-#include "contact/subsurface.h"
+#include "contact/hertz.h"

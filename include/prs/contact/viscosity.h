@@ -1,4 +1,4 @@
 #pragma once
 
 // Viscosity of a lubricant over temperature.
-#include "contact/viscosity.h"
+#include "contact/film.h"

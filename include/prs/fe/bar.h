@@ -1,4 +1,4 @@
 #pragma once
 
 // Bars.
-#include "fe/bar.h"
+#include "fe/beam.h"

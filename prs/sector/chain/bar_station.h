@@ -2,7 +2,7 @@
 
 #include "fe/chain_station.h"
 #include "prs/model/structure.h"
-#include "prs/sector/chain/roller_chain.h"
+#include "prs/sector/chain/chain_sector.h"
 
 namespace prs {
 

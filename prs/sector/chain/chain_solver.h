@@ -1,12 +1,36 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
+#include <new>
+
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/chain/thread_loads.h"
-#include "prs/sector/chain/workspace.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 #include "prs/sector/sector_model.h"
 
 namespace prs {
+
+/// Memory for a kernel, aligned for the widest batch; grows, never shrinks.
+class Workspace {
+ public:
+  /// At least `numbers` numbers.
+  double* reserve(std::size_t numbers) {
+    if (numbers > size_) {
+      memory_.reset(static_cast<double*>(::operator new(numbers * sizeof(double), kAlignment)));
+      size_ = numbers;
+    }
+    return memory_.get();
+  }
+
+ private:
+  static constexpr std::align_val_t kAlignment{64};
+  struct Free {
+    void operator()(double* p) const { ::operator delete(p, kAlignment); }
+  };
+  std::unique_ptr<double, Free> memory_;
+  std::size_t size_ = 0;
+};
 
 /// Solves load after load on one sector, bars or refined, station by station along its threads:
 /// the same model, start, convergence and results as `SectorSolver`, to 1e-10, several times
@@ -30,6 +54,36 @@ class ChainSolver {
   ChainSector sector_;
   Workspace workspace_;
   ThreadLoads loads_;
+};
+
+/// The sector's numbers as a chain. Nodes of shells between contacts and beyond them are eliminated
+/// in extended precision, all else in closed form.
+ChainSector condense(const SectorModel& model);
+
+/// The chain, and SectorSolver where the chain doesn't converge or its tangent has too few digits:
+/// the speed of the one, the verdict of the other.
+class FallbackSolver {
+ public:
+  explicit FallbackSolver(SectorModel model) : model_(std::move(model)), chain_(model_) {}
+
+  LoadDistribution solve(double axial_force) {
+    LoadDistribution result = chain_.solve(axial_force);
+    if (complete(result)) return result;
+    if (!sparse_) sparse_ = std::make_unique<SectorSolver>(build_sector(model_));
+    return sparse_->solve(axial_force);
+  }
+
+  /// Whether a chain's result needs no other solver. Without a tangent stiffness, which some chains
+  /// are not asked for, the displacement must make sense.
+  static bool complete(const LoadDistribution& chain, bool with_tangent = true) {
+    return chain.solve.converged() && (chain.tangent_stiffness.has_value() ||
+                                       (!with_tangent && chain.axial_displacement > 0.0));
+  }
+
+ private:
+  SectorModel model_;
+  ChainSolver chain_;
+  std::unique_ptr<SectorSolver> sparse_;
 };
 
 }  // namespace prs

@@ -2,7 +2,6 @@
 
 #include "fe/chain_station.h"
 #include "prs/sector/chain/chain_sector.h"
-#include "prs/sector/chain/lane_access.h"
 
 namespace prs {
 

@@ -1,6 +1,6 @@
 #include "prs/sector/chain/thread_loads.h"
 
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 
 namespace prs {
 

@@ -1,13 +1,110 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "fe/axisymmetric.h"
 #include "prs/model/load_case.h"
 #include "prs/model/mechanism.h"
+#include "prs/model/part.h"
 #include "prs/model/structure.h"
-#include "prs/sector/influence/teeth.h"
-#include "prs/sector/influence/thrust_face.h"
+#include "prs/sector/influence/grooved_body.h"
+#include "prs/sector/influence/matrix_cache.h"
 #include "prs/sector/sector.h"
 
 namespace prs {
+
+/// Response of a long body to one loaded ridge, harmonic by harmonic.
+struct BlockResponse {
+  int reach = 0;  ///< Ridges to each side.
+  /// Entry d + `reach`: displacement at the contacts of ridge d (rows) by the contacts of ridge 0.
+  std::vector<Eigen::MatrixXd> kernel;
+};
+
+/// Harmonic n >= 2 of unit forces at theta = 0 on the given flanks of one ridge in a block of
+/// equal ridges; `far_radius` as in GroovedShape. Builds a new mesh for each `reach`, kept between
+/// calls with the same one.
+class BlockSolver {
+ public:
+  BlockSolver(const Groove& groove, double far_radius, const Material& material,
+              const std::vector<LoadedFlank>& flanks, const FlexibilityOptions& options);
+
+  BlockResponse solve(int harmonic, int reach);
+  /// Ridges that the harmonic reaches to each side, at most `largest`.
+  int reach(int harmonic, int largest) const;
+
+ private:
+  Groove groove_;
+  double far_radius_;
+  fe::Isotropic material_;
+  std::vector<LoadedFlank> flanks_;
+  FlexibilityOptions options_;
+  int reach_ = -1;
+  GroovedBody body_;
+  std::unique_ptr<fe::HarmonicBody> solver_;
+};
+
+/// The teeth of one body: types of contacts on each ridge, whether they lie at theta = pi, and the
+/// harmonics step, 2 step, .. from `first` on.
+struct Teeth {
+  Groove groove;
+  double far_radius = 0.0;
+  Material material;
+  std::vector<LoadedFlank> types;
+  std::vector<bool> opposite;
+  int first = 0;
+  int step = 1;
+  int contacts = 1;
+  FlexibilityOptions options;
+};
+
+/// What the harmonics that die out along a body add to its flexibility, the same at all threads.
+struct TeethFlexibility {
+  BlockResponse response;      ///< Sum of the harmonics; rows and columns are types of contacts.
+  Eigen::VectorXd half_space;  ///< Half-space part per type, to subtract from the diagonal [m/N].
+  Eigen::VectorXd remainder;   ///< Harmonics left out, to add to the diagonal [m/N].
+};
+
+TeethFlexibility teeth_flexibility(const Teeth& teeth, MatrixCache& cache);
+
+/// Adds the teeth to a body's matrix, whose rows and columns are the types in blocks of `contacts`.
+/// With `centred`, contacts of different types lie at the same axial position, and not half a pitch
+/// apart as on the ridge.
+void add_teeth(const TeethFlexibility& flexibility, const Teeth& teeth, bool centred,
+               Eigen::MatrixXd& matrix);
+
+/// A body that rests with nodes of a plane face on a rigid shoulder without friction. With R the
+/// axial reactions, P the loads and U the axial rigid motion,
+///
+///     u_nodes = G_nn R + G_nl P + U 1,   u_loads = G_ln R + G_ll P + a U,   1'R + a'P = 0,
+///
+/// where the flexibilities G hold against one node of the face and a are the axial resultants of
+/// unit loads. Nodes that touch have u = 0. [m/N]
+struct ThrustFace {
+  Eigen::MatrixXd nodes;       ///< G_nn; the row and column of the reference node are zero.
+  Eigen::MatrixXd coupling;    ///< G_nl
+  Eigen::MatrixXd loads;       ///< G_ll
+  Eigen::VectorXd resultants;  ///< a [-]
+
+  /// Nodes of the face that touch the shoulder.
+  using Touching = std::vector<Eigen::Index>;
+
+  Touching all() const;
+  /// 1 N on each of the first `contacts` loads.
+  Eigen::VectorXd equal_loads(int contacts) const {
+    Eigen::VectorXd p = Eigen::VectorXd::Zero(loads.rows());
+    p.head(contacts).setOnes();
+    return p;
+  }
+  /// Flexibility at the loads while the given nodes touch.
+  Eigen::MatrixXd flexibility(const Touching& touching) const;
+  /// The nodes that touch under loads P if the shoulder can only push, found from a first guess by
+  /// letting go of nodes that pull and taking up those that would sink in. The shoulder pushes
+  /// against a'P. Nothing where that does not converge.
+  std::optional<Touching> touching_under(const Eigen::VectorXd& loads, Touching guess) const;
+};
 
 /// Displacements of one body at its contacts under unit normal forces: pressure-weighted means
 /// along the inward normal, against rigid motions as said at each body, without the half-space part
@@ -69,5 +166,144 @@ Flexibility nut_flexibility(const BodyGeometry& body, Direction direction, doubl
 Flexibility roller_flexibility(const BodyGeometry& body, Direction direction,
                                const FlexibilityOptions& options,
                                MatrixCache& cache = shared_matrix_cache());
+
+/// Screw or nut under unlike loads of N rollers. With g_n(i, k) the displacement of harmonic n at
+/// thread i by a unit load at thread k, that of roller j by roller l is
+///
+///     G = sum_n g_n cos n(phi_j - phi_l),
+///
+/// a block circulant matrix. Loads cos(m phi_j) see its mode m, N/2 times the sum of the g_n with
+/// n = m + q N or -m + q N, twice that for m = 0 and m = N/2. [m/N]
+struct FlexibilityAround {
+  /// m = 0 .. N/2, each a matrix over the threads; m = 0 is `Flexibility::matrix`. Without the
+  /// half-space part of a contact's own patch.
+  std::vector<Eigen::MatrixXd> modes;
+  /// Harmonic 1 at the threads by unit loads on given sections, two columns for each: a force
+  /// across the axis, spread over it, and a moment that turns its slope.
+  Eigen::MatrixXd coupling;
+  /// Mean displacement across the axis and slope of each section by these loads.
+  Eigen::MatrixXd sections;
+
+  /// G between rollers that stand `spacings` apart, of N.
+  Eigen::MatrixXd between(int spacings, int rollers) const;
+};
+
+/// Screw: n = 1 on the whole body, its loaded section clamped; higher harmonics on a block of equal
+/// ridges up to n a_t/r = `largest_wave`, then those of the half-space. `sections` are axial places
+/// from the loaded section [m]. Behind the body a beam of its pitch diameter goes on to them.
+FlexibilityAround screw_around(const BodyGeometry& body, Direction direction,
+                               const std::vector<double>& sections,
+                               const FlexibilityOptions& options,
+                               MatrixCache& cache = shared_matrix_cache());
+
+/// Nut: n = 1 on the whole body, its thrust face clamped; 2 to 6 on the whole body, free; higher
+/// harmonics as the screw's.
+FlexibilityAround nut_around(const BodyGeometry& body, Direction direction, double position,
+                             const std::vector<double>& sections, const FlexibilityOptions& options,
+                             MatrixCache& cache = shared_matrix_cache());
+
+/// All members of a type that a computation receives: unless every one is named, it does not
+/// compile.
+#define PRS_MEMBERS(Type, ...)             \
+  inline auto members(const Type& value) { \
+    const auto& [__VA_ARGS__] = value;     \
+    return std::tie(__VA_ARGS__);          \
+  }
+PRS_MEMBERS(Groove, internal, pitch, radius, addendum, dedendum, backward, forward)
+PRS_MEMBERS(HertzPatch, profile, circumference)
+PRS_MEMBERS(LoadedFlank, ridge, side, patch, cells, tangential)
+PRS_MEMBERS(PlainEnd, length, radius)
+PRS_MEMBERS(Collar, from, to, radius)
+inline auto members(const std::pair<double, double>& p) { return std::tie(p.first, p.second); }
+PRS_MEMBERS(GroovedShape, groove, start, end, ridge, ridges, far, plain_end, collars, sections,
+            radii)
+PRS_MEMBERS(MeshDensity, patch, growth, largest, step, plain_flank, split, depth)
+PRS_MEMBERS(FlexibilityOptions, mesh, largest_wave, tolerance, neighbour_cells, unilateral)
+/// Without what matrices do not depend on and flash temperatures do.
+inline auto members(const Material& value) {
+  const auto& [modulus, poisson_ratio, density, expansion, conductivity, specific_heat] = value;
+  return std::tie(modulus, poisson_ratio, density, expansion);
+}
+PRS_MEMBERS(Guidance, kind, stiffness)
+PRS_MEMBERS(Teeth, groove, far, material, types, opposite, first, step, contacts, options)
+
+template <class T>
+void append_bytes(std::string& bytes, const std::vector<T>& values);
+template <class T>
+void append_bytes(std::string& bytes, const std::optional<T>& value);
+
+/// The bytes of all numbers in a value, however deep.
+template <class T>
+void append_bytes(std::string& bytes, const T& value) {
+  if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  else
+    std::apply([&](const auto&... member) { (append_bytes(bytes, member), ...); }, members(value));
+}
+template <class T>
+void append_bytes(std::string& bytes, const std::vector<T>& values) {
+  append_bytes(bytes, values.size());
+  for (const T value : values) append_bytes(bytes, value);
+}
+template <class T>
+void append_bytes(std::string& bytes, const std::optional<T>& value) {
+  append_bytes(bytes, value.has_value());
+  if (value) append_bytes(bytes, *value);
+}
+
+/// compute(given), kept under the bytes of what it is given; being a plain function it sees nothing
+/// else. `fits` says which matrices it can be. The number in the key grows when the same numbers
+/// give other matrices.
+template <class Given>
+std::shared_ptr<const MatrixCache::Matrices> cached(MatrixCache& cache, std::string_view what,
+                                                    const Given& given,
+                                                    MatrixCache::Matrices (*compute)(const Given&),
+                                                    bool (*fits)(const Given&,
+                                                                 const MatrixCache::Matrices&)) {
+  std::string key = "flexibility 3 ";
+  key += what;
+  append_bytes(key, given);
+  return cache.get(
+      key, [&] { return compute(given); },
+      [&](const MatrixCache::Matrices& matrices) { return fits(given, matrices); });
+}
+
+/// A body under unit loads on its flanks.
+struct LoadedBody {
+  GroovedShape shape;
+  std::vector<LoadedFlank> flanks;
+  Material material;
+  MeshDensity density;
+
+  GroovedBody meshed() const { return mesh_grooved_body(shape, flanks, density); }
+};
+PRS_MEMBERS(LoadedBody, shape, flanks, material, density)
+
+/// A nut, held at a section; with a shoulder on what it reaches of a free face there, `radii` of
+/// the shape.
+struct HeldNut {
+  LoadedBody body;
+  double thrust = 0.0;
+  bool shoulder = false;
+};
+PRS_MEMBERS(HeldNut, body, thrust, shoulder)
+
+LoadedBody loaded_screw(const BodyGeometry& b, Direction direction,
+                        const FlexibilityOptions& options);
+HeldNut held_nut(const BodyGeometry& b, Direction direction, double position,
+                 const FlexibilityOptions& options);
+/// Teeth of screw or nut, which all rollers touch alike.
+Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction,
+               const FlexibilityOptions& options);
+
+/// Nodes of some edges, each once.
+std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges);
+/// Nodes by which a nut is held.
+std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut);
+
+/// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights
+/// of its mean sideways displacement, 1/2 (U - V).
+Eigen::VectorXd transverse_force(const GroovedBody& body,
+                                 const std::vector<fe::MeridianEdge>& section);
 
 }  // namespace prs

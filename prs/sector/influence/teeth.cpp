@@ -1,9 +1,6 @@
-#include "prs/sector/influence/teeth.h"
+#include "prs/sector/influence/flexibility.h"
 
 #include <algorithm>
-
-#include "prs/sector/influence/body_solver.h"
-#include "prs/sector/influence/cache_key.h"
 
 namespace prs {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "fe/shell.h"
-#include "prs/model/materials.h"
 #include "prs/model/model_options.h"
+#include "prs/model/part.h"
 #include "prs/model/structure.h"
 
 namespace prs {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/output/run_files.h"
+#include "prs/output/files.h"
 #include "tests/prs/optimize/yao_file.h"
 #include "tests/prs/study/study_file.h"
 #include "tests/support/processes.h"

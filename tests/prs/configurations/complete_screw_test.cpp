@@ -1,4 +1,4 @@
-#include "prs/configurations/complete_screw.h"
+#include "prs/configurations/configurations.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,8 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "prs/configurations/roller_spacing.h"
-#include "prs/configurations/screw_case.h"
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/threads/contacts.h"

@@ -8,16 +8,13 @@
 #include <vector>
 
 #include "prs/engine/engine.h"
-#include "prs/input/optimize_reader.h"
 #include "prs/input/reader.h"
 #include "prs/input/study_reader.h"
-#include "prs/run/optimization.h"
 #include "prs/run/study.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/study/designs.h"
-#include "prs/study/schedule.h"
 #include "prs/study/study_run.h"
-#include "prs/threads/contact_laws.h"
+#include "prs/threads/contacts.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"

@@ -1,4 +1,4 @@
-#include "prs/export/system_curves.h"
+#include "prs/export/system_model.h"
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/preload/analyze_preload.h"
+#include "prs/preload/preloaded_mechanism.h"
 #include "prs/slip/slip.h"
 #include "support/sanitized.h"
 

@@ -6,8 +6,6 @@
 #include <random>
 
 #include "prs/heat/analyze_heat.h"
-#include "prs/heat/case_losses.h"
-#include "prs/heat/duty_cycle.h"
 #include "prs/heat/thermal_network.h"
 #include "prs/slip/slip_model.h"
 #include "tests/support/count.h"

@@ -2,8 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "prs/configurations/complete_screw.h"
-#include "prs/configurations/screw_case.h"
+#include "prs/configurations/configurations.h"
 #include "prs/input/reader.h"
 
 namespace prs::input {

@@ -1,8 +1,7 @@
-#include "prs/input/written_case.h"
+#include "prs/input/echo.h"
 
 #include <gmock/gmock.h>
 
-#include "prs/input/resolved_input.h"
 #include "tests/support/program.h"
 
 namespace prs::input {

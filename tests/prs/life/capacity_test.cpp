@@ -1,4 +1,4 @@
-#include "prs/life/capacity.h"
+#include "prs/life/rating_life.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "prs/life/rainflow.h"
+#include "prs/life/load_history.h"
 #include "prs/text.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"

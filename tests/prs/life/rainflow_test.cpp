@@ -1,4 +1,4 @@
-#include "prs/life/rainflow.h"
+#include "prs/life/load_history.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-#include "prs/life/share_curve.h"
+#include "prs/life/contact_loads.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 #include "support/count.h"
 #include "support/sectors.h"
 

@@ -1,4 +1,4 @@
-#include "prs/loads/case_groups.h"
+#include "prs/loads/case_table.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "contact/mechanism_geometry.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_pictures.h"
-#include "prs/svg/layout.h"
+#include "prs/svg/elements.h"
 #include "support/contact_cases.h"
 #include "support/count.h"
 #include "support/drawn.h"

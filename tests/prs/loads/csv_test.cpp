@@ -1,4 +1,4 @@
-#include "prs/loads/load_table.h"
+#include "prs/loads/load_analysis.h"
 
 #include <gtest/gtest.h>
 

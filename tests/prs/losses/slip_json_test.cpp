@@ -1,12 +1,11 @@
 #include "prs/losses/slip_analysis.h"
-#include "prs/losses/slip_record.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "prs/loads/load_json.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/record/record_table.h"
 #include "tests/support/sample_slip.h"
 

@@ -1,4 +1,4 @@
-#include "prs/measures/shaft.h"
+#include "prs/measures/stiffness.h"
 
 #include <gtest/gtest.h>
 

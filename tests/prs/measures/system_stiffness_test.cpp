@@ -1,4 +1,4 @@
-#include "prs/measures/system_stiffness.h"
+#include "prs/measures/stiffness.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "prs/measures/thread_root.h"
+#include "prs/measures/measures.h"
 
 #include <gtest/gtest.h>
 

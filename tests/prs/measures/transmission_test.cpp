@@ -1,4 +1,4 @@
-#include "prs/measures/transmission.h"
+#include "prs/measures/measures.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "prs/measures/analyze_measures.h"
-#include "prs/measures/measures_record.h"
+#include "prs/measures/measures_analysis.h"
 #include "prs/slip/slip.h"
 #include "tests/support/slips.h"
 

@@ -1,4 +1,4 @@
-#include "prs/measures/yang_distribution.h"
+#include "prs/measures/stiffness.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "prs/measures/stiffness.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 #include "support/count.h"
 #include "support/sectors.h"
 #include "support/sum.h"

@@ -6,8 +6,8 @@
 
 #include "prs/loads/analyze.h"
 #include "prs/mechanism/full_distribution.h"
-#include "prs/mechanism/full_structure.h"
-#include "prs/threads/contact_laws.h"
+#include "prs/mechanism/full_model.h"
+#include "prs/threads/contacts.h"
 #include "support/full_mechanism.h"
 #include "support/sanitized.h"
 #include "support/sectors.h"

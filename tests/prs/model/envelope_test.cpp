@@ -1,4 +1,4 @@
-#include "prs/study/envelope_result.h"
+#include "prs/study/study_result.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "prs/study/designs.h"
-#include "prs/study/study_result.h"
 
 namespace prs {
 namespace {

@@ -1,12 +1,10 @@
-#include "prs/model/named_lubricants.h"
+#include "prs/model/operation.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-
-#include "prs/model/operation.h"
 
 namespace prs {
 namespace {

@@ -152,7 +152,7 @@ TEST(Study, DrawIsAPureFunctionOfSeedAndIndex) {
   }
 }
 
-// The formulas of sampling.h in exact integers of another language.
+// The formulas of designs.h in exact integers of another language.
 TEST(Study, SameSeedDrawsTheSameOnEveryPlatform) {
   const auto first = [](Plan plan) {
     const Study study = sampled_distributions(plan, 8);

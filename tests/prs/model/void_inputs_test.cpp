@@ -1,4 +1,4 @@
-#include "prs/model/void_inputs.h"
+#include "prs/model/check_case.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

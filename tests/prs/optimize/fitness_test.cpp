@@ -1,4 +1,4 @@
-#include "prs/optimize/front.h"
+#include "prs/optimize/optimizer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "known_problems.h"
-#include "prs/components/search.h"
+#include "prs/components/components.h"
 
 namespace prs {
 namespace {

@@ -1,4 +1,4 @@
-#include "prs/optimize/optimize_case.h"
+#include "prs/optimize/optimize_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

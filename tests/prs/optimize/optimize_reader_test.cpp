@@ -1,5 +1,5 @@
-#include "prs/input/optimize_reader.h"
-#include "prs/run/optimization.h"
+#include "prs/input/study_reader.h"
+#include "prs/run/study.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

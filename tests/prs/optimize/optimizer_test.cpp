@@ -8,8 +8,7 @@
 #include <cstdint>
 
 #include "known_problems.h"
-#include "prs/components/search.h"
-#include "prs/optimize/front.h"
+#include "prs/components/components.h"
 #include "tests/support/temporary_directory.h"
 
 namespace prs {

@@ -1,4 +1,4 @@
-#include "prs/output/file_lock.h"
+#include "prs/output/staged_file.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

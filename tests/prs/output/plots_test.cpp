@@ -13,9 +13,8 @@
 #include <regex>
 #include <system_error>
 
-#include "prs/record/figure_json.h"
-#include "prs/record/figure_parts.h"
-#include "prs/svg/file.h"
+#include "prs/record/pictures.h"
+#include "prs/svg/panel.h"
 #include "support/drawn.h"
 #include "support/sample_result.h"
 #include "support/shown.h"

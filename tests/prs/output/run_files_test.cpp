@@ -1,4 +1,4 @@
-#include "prs/output/run_files.h"
+#include "prs/output/files.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,7 +8,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "prs/output/files.h"
 #include "prs/sha256.h"
 #include "prs/study/journal.h"
 #include "support/temporary_directory.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/input/reader.h"
-#include "prs/preload/analyze_preload.h"
+#include "prs/preload/preloaded_mechanism.h"
 
 namespace prs {
 namespace {

@@ -7,11 +7,10 @@
 #include <limits>
 #include <set>
 
-#include "prs/loads/load_json.h"
-#include "prs/losses/slip_record.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/record/record_table.h"
 #include "prs/run/commands.h"
-#include "prs/run/results_schema.h"
+#include "prs/run/document_schema.h"
 #include "prs/study/response.h"
 #include "support/sample_result.h"
 #include "support/sample_slip.h"

@@ -1,4 +1,4 @@
-#include "prs/record/short_number.h"
+#include "prs/record/csv_writer.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -4,8 +4,7 @@
 
 #include <regex>
 
-#include "prs/configurations/complete_screw.h"
-#include "prs/configurations/screw_case.h"
+#include "prs/configurations/configurations.h"
 #include "prs/page/page.h"
 #include "support/sanitized.h"
 

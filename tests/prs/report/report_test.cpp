@@ -6,10 +6,10 @@
 #include <regex>
 #include <set>
 
-#include "prs/loads/warnings.h"
+#include "prs/loads/case_table.h"
 #include "prs/page/page.h"
 #include "prs/record/table_units.h"
-#include "prs/report/svg.h"
+#include "prs/report/report.h"
 #include "prs/report/tables.h"
 #include "prs/run/commands.h"
 #include "tests/support/program.h"

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "prs/page/page.h"
-#include "prs/report/svg.h"
+#include "prs/report/report.h"
 #include "prs/report/tables.h"
 
 namespace prs {

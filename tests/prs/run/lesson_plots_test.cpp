@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "prs/record/figure_parts.h"
+#include "prs/record/pictures.h"
 #include "prs/run/commands.h"
 #include "prs/study/study_pictures.h"
 #include "support/drawn.h"

@@ -1,4 +1,4 @@
-#include "prs/run/verdict.h"
+#include "prs/run/check.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

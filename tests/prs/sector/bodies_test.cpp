@@ -1,4 +1,4 @@
-#include "prs/sector/bodies.h"
+#include "prs/sector/sector_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
-#include "prs/measures/analyze_measures.h"
+#include "prs/measures/measures.h"
 #include "prs/size/size_analysis.h"
 #include "prs/slip/slip.h"
 

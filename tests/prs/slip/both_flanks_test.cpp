@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "prs/heat/analyze_heat.h"
-#include "prs/heat/warm_parts.h"
 #include "prs/input/reader.h"
 #include "prs/slip/slip.h"
 

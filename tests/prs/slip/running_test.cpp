@@ -13,7 +13,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/sector/running_sector.h"
+#include "prs/sector/roller_guides.h"
 #include "prs/slip/slip.h"
 #include "support/sanitized.h"
 

@@ -1,4 +1,4 @@
-#include "prs/study/design_reader.h"
+#include "prs/study/design_engine.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@
 
 #include "prs/input/field.h"
 #include "prs/input/reader.h"
-#include "prs/input/slot.h"
+#include "prs/input/varied_input.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/count.h"
 #include "tests/support/sanitized.h"

@@ -1,5 +1,5 @@
-#include "prs/study/idle_factors.h"
 #include "prs/study/designs.h"
+#include "prs/study/sensitivity.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "prs/study/sampling.h"
+#include "prs/study/designs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

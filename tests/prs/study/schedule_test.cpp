@@ -1,4 +1,4 @@
-#include "prs/study/schedule.h"
+#include "prs/study/study_run.h"
 
 #include <gtest/gtest.h>
 

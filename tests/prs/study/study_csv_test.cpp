@@ -1,4 +1,4 @@
-#include "prs/study/study_csv.h"
+#include "prs/study/study_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,6 @@
 
 #include "../study/synthetic_study.h"
 #include "prs/study/designs.h"
-#include "prs/study/study_files.h"
 #include "prs/study/study_run.h"
 #include "support/parsed_csv.h"
 #include "support/temporary_directory.h"

@@ -1,4 +1,4 @@
-#include "prs/study/derivatives_files.h"
+#include "prs/study/study_files.h"
 #include "prs/study/study_pictures.h"
 
 #include <gmock/gmock.h>

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "prs/study/study_pictures.h"
-#include "prs/svg/file.h"
+#include "prs/svg/panel.h"
 #include "support/shown.h"
 #include "tests/support/sample_study.h"
 

@@ -1,4 +1,4 @@
-#include "prs/study/study_table.h"
+#include "prs/study/study_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "prs/record/table_units.h"
-#include "prs/study/study_parts.h"
+#include "prs/study/study_pictures.h"
 #include "prs/text.h"
 #include "tests/support/sample_study.h"
 

@@ -9,7 +9,7 @@
 #include "prs/model/study.h"
 #include "prs/study/designs.h"
 #include "prs/study/journal.h"
-#include "prs/study/schedule.h"
+#include "prs/study/study_run.h"
 
 namespace test {
 

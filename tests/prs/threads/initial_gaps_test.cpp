@@ -1,4 +1,4 @@
-#include "prs/threads/initial_gaps.h"
+#include "prs/threads/threads.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 #include "tests/support/sectors.h"
 
 namespace prs {

@@ -1,5 +1,5 @@
-#include "prs/threads/thread_clearance.h"
 #include "prs/losses/solve_analysis.h"
+#include "prs/threads/threads.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/loads/load_json.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/model/problems.h"
 #include "prs/study/response.h"
 #include "prs/threads/contacts.h"

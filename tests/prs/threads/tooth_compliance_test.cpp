@@ -1,4 +1,4 @@
-#include "prs/threads/tooth_compliance.h"
+#include "prs/threads/contacts.h"
 
 #include <gtest/gtest.h>
 

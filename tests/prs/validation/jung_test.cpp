@@ -15,13 +15,11 @@
 #include <vector>
 
 #include "prs/input/source.h"
-#include "prs/life/capacity.h"
+#include "prs/life/rating_life.h"
 #include "prs/validation/validate.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/extensions.h"
-#include "validation/jung_2017/measures.h"
-#include "validation/jung_2017/recipe.h"
 #include "validation/jung_2017/tables.h"
 
 namespace prs::jung_2017 {

@@ -1,4 +1,4 @@
-#include "prs/sector/chain/bar_designs.h"
+#include "prs/sector/chain/design_solvers.h"
 
 #include <gtest/gtest.h>
 

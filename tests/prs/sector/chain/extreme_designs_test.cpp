@@ -6,10 +6,9 @@
 #include <random>
 #include <string>
 
-#include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/chain_solver.h"
-#include "prs/sector/chain/fallback_solver.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/chain/design_solvers.h"
+#include "prs/sector/sector.h"
 #include "support/count.h"
 #include "support/sanitized.h"
 #include "support/sectors.h"

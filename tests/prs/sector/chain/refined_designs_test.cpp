@@ -1,4 +1,4 @@
-#include "prs/sector/chain/refined_designs.h"
+#include "prs/sector/chain/design_solvers.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "prs/sector/chain/chain_solver.h"
-#include "prs/sector/chain/fallback_solver.h"
 #include "prs/sector/chain/solves.h"
 #include "support/count.h"
 

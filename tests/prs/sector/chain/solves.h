@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/sector/chain/instruction_set.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/chain/design_solvers.h"
+#include "prs/sector/sector.h"
 #include "support/allocations.h"
 #include "support/sectors.h"
 

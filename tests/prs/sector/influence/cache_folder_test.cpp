@@ -1,4 +1,4 @@
-#include "prs/sector/influence/cache_folder.h"
+#include "prs/sector/influence/matrix_cache.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

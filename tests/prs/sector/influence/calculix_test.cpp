@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "prs/sector/influence/flexibility.h"
-#include "prs/validation/csv_table.h"
+#include "prs/validation/validate.h"
 #include "support/count.h"
 #include "support/sanitized.h"
 

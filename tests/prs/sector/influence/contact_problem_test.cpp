@@ -1,4 +1,4 @@
-#include "prs/sector/influence/contact_problem.h"
+#include "prs/sector/influence/influence_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
 #include "support/sectors.h"
 
 namespace prs {

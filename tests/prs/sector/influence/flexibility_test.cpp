@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/sector/influence/contact_problem.h"
-#include "prs/sector/influence/influence.h"
+#include "prs/sector/influence/influence_solver.h"
 #include "support/coarse_bodies.h"
 #include "support/count.h"
 #include "support/sanitized.h"

@@ -1,4 +1,4 @@
-#include "prs/sector/influence/hertz_patch.h"
+#include "prs/sector/influence/grooved_body.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "prs/sector/influence/cache_key.h"
+#include "prs/sector/influence/flexibility.h"
 #include "support/temporary_directory.h"
 
 namespace prs {

@@ -9,9 +9,9 @@
 
 #include "fe/cholesky.h"
 #include "prs/model/problems.h"
-#include "prs/sector/load_distribution.h"
 #include "prs/sector/refined/local_compliance.h"
 #include "prs/sector/refined/nut_shell.h"
+#include "prs/sector/sector.h"
 #include "support/count.h"
 #include "support/sectors.h"
 #include "support/sum.h"

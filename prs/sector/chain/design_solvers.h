@@ -1,0 +1,76 @@
+#pragma once
+
+#include "prs/sector/chain/chain_solver.h"
+#include "prs/sector/chain/refined_kernel.h"
+#include "prs/sector/chain/sector_kernel.h"
+#include "prs/sector/chain/thread_loads.h"
+#include "prs/sector/sector.h"
+#include "prs/sector/sector_model.h"
+#include "simd/instruction_set.h"
+
+namespace prs {
+
+using simd::InstructionSet, simd::available, simd::batch_size, simd::name;
+
+/// Solves designs of `Bodies::bars` side by side: as many sectors as a batch has numbers in lock
+/// step, each with its own convergence. Set-up of the sectors is part of it. A design's result does
+/// not depend, bit for bit, on the other designs. Workspace is kept from call to call; one
+/// solver a thread.
+class BarDesignSolver {
+ public:
+  explicit BarDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
+
+  /// Of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
+  /// slender rollers a residual of 1e-12 can leave 1e-10 in a thread's load.
+  fe::NewtonOptions options{.residual_tolerance = 1e-13};
+  bool tangent_stiffness = true;  ///< Whether results have it; a sweep of the threads less without.
+
+  /// Designs of any mixture of thread counts, each under its axial force on the whole mechanism
+  /// [N]; the results of refined ones stay.
+  void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,
+             std::span<LoadDistribution> results);
+
+ private:
+  InstructionSet set_;
+  Workspace workspace_;
+  BarDesigns designs_;
+  std::vector<std::size_t> order_;
+  ThreadLoads loads_;
+};
+
+/// Solves designs of `Bodies::refined` side by side, from the numbers of their bodies to the loads
+/// of their threads, as BarDesignSolver does those of bars. Sectors come from `set_sector_model`;
+/// nothing of them needs to be worked out. A design's result does not depend, bit for bit, on the
+/// other designs. Workspace is kept from call to call; one solver a thread.
+class RefinedDesignSolver {
+ public:
+  explicit RefinedDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
+
+  /// As of BarDesignSolver.
+  fe::NewtonOptions options{.residual_tolerance = 1e-13};
+  bool tangent_stiffness = true;
+
+  /// Whether a sector has a place here: one with a nut of shells whose roller's contacts stand
+  /// opposite each other.
+  static bool takes(const SectorModel& s) {
+    return s.is_refined && s.bodies.has_shell() && !s.contacts_apart();
+  }
+
+  /// Those of the designs that it takes; the results of others stay.
+  void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,
+             std::span<LoadDistribution> results);
+
+ private:
+  /// Of `sectors_`, whose kind is that of `first`.
+  void solve_side_by_side(const SectorModel& first);
+
+  InstructionSet set_;
+  Workspace workspace_;
+  std::vector<std::size_t> order_;
+  std::vector<RefinedSector> sectors_;
+  std::vector<double> forces_;
+  std::vector<int> segment_of_;
+  ThreadLoads loads_;
+};
+
+}  // namespace prs
