@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "simd/lanes.h"
-
 namespace contact {
 
 template <class Arch>

@@ -5,7 +5,6 @@
 
 #include "contact/contact_formulas.h"
 #include "contact/hertz_formulas.h"
-#include "contact/thread_surface.h"
 #include "simd/instruction_set.h"
 
 namespace contact {

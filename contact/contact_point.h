@@ -1,10 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 
-#include "contact/curvature.h"
 #include "contact/thread_surface.h"
 #include "contact/vectors.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/tools/minima.hpp>
-#include <limits>
 
 #include "contact/hertz_formulas.h"
 

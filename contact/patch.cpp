@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numbers>
 
 #include "contact/hertz_formulas.h"
 

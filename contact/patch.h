@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "contact/film.h"
 #include "contact/hertz.h"
 #include "contact/patch_kernel.h"
 

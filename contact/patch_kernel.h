@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "contact/patch_formulas.h"
 #include "simd/architectures.h"
 

@@ -3,8 +3,6 @@
 #include <Eigen/LU>
 #include <numbers>
 
-#include "fe/sparse_symmetric.h"
-
 namespace fe {
 namespace {
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
-#include <algorithm>
 #include <atomic>
 
 namespace fe {

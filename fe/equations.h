@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
 #include <array>
 
 #include "fe/model.h"

@@ -2,7 +2,6 @@
 
 #include "fe/equations.h"
 #include "fe/newton_types.h"
-#include "fe/sparse_symmetric.h"
 
 namespace fe {
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "prs/file_descriptor.h"
 
 namespace prs {

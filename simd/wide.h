@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstring>
-
 #include "simd/lanes.h"
 
 namespace simd {

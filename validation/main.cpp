@@ -4,9 +4,7 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/package.h"
-#include "prs/cli/printing.h"
 #include "prs/cli/program.h"
-#include "prs/input/document.h"
 #include "prs/version.h"
 #include "validation/extensions.h"
 #include "validation/jung_2017/tables.h"

@@ -9,7 +9,6 @@
 
 #include "prs/cli/printing.h"
 #include "prs/input/did_you_mean.h"
-#include "prs/input/source.h"
 
 namespace prs::cli {
 namespace {

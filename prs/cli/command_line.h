@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-#include <span>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "prs/input/units.h"

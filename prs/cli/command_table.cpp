@@ -1,6 +1,5 @@
 #include "prs/cli/command_table.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -8,8 +7,6 @@
 #include "prs/cli/program.h"
 #include "prs/input/schema.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/output/files.h"
-#include "prs/record/pictures.h"
 #include "prs/run/compare_cases.h"
 #include "prs/run/document_schema.h"
 #include "prs/version.h"

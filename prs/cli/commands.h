@@ -1,8 +1,6 @@
 #pragma once
 
 #include "prs/cli/printing.h"
-#include "prs/run/commands.h"
-#include "prs/study/designs.h"
 
 namespace CLI {
 class App;

@@ -3,7 +3,6 @@
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/export/system_model.h"
-#include "prs/output/files.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
 

@@ -1,6 +1,5 @@
 #include "prs/cli/command_line.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

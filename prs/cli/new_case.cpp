@@ -3,15 +3,10 @@
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/package.h"
-#include "prs/cli/printing.h"
 #include "prs/cli/program.h"
-#include "prs/configurations/configurations.h"
 #include "prs/configurations/configurations_files.h"
 #include "prs/input/did_you_mean.h"
-#include "prs/input/source.h"
-#include "prs/model/operation.h"
 #include "prs/model/quantity_text.h"
-#include "prs/output/files.h"
 #include "prs/version.h"
 
 namespace prs::cli {

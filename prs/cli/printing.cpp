@@ -1,16 +1,11 @@
 #include "prs/cli/printing.h"
 
-#include <fcntl.h>
 #include <sys/ioctl.h>
 
-#include <iterator>
 #include <new>
 #include <system_error>
 
 #include "prs/cli/interruption.h"
-#include "prs/file_descriptor.h"
-#include "prs/loads/load_analysis.h"
-#include "prs/record/pictures.h"
 #include "prs/study/study_files.h"
 #include "prs/text.h"
 

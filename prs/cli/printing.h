@@ -4,8 +4,6 @@
 #include <mutex>
 
 #include "prs/output/files.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/delivery.h"
 #include "prs/record/table_units.h"
 #include "prs/run/commands.h"
 #include "prs/study/study_run.h"

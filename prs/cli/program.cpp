@@ -7,10 +7,7 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
-#include "prs/components/components.h"
-#include "prs/output/files.h"
 #include "prs/sector/influence/matrix_cache.h"
-#include "prs/study/journal.h"
 
 namespace prs::cli {
 namespace {

@@ -1,6 +1,5 @@
 #include "prs/page/page.h"
 
-#include <fcntl.h>
 #include <spawn.h>
 
 #include <cstdlib>
@@ -9,7 +8,6 @@
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/output/files.h"
 
 namespace prs::cli {
 namespace {

@@ -1,11 +1,6 @@
-#include <filesystem>
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
-#include "prs/cli/printing.h"
-#include "prs/configurations/configurations.h"
-#include "prs/input/units.h"
-#include "prs/output/files.h"
 #include "prs/size/size_analysis.h"
 
 namespace prs::cli {

@@ -3,16 +3,11 @@
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/interruption.h"
-#include "prs/cli/printing.h"
 #include "prs/optimize/optimize_files.h"
-#include "prs/output/files.h"
-#include "prs/record/pictures.h"
 #include "prs/run/study.h"
 #include "prs/study/response.h"
 #include "prs/study/study_files.h"
 #include "prs/study/study_pictures.h"
-#include "prs/study/study_run.h"
-#include "prs/text.h"
 #include "prs/version.h"
 
 namespace prs::cli {

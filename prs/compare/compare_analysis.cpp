@@ -4,9 +4,6 @@
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
 #include "prs/model/check_case.h"
-#include "prs/record/pictures.h"
-#include "prs/record/record_table.h"
-#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {

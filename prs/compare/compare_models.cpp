@@ -3,7 +3,6 @@
 #include "prs/loads/analyze.h"
 #include "prs/model/check_case.h"
 #include "prs/sector/influence/influence_solver.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 namespace {

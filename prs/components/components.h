@@ -3,11 +3,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "modules/module.h"
 #include "prs/model/study.h"

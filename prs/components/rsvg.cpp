@@ -1,7 +1,6 @@
 #include <librsvg/rsvg.h>
 
 #include <cmath>
-#include <memory>
 #include <new>
 
 #include "prs/components/components.h"

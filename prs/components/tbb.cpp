@@ -3,8 +3,6 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-#include <vector>
-
 #include "prs/components/components.h"
 #ifdef PRS_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "contact/contact_point.h"
 #include "prs/model/check_case.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
 #include "prs/threads/geometry_warnings.h"
-#include "prs/threads/threads.h"
 
 namespace prs {
 namespace {

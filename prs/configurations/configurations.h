@@ -1,12 +1,7 @@
 #pragma once
 
 #include <map>
-#include <string>
-#include <vector>
 
-#include "prs/model/case.h"
-#include "prs/model/mechanism.h"
-#include "prs/model/model_options.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

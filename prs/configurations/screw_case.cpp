@@ -1,4 +1,3 @@
-#include "prs/configurations/configurations.h"
 
 #include "prs/configurations/configurations_files.h"
 #include "prs/input/units.h"

@@ -3,12 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <exception>
-#include <iterator>
 #include <new>
 #include <sstream>
 
-#include "prs/input/echo.h"
-#include "prs/record/pictures.h"
 #include "prs/report/report.h"
 #include "prs/run/commands.h"
 

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
 
-#include <bit>
-#include <cstdint>
 
 #include "prs/embed.h"
 #include "prs/export/system_model.h"

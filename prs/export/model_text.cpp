@@ -1,8 +1,6 @@
 #include <cctype>
-#include <iterator>
 
 #include "prs/export/system_model.h"
-#include "prs/input/document.h"
 #include "prs/run/commands.h"
 #include "prs/sha256.h"
 

@@ -2,12 +2,8 @@
 
 #include <fmt/ranges.h>
 
-#include <iterator>
-
 #include "prs/heat/analyze_heat.h"
-#include "prs/input/units.h"
 #include "prs/model/check_case.h"
-#include "prs/preload/preloaded_mechanism.h"
 #include "prs/slip/running.h"
 #include "prs/threads/geometry_warnings.h"
 

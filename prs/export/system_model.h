@@ -1,10 +1,7 @@
 #pragma once
 
 #include "prs/export/curves.h"
-#include "prs/input/source.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/model/case.h"
-#include "prs/model/warning.h"
 
 namespace prs {
 

@@ -1,7 +1,6 @@
 #include "prs/export/zip.h"
 
 #include <boost/crc.hpp>
-#include <cstdint>
 
 namespace prs {
 namespace {

@@ -1,7 +1,5 @@
 #include "prs/heat/analyze_heat.h"
 
-#include <map>
-
 #include "prs/life/contact_loads.h"
 #include "prs/model/quantity_text.h"
 #include "prs/slip/running.h"

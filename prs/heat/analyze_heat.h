@@ -2,12 +2,8 @@
 
 #include "prs/heat/thermal_network.h"
 #include "prs/life/analyze_life.h"
-#include "prs/loads/analyze.h"
-#include "prs/loads/result.h"
-#include "prs/model/case.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/slip/slip.h"
-#include "prs/slip/slip_model.h"
 
 namespace prs {
 

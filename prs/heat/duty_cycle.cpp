@@ -4,7 +4,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "prs/model/quantity_text.h"
-#include "prs/sector/sector_model.h"
 
 namespace prs {
 namespace {

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <functional>
-
 #include "prs/loads/result.h"
-#include "prs/loads/slip_result.h"
-#include "prs/model/operation.h"
 
 namespace prs {
 

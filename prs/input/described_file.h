@@ -1,9 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string_view>
-#include <vector>
-
 #include "prs/input/echo.h"
 #include "prs/input/field.h"
 

@@ -1,17 +1,13 @@
 #include "prs/input/echo.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <unordered_map>
 
 #include "prs/input/described_file.h"
-#include "prs/input/field.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
-#include "prs/model/part.h"
 #include "prs/sha256.h"
 
 namespace prs::input {

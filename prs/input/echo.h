@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/input/document.h"
-#include "prs/input/source.h"
 #include "prs/input/units.h"
 #include "prs/json_type.h"
 #include "prs/model/warning.h"

@@ -6,7 +6,6 @@
 #include "prs/input/case_file.h"
 #include "prs/input/document.h"
 #include "prs/input/units.h"
-#include "prs/model/part.h"
 
 /// The vocabulary in which case_fields.cpp describes the input. A description is a function that
 /// names each key of a block once:

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <charconv>
 
-#include "prs/file_descriptor.h"
 #include "prs/input/csv_reader.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
-#include "prs/input/units.h"
 #include "prs/sha256.h"
 
 namespace prs::input {

@@ -4,10 +4,8 @@
 #include <charconv>
 #include <numeric>
 
-#include "prs/input/case_file.h"
 #include "prs/input/described_file.h"
 #include "prs/input/did_you_mean.h"
-#include "prs/input/field.h"
 #include "prs/input/schema.h"
 #include "prs/model/check_case.h"
 

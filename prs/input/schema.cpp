@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "prs/input/described_file.h"
-#include "prs/input/field.h"
 
 namespace prs::input {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "prs/input/units.h"
-#include "prs/model/study.h"
 
 namespace prs::input {
 namespace {

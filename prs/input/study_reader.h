@@ -2,7 +2,6 @@
 
 #include "prs/input/case_file.h"
 #include "prs/input/document.h"
-#include "prs/model/study.h"
 
 namespace prs::input {
 

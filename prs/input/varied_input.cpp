@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "prs/input/case_file.h"
 #include "prs/input/field.h"
 #include "prs/input/reader.h"
 

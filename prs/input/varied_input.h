@@ -1,9 +1,6 @@
 #pragma once
 
-#include <vector>
-
 #include "prs/input/echo.h"
-#include "prs/input/units.h"
 
 namespace prs::input {
 

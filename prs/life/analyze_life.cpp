@@ -1,9 +1,6 @@
 #include "prs/life/analyze_life.h"
 
-#include <set>
-
 #include "prs/life/contact_loads.h"
-#include "prs/loads/load_case_result.h"
 #include "prs/slip/running.h"
 #include "prs/threads/geometry_warnings.h"
 

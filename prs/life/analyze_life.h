@@ -3,7 +3,6 @@
 #include "prs/life/load_history.h"
 #include "prs/life/static_limits.h"
 #include "prs/loads/analyze.h"
-#include "prs/model/load_case.h"
 #include "prs/slip/slip_equilibrium.h"
 
 namespace prs {

@@ -1,13 +1,8 @@
 #include "prs/life/contact_loads.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "prs/life/rating_life.h"
-#include "prs/loads/analyze.h"
-#include "prs/preload/preloaded_mechanism.h"
 #include "prs/slip/running.h"
 
 namespace prs {

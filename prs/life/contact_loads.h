@@ -1,12 +1,7 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <functional>
 #include <map>
-#include <optional>
-#include <span>
-#include <vector>
 
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/threads/contacts.h"

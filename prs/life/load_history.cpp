@@ -1,7 +1,6 @@
 #include "prs/life/load_history.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace prs {
 namespace {

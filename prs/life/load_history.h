@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "prs/life/rating_life.h"
 #include "prs/model/load_case.h"
 

@@ -1,7 +1,6 @@
 #include "prs/life/rating_life.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace prs {
 namespace {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/hertz.h"
 #include "prs/model/mechanism.h"
 #include "prs/model/warning.h"
 

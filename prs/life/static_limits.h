@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/contact_point.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

@@ -1,13 +1,10 @@
 #include "prs/loads/analyze.h"
 
-#include <map>
-
 #include "prs/loads/load_case_result.h"
 #include "prs/model/check_case.h"
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/threads/geometry_warnings.h"
-#include "prs/threads/threads.h"
 
 namespace prs {
 namespace {

@@ -2,9 +2,7 @@
 
 #include "prs/loads/analysis_options.h"
 #include "prs/loads/result.h"
-#include "prs/model/case.h"
 #include "prs/sector/sector.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "prs/loads/load_record.h"
-#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -1,5 +1,3 @@
-#include "contact/contact_point.h"
-#include "contact/hertz.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 

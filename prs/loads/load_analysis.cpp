@@ -1,13 +1,9 @@
 #include "prs/loads/load_analysis.h"
 
-#include <iterator>
-
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
-#include "prs/record/record_table.h"
-#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {

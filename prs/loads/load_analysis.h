@@ -5,7 +5,6 @@
 #include "prs/loads/analysis_options.h"
 #include "prs/loads/result.h"
 #include "prs/record/analysis.h"
-#include "prs/record/csv_writer.h"
 
 namespace prs {
 

@@ -2,9 +2,6 @@
 
 #include "prs/loads/result.h"
 #include "prs/mechanism/full_distribution.h"
-#include "prs/model/case.h"
-#include "prs/sector/sector.h"
-#include "prs/threads/contacts.h"
 #include "simd/instruction_set.h"
 
 namespace prs {

@@ -1,10 +1,8 @@
-#include "contact/thread_surface.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
-#include "prs/model/units.h"
 
 namespace prs {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/loads/result.h"
-#include "prs/model/case.h"
 #include "prs/record/pictures.h"
 
 namespace prs {

@@ -1,10 +1,7 @@
 #pragma once
 
 #include "prs/loads/result.h"
-#include "prs/model/load_case.h"
-#include "prs/model/units.h"
 #include "prs/record/record.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 

@@ -1,9 +1,6 @@
-#include "contact/hertz.h"
-#include "contact/thread_surface.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
-#include "prs/threads/threads.h"
 
 namespace prs {
 namespace {

@@ -1,15 +1,7 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "fe/newton.h"
 #include "prs/loads/slip_result.h"
-#include "prs/model/model_options.h"
-#include "prs/model/part.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "prs/model/load_case.h"
 #include "prs/threads/kinematics.h"

@@ -3,13 +3,9 @@
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/force_history.h"
 #include "prs/life/life_record.h"
-#include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
-#include "prs/record/pictures.h"
-#include "prs/record/record_table.h"
-#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {

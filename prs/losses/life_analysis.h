@@ -2,7 +2,6 @@
 
 #include "prs/life/analyze_life.h"
 #include "prs/record/analysis.h"
-#include "prs/record/csv_writer.h"
 
 namespace prs {
 

@@ -4,8 +4,6 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/preload/preload_record.h"
-#include "prs/record/pictures.h"
-#include "prs/record/table_units.h"
 
 namespace prs {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/record/analysis.h"
-#include "prs/record/csv_writer.h"
 
 namespace prs {
 

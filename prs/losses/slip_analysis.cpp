@@ -3,7 +3,6 @@
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
 #include "prs/model/check_case.h"
-#include "prs/record/record_table.h"
 
 namespace prs {
 namespace {

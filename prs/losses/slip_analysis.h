@@ -2,10 +2,6 @@
 
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
-#include "prs/loads/result.h"
-#include "prs/model/case.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/pictures.h"
 #include "prs/slip/slip.h"
 
 namespace prs {

@@ -1,10 +1,7 @@
-#include <map>
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
-#include "prs/loads/load_record.h"
 #include "prs/losses/slip_analysis.h"
-#include "prs/model/units.h"
 
 namespace prs {
 namespace {

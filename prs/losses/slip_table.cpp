@@ -1,11 +1,6 @@
 #include "prs/losses/slip_analysis.h"
 
 #include "prs/loads/case_table.h"
-#include "prs/loads/load_record.h"
-#include "prs/model/units.h"
-#include "prs/record/record_table.h"
-#include "prs/record/table_units.h"
-#include "prs/slip/slip.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -3,7 +3,6 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
-#include "prs/loads/result.h"
 #include "prs/model/check_case.h"
 #include "prs/slip/running.h"
 #include "prs/text.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/loads/analysis_options.h"
 #include "prs/loads/load_analysis.h"
 
 namespace prs {

@@ -4,11 +4,8 @@
 #include <map>
 
 #include "prs/life/analyze_life.h"
-#include "prs/life/rating_life.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/sector/sector_model.h"
 #include "prs/slip/slip.h"
-#include "prs/threads/kinematics.h"
 
 namespace prs {
 namespace {

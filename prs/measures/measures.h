@@ -2,11 +2,7 @@
 
 #include "prs/life/static_limits.h"
 #include "prs/loads/analyze.h"
-#include "prs/loads/result.h"
 #include "prs/measures/stiffness.h"
-#include "prs/model/case.h"
-#include "prs/model/mechanism.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 

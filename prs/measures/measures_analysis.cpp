@@ -4,8 +4,6 @@
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/model/check_case.h"
-#include "prs/model/units.h"
-#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -2,8 +2,6 @@
 
 #include "prs/measures/measures.h"
 #include "prs/record/analysis.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/record.h"
 
 namespace prs {
 

@@ -2,8 +2,6 @@
 
 #include <initializer_list>
 
-#include "prs/record/record_table.h"
-
 namespace prs {
 namespace {
 

@@ -3,10 +3,7 @@
 #include <span>
 
 #include "prs/model/load_case.h"
-#include "prs/model/mechanism.h"
 #include "prs/model/model_options.h"
-#include "prs/model/part.h"
-#include "prs/model/structure.h"
 
 namespace prs {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/mechanism/full_model.h"
-#include "prs/model/model_options.h"
 #include "prs/sector/sector.h"
 
 namespace prs {

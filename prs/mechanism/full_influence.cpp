@@ -2,8 +2,6 @@
 
 #include <Eigen/LU>
 
-#include "prs/mechanism/full_model.h"
-
 namespace prs {
 namespace {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/mechanism/full_distribution.h"
-#include "prs/sector/influence/flexibility.h"
 #include "prs/sector/influence/influence_solver.h"
 
 namespace prs {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fe/shell.h"
 #include "prs/threads/threads.h"
 
 namespace prs {

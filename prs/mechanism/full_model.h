@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fe/model.h"
-#include "prs/sector/refined/nut_shell.h"
 #include "prs/sector/sector_model.h"
 
 namespace prs {

@@ -4,7 +4,6 @@
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
 #include "prs/model/operation.h"
-#include "prs/model/part.h"
 
 namespace prs {
 

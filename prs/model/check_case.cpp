@@ -1,7 +1,5 @@
 #include "prs/model/check_case.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "prs/model/limits.h"

@@ -3,7 +3,6 @@
 #include "prs/model/case.h"
 #include "prs/model/command.h"
 #include "prs/model/problems.h"
-#include "prs/model/warning.h"
 
 namespace prs {
 

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "prs/model/mechanism.h"
-#include "prs/model/part.h"
 #include "prs/model/structure.h"
 
 namespace prs {

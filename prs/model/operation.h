@@ -1,12 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "contact/film.h"
 #include "contact/journal_bearing.h"

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/film.h"
 #include "prs/model/check_case.h"
-#include "prs/model/operation.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <string_view>
 
 #include "contact/hertz.h"
 

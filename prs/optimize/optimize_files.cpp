@@ -1,14 +1,10 @@
 #include "prs/optimize/optimize_files.h"
 
-#include <algorithm>
 #include <ranges>
 
-#include "prs/input/document.h"
 #include "prs/loads/case_table.h"
-#include "prs/record/table_units.h"
 #include "prs/study/study_files.h"
 #include "prs/study/study_pictures.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {

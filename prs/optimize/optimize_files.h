@@ -1,11 +1,7 @@
 #pragma once
 
-#include "prs/input/source.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/optimize/optimizer.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/pictures.h"
-#include "prs/record/record.h"
 
 namespace prs {
 

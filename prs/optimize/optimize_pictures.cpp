@@ -1,9 +1,5 @@
 #include "prs/optimize/optimize_files.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "prs/record/table_units.h"
 #include "prs/study/study_pictures.h"
 

@@ -1,12 +1,7 @@
 #include "prs/optimize/optimizer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-
-#include "prs/components/components.h"
 
 namespace prs {
 namespace {

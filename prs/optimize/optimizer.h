@@ -1,8 +1,6 @@
 #pragma once
 
-#include "prs/model/study.h"
 #include "prs/study/design_engine.h"
-#include "prs/study/designs.h"
 #include "prs/study/study_run.h"
 
 namespace prs {

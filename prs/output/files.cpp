@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "prs/components/components.h"
-#include "prs/file_descriptor.h"
 #include "prs/sha256.h"
 #include "prs/svg/panel.h"
 #include "prs/text.h"

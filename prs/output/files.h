@@ -1,11 +1,8 @@
 #pragma once
 
-#include <filesystem>
-
 #include "prs/input/source.h"
 #include "prs/output/staged_file.h"
 #include "prs/record/delivery.h"
-#include "prs/record/figure.h"
 
 namespace prs {
 

@@ -1,6 +1,5 @@
 #include "prs/output/staged_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/resource.h>

@@ -2,13 +2,10 @@
 
 #include <nettle/base64.h>
 
-#include <array>
 #include <cctype>
-#include <cstdint>
 
 #include "prs/embed.h"
 #include "prs/input/force_history.h"
-#include "prs/input/reader.h"
 #include "prs/run/commands.h"
 #include "prs/sha256.h"
 #include "prs/text.h"

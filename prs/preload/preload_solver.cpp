@@ -1,7 +1,6 @@
 #include "prs/preload/preload_solver.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
-#include <cassert>
 
 #include "prs/sector/roller_guides.h"
 

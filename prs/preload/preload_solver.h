@@ -1,11 +1,6 @@
 #pragma once
 
-#include <memory>
-
-#include "fe/newton.h"
-#include "prs/model/load_case.h"
 #include "prs/sector/sector.h"
-#include "prs/sector/sector_model.h"
 
 namespace prs {
 

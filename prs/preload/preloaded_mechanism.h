@@ -3,11 +3,8 @@
 #include <map>
 
 #include "prs/loads/analyze.h"
-#include "prs/loads/result.h"
-#include "prs/model/case.h"
 #include "prs/preload/preload_solver.h"
 #include "prs/sector/roller_guides.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/record/delivery.h"
 #include "prs/record/record_table.h"

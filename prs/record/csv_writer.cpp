@@ -3,15 +3,9 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <array>
-#include <bit>
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <system_error>
-#include <utility>
 
 #include "prs/model/units.h"
 

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <typeinfo>
 
-#include "prs/json_type.h"
 #include "prs/model/warning.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/pictures.h"

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <tuple>
-#include <utility>
 
 #include "prs/record/schema_parts.h"
 #include "prs/text.h"

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <concepts>
 #include <nlohmann/json.hpp>
-#include <type_traits>
 
 #include "prs/record/csv_writer.h"
 #include "prs/record/record.h"

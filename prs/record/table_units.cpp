@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <regex>
-#include <utility>
 
 #include "prs/input/units.h"
 #include "prs/text.h"

@@ -1,13 +1,8 @@
 #include <charconv>
-#include <iterator>
 
-#include "prs/input/reader.h"
-#include "prs/input/units.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/model/check_case.h"
-#include "prs/record/table_units.h"
 #include "prs/report/findings.h"
-#include "prs/report/report.h"
 #include "prs/report/tables.h"
 #include "prs/run/document_schema.h"
 #include "prs/text.h"

@@ -4,11 +4,9 @@
 
 #include <cstdlib>
 #include <ctime>
-#include <iterator>
 
 #include "prs/model/check_case.h"
 #include "prs/output/files.h"
-#include "prs/record/table_units.h"
 #include "prs/report/tables.h"
 #include "prs/text.h"
 

@@ -1,13 +1,8 @@
 #include "prs/report/report.h"
 
 #include <charconv>
-#include <iterator>
 
 #include "prs/compare/compare_analysis.h"
-#include "prs/input/units.h"
-#include "prs/loads/case_table.h"
-#include "prs/model/units.h"
-#include "prs/record/pictures.h"
 #include "prs/report/findings.h"
 #include "prs/report/tables.h"
 #include "prs/run/document_schema.h"

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/input/source.h"
-#include "prs/record/figure.h"
 #include "prs/record/table_units.h"
 #include "prs/svg/elements.h"
 

@@ -1,4 +1,3 @@
-#include <filesystem>
 
 #include "prs/report/report.h"
 #include "prs/report/tables.h"

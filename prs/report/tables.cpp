@@ -1,16 +1,8 @@
 #include "prs/report/tables.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <set>
-
 #include "prs/loads/case_table.h"
 #include "prs/record/pictures.h"
-#include "prs/record/table_units.h"
 #include "prs/report/report.h"
-#include "prs/svg/elements.h"
 #include "prs/svg/panel.h"
 #include "prs/text.h"
 

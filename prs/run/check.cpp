@@ -11,7 +11,6 @@
 #include "prs/loads/load_record.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/model/check_case.h"
-#include "prs/record/table_units.h"
 #include "prs/run/commands.h"
 #include "prs/slip/slip.h"
 #include "prs/text.h"

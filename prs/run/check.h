@@ -1,16 +1,8 @@
 #pragma once
 
-#include <map>
-
-#include "prs/input/echo.h"
 #include "prs/life/analyze_life.h"
-#include "prs/loads/result.h"
 #include "prs/measures/measures.h"
-#include "prs/model/command.h"
-#include "prs/model/limits.h"
-#include "prs/model/problems.h"
 #include "prs/record/analysis.h"
-#include "prs/record/record.h"
 
 /// Whether a case meets its limits: the one definition that `prs check`, the report and the page
 /// read. Each criterion has the worst value of all load cases, with the real thread loads.

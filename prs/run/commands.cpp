@@ -1,9 +1,6 @@
 #include "prs/run/commands.h"
 
 #include "prs/compare/compare_analysis.h"
-#include "prs/input/document.h"
-#include "prs/input/echo.h"
-#include "prs/loads/load_analysis.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/preload_analysis.h"
 #include "prs/losses/slip_analysis.h"

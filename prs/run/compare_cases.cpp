@@ -1,9 +1,6 @@
 #include "prs/run/compare_cases.h"
 
-#include "prs/input/units.h"
 #include "prs/loads/case_table.h"
-#include "prs/record/record_table.h"
-#include "prs/record/table_units.h"
 #include "prs/run/commands.h"
 #include "prs/study/response.h"
 #include "prs/text.h"

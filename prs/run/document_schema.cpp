@@ -3,8 +3,6 @@
 #include "prs/configurations/configurations_files.h"
 #include "prs/input/schema.h"
 #include "prs/optimize/optimize_files.h"
-#include "prs/record/pictures.h"
-#include "prs/record/record_table.h"
 #include "prs/record/schema_parts.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"

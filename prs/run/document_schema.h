@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string_view>
-
-#include "prs/json_type.h"
 #include "prs/record/analysis.h"
 
 namespace prs {

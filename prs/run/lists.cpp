@@ -1,11 +1,6 @@
 #include "prs/run/lists.h"
 
-#include <iterator>
-
-#include "prs/input/units.h"
 #include "prs/loads/case_table.h"
-#include "prs/model/operation.h"
-#include "prs/record/table_units.h"
 #include "prs/run/commands.h"
 #include "prs/study/response.h"
 #include "prs/text.h"

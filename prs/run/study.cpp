@@ -1,15 +1,11 @@
 #include "prs/run/study.h"
 
-#include <algorithm>
 #include <chrono>
-#include <iterator>
 
 #include "prs/input/force_history.h"
 #include "prs/model/check_case.h"
 #include "prs/optimize/optimize_files.h"
 #include "prs/sha256.h"
-#include "prs/study/journal.h"
-#include "prs/study/sensitivity.h"
 #include "prs/version.h"
 
 namespace prs {

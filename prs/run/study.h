@@ -1,11 +1,8 @@
 #pragma once
 
-#include "prs/input/study_reader.h"
 #include "prs/optimize/optimizer.h"
 #include "prs/study/derivatives.h"
-#include "prs/study/design_engine.h"
 #include "prs/study/study_result.h"
-#include "prs/study/study_run.h"
 
 namespace prs {
 

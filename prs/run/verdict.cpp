@@ -2,7 +2,6 @@
 
 #include "prs/life/life_record.h"
 #include "prs/loads/load_record.h"
-#include "prs/record/record_table.h"
 
 namespace prs {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "prs/sector/sector.h"
-#include "prs/sector/sector_model.h"
 
 namespace prs {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fe/model.h"
 #include "fe/newton.h"
 #include "prs/sector/sector_model.h"
 

@@ -1,13 +1,7 @@
 #pragma once
 
-#include <numbers>
-#include <vector>
-
 #include "prs/model/deviations.h"
 #include "prs/model/load_case.h"
-#include "prs/model/mechanism.h"
-#include "prs/model/part.h"
-#include "prs/model/structure.h"
 #include "prs/sector/refined/nut_formulas.h"
 #include "prs/sector/refined/nut_shell.h"
 #include "prs/sector/sector_numbers.h"

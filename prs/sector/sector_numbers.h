@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/hertz.h"
 #include "prs/model/part.h"
 
 namespace prs {

@@ -1,4 +1,3 @@
-#include "prs/configurations/configurations.h"
 #include "prs/heat/thermal_network.h"
 #include "prs/life/analyze_life.h"
 #include "prs/measures/measures.h"

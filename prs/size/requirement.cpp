@@ -1,11 +1,6 @@
 #include "prs/size/requirement.h"
 
-#include <fmt/format.h>
-
-#include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <set>
 #include <tuple>
 
 #include "prs/configurations/configurations.h"

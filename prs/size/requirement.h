@@ -1,9 +1,6 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "prs/input/echo.h"
-#include "prs/model/case.h"
 #include "prs/model/limits.h"
 
 namespace prs {

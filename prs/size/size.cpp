@@ -4,7 +4,6 @@
 
 #include "prs/input/csv_reader.h"
 #include "prs/input/described_file.h"
-#include "prs/input/document.h"
 #include "prs/input/force_history.h"
 #include "prs/model/quantity_text.h"
 #include "prs/study/study_run.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "prs/configurations/configurations.h"
 #include "prs/loads/slip_result.h"
 #include "prs/record/record.h"

@@ -2,16 +2,9 @@
 
 #include <fmt/ranges.h>
 
-#include <set>
-
 #include "prs/configurations/configurations_files.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_record.h"
-#include "prs/model/units.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/pictures.h"
-#include "prs/record/record_table.h"
-#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -2,8 +2,6 @@
 
 #include <Eigen/QR>
 
-#include "prs/sector/roller_guides.h"
-#include "prs/sector/sector_model.h"
 #include "prs/slip/slip.h"
 
 namespace prs {

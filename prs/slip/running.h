@@ -1,12 +1,9 @@
 #pragma once
 
-#include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/sector/influence/influence_solver.h"
-#include "prs/sector/sector.h"
 #include "prs/slip/slip_model.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 

@@ -1,6 +1,5 @@
 #include "prs/slip/slip.h"
 
-#include "prs/loads/load_case_result.h"
 #include "prs/model/check_case.h"
 #include "prs/slip/running.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "simd/asinh.h"
-#include "simd/lanes.h"
 
 namespace prs {
 namespace {

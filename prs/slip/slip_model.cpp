@@ -3,8 +3,6 @@
 #include <numeric>
 
 #include "prs/loads/load_case_result.h"
-#include "prs/sector/sector_model.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 namespace {

@@ -1,8 +1,5 @@
 #include "prs/study/design_batches.h"
 
-#include "prs/sector/chain/chain_solver.h"
-#include "prs/threads/threads.h"
-
 namespace prs {
 namespace {
 

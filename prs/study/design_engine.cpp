@@ -2,18 +2,15 @@
 
 #include <fmt/ranges.h>
 
-#include <mutex>
 #include <numeric>
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
-#include "prs/loads/load_analysis.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/mechanism/full_distribution.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
 #include "prs/study/response.h"

@@ -1,6 +1,5 @@
 #include "prs/study/journal.h"
 
-#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 
@@ -8,7 +7,6 @@
 #include <system_error>
 
 #include "prs/bytes.h"
-#include "prs/file_descriptor.h"
 #include "prs/output/files.h"
 #include "prs/sha256.h"
 

@@ -1,19 +1,13 @@
 #include "prs/study/response.h"
 
-#include <algorithm>
 #include <unordered_set>
 
-#include "prs/input/reader.h"
 #include "prs/input/varied_input.h"
 #include "prs/life/life_record.h"
-#include "prs/loads/load_analysis.h"
-#include "prs/loads/load_record.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/record/record.h"
-#include "prs/record/record_table.h"
 #include "prs/study/design_engine.h"
 
 namespace prs {

@@ -4,7 +4,6 @@
 #include <functional>
 #include <span>
 
-#include "prs/model/study.h"
 #include "prs/study/designs.h"
 
 namespace prs {

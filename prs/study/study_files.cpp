@@ -6,7 +6,6 @@
 
 #include "prs/loads/case_table.h"
 #include "prs/output/files.h"
-#include "prs/record/table_units.h"
 #include "prs/study/study_pictures.h"
 
 namespace prs {

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "prs/components/components.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/output/staged_file.h"
-#include "prs/record/csv_writer.h"
-#include "prs/record/record.h"
 #include "prs/study/derivatives.h"
 #include "prs/study/study_result.h"
 #include "prs/study/study_run.h"

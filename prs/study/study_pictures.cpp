@@ -1,9 +1,5 @@
 #include "prs/study/study_pictures.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "prs/losses/slip_analysis.h"
 #include "prs/record/table_units.h"
 

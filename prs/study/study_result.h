@@ -2,9 +2,7 @@
 
 #include <memory>
 
-#include "prs/model/study.h"
 #include "prs/model/warning.h"
-#include "prs/study/designs.h"
 #include "prs/study/sensitivity.h"
 
 namespace prs {

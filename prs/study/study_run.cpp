@@ -1,6 +1,5 @@
 #include "prs/study/study_run.h"
 
-#include <fcntl.h>
 #include <sched.h>
 #include <sys/file.h>
 

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <functional>
-
 #include "prs/components/components.h"
-#include "prs/study/designs.h"
 #include "prs/study/journal.h"
 
 namespace prs {

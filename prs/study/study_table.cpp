@@ -3,7 +3,6 @@
 #include <tuple>
 
 #include "prs/loads/case_table.h"
-#include "prs/record/table_units.h"
 #include "prs/study/study_pictures.h"
 
 namespace prs {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
 
 #include "prs/record/pictures.h"
 #include "prs/text.h"

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cmath>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "prs/record/figure.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "prs/svg/elements.h"
 #include "prs/svg/png.h"
 
 namespace prs {

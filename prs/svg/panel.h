@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/record/figure.h"
 #include "prs/svg/elements.h"
 
 namespace prs {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/contact_numbers.h"
-#include "prs/threads/contact_law.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "prs/model/groove.h"
-#include "prs/model/units.h"
 
 namespace prs {
 namespace {

@@ -1,14 +1,7 @@
 #pragma once
 
-#include "contact/hertz.h"
-#include "contact/mechanism_geometry.h"
 #include "prs/model/case.h"
-#include "prs/model/mechanism.h"
-#include "prs/model/model_options.h"
-#include "prs/model/part.h"
 #include "prs/model/problems.h"
-#include "prs/model/structure.h"
-#include "prs/model/warning.h"
 #include "prs/threads/contact_law.h"
 #include "prs/threads/threads.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/model/case.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

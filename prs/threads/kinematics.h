@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/vectors.h"
 #include "prs/model/mechanism.h"
 #include "simd/dual.h"
 

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "contact/mechanism_geometry.h"
 #include "prs/model/deviations.h"
 #include "prs/model/load_case.h"
-#include "prs/model/mechanism.h"
-#include "prs/model/part.h"
 
 namespace prs {
 

@@ -2,14 +2,8 @@
 
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <initializer_list>
-#include <iterator>
 
-#include "prs/input/document.h"
-#include "prs/input/units.h"
 #include "prs/run/commands.h"
 #include "prs/text.h"
 

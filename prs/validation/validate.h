@@ -1,15 +1,7 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/input/csv_reader.h"
-#include "prs/input/source.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/model/case.h"
-#include "prs/model/command.h"
 #include "prs/output/files.h"
 
 namespace prs {

@@ -6,8 +6,6 @@
 
 #include "contact/hertz_formulas.h"
 #include "prs/life/rating_life.h"
-#include "prs/model/units.h"
-#include "prs/threads/contacts.h"
 #include "validation/extensions.h"
 
 namespace prs::jung_2017 {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-
-#include "prs/loads/load_analysis.h"
-#include "prs/record/csv_writer.h"
 #include "prs/validation/validate.h"
 
 namespace prs::jung_2017 {

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include "prs/loads/analyze.h"
-#include "prs/model/problems.h"
 #include "prs/validation/validate.h"
 
 namespace prs::reference_fe {

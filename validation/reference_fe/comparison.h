@@ -4,8 +4,6 @@
 #include <functional>
 
 #include "prs/model/case.h"
-#include "prs/model/part.h"
-#include "prs/model/units.h"
 
 namespace prs::reference_fe {
 

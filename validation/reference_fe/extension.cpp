@@ -1,6 +1,5 @@
 #include "validation/reference_fe/extension.h"
 
-#include "prs/record/pictures.h"
 #include "validation/extensions.h"
 
 namespace prs::reference_fe {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/loads/slip_result.h"
 #include "prs/validation/validate.h"
 
 namespace prs::sandu_2018 {

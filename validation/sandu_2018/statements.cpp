@@ -2,7 +2,6 @@
 
 #include <fmt/ranges.h>
 
-#include "prs/model/units.h"
 #include "prs/slip/slip.h"
 
 namespace prs::sandu_2018 {

@@ -2,8 +2,6 @@
 
 #include <tuple>
 
-#include "prs/sector/sector_model.h"
-#include "prs/validation/validate.h"
 #include "validation/extensions.h"
 
 namespace prs::standard_screws {

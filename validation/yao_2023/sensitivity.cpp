@@ -2,10 +2,7 @@
 
 #include <fmt/ranges.h>
 
-#include <iterator>
-
 #include "prs/loads/analyze.h"
-#include "prs/study/designs.h"
 #include "prs/study/sensitivity.h"
 #include "validation/extensions.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstring>
 #include <span>
 #include <vector>
 

@@ -1,13 +1,9 @@
 #include "prs/sector/chain/chain_solver.h"
 
-#include <algorithm>
-
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/design_solvers.h"
 #include "prs/sector/chain/nut_condensation.h"
-#include "prs/sector/chain/sector_kernel.h"
 #include "prs/sector/chain/sector_solve.h"
-#include "prs/sector/chain/shell_station.h"
 #include "simd/dispatch.h"
 
 namespace prs {

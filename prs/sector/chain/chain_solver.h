@@ -1,13 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
 #include <new>
 
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/chain/thread_loads.h"
 #include "prs/sector/sector.h"
-#include "prs/sector/sector_model.h"
 
 namespace prs {
 

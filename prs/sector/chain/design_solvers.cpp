@@ -1,12 +1,9 @@
 #include "prs/sector/chain/design_solvers.h"
 
-#include <cassert>
 #include <tuple>
 
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/nut_condensation.h"
-#include "prs/sector/chain/refined_kernel.h"
-#include "prs/sector/chain/sector_kernel.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "simd/dispatch.h"
 

@@ -3,9 +3,6 @@
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/chain/refined_kernel.h"
 #include "prs/sector/chain/sector_kernel.h"
-#include "prs/sector/chain/thread_loads.h"
-#include "prs/sector/sector.h"
-#include "prs/sector/sector_model.h"
 #include "simd/instruction_set.h"
 
 namespace prs {

@@ -1,10 +1,8 @@
 #include "prs/sector/chain/refined_kernel.h"
 
-#include "fe/chain_station.h"
 #include "prs/sector/chain/nut_condensation.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/refined_formulas.h"
-#include "simd/lanes.h"
 
 namespace prs {
 namespace {

@@ -3,7 +3,6 @@
 #include "prs/sector/chain/shell_station.h"
 #include "prs/sector/chain/thread_loads.h"
 #include "prs/sector/refined/nut_formulas.h"
-#include "prs/sector/sector_numbers.h"
 #include "simd/architectures.h"
 
 namespace prs {

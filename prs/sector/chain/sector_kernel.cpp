@@ -1,6 +1,5 @@
 #include "prs/sector/chain/sector_kernel.h"
 
-#include "fe/chain_station.h"
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/chain/shell_station.h"

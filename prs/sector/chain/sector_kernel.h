@@ -1,11 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/chain/thread_loads.h"
-#include "prs/sector/sector_numbers.h"
 #include "simd/architectures.h"
 
 namespace prs {

@@ -3,7 +3,6 @@
 #include "fe/chain.h"
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/chain/thread_loads.h"
-#include "prs/sector/sector_numbers.h"
 
 namespace prs {
 

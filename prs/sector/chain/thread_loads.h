@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "fe/newton_types.h"
 #include "prs/model/part.h"
 

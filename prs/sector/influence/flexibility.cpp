@@ -1,10 +1,8 @@
 #include "prs/sector/influence/flexibility.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "fe/lu.h"
-#include "prs/sector/sector_model.h"
 
 namespace prs {
 namespace {

@@ -1,15 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
 #include <tuple>
-#include <vector>
 
-#include "fe/axisymmetric.h"
-#include "prs/model/load_case.h"
-#include "prs/model/mechanism.h"
-#include "prs/model/part.h"
-#include "prs/model/structure.h"
 #include "prs/sector/influence/grooved_body.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/sector/sector.h"

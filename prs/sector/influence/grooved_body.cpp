@@ -1,8 +1,6 @@
 #include "prs/sector/influence/grooved_body.h"
 
-#include <algorithm>
 #include <boost/math/special_functions/bessel.hpp>
-#include <numbers>
 
 #include "contact/hertz_formulas.h"
 

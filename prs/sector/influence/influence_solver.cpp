@@ -1,12 +1,8 @@
 #include "prs/sector/influence/influence_solver.h"
 
-#include <algorithm>
-#include <cmath>
 #include <future>
-#include <numbers>
 
 #include "fe/lu.h"
-#include "prs/threads/threads.h"
 
 namespace prs {
 namespace {

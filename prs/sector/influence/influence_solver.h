@@ -1,9 +1,6 @@
 #pragma once
 
-#include "prs/model/case.h"
 #include "prs/sector/influence/flexibility.h"
-#include "prs/sector/sector.h"
-#include "prs/sector/sector_model.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {

@@ -12,7 +12,6 @@
 #include <system_error>
 
 #include "prs/bytes.h"
-#include "prs/file_descriptor.h"
 #include "prs/sha256.h"
 
 namespace prs {

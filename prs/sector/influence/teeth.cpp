@@ -1,7 +1,5 @@
 #include "prs/sector/influence/flexibility.h"
 
-#include <algorithm>
-
 namespace prs {
 namespace {
 

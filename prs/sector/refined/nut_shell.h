@@ -1,10 +1,7 @@
 #pragma once
 
-#include <cstddef>
-
 #include "fe/shell.h"
 #include "prs/model/model_options.h"
-#include "prs/model/part.h"
 #include "prs/model/structure.h"
 
 namespace prs {
