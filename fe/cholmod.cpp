@@ -124,7 +124,7 @@ std::unique_ptr<SparseFactorization> factorization(const SparseSymmetric& patter
   return std::make_unique<Cholmod>(pattern, kind);
 }
 
-std::vector<int> fill_reducing_order(const SparseSymmetric& pattern) {
+std::vector<int> amd_order(const SparseSymmetric& pattern) {
   std::vector<int> order(static_cast<std::size_t>(pattern.size()));
   cholmod_common common{};
   set_common(common);
@@ -153,5 +153,5 @@ extern "C" __attribute__((visibility("default")))
 const fe::CholmodModule prs_module{{},
                                    fe::factorization<CHOLMOD_SIMPLICIAL>,
                                    fe::factorization<CHOLMOD_SUPERNODAL>,
-                                   fe::fill_reducing_order,
+                                   fe::amd_order,
                                    fe::name};
