@@ -5,5 +5,6 @@
 namespace prs {
 
 /// Documents keep the order of their keys.
+using Json = nlohmann::ordered_json;
 
 }  // namespace prs
