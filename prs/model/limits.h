@@ -7,8 +7,8 @@ namespace prs {
 
 /// Least life, as time or as travel: one of the two is given.
 struct LeastLife {
-  std::optional<double> duration;  ///< [s]
-  std::optional<double> travel;    ///< [m]
+  std::optional<double> duration = {};  ///< [s]
+  std::optional<double> travel = {};    ///< [m]
 };
 
 /// Limits that a case is held against, see prs/run/check.h. SI units; none has a default.

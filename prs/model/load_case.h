@@ -56,12 +56,12 @@ struct LoadCase {
 
   std::string name;
   double axial_force = 0.0;  ///< [N]; > 0 with `direction`, else signed (I2J1 if < 0).
-  std::optional<Direction> direction;
-  std::optional<double> position;  ///< First roller contact on the nut [m].
+  std::optional<Direction> direction = {};
+  std::optional<double> position = {};  ///< First roller contact on the nut [m].
   Share share = Share::solved;
-  std::optional<double> speed;  ///< [rad/s], overrides the operation's.
+  std::optional<double> speed = {};  ///< [rad/s], overrides the operation's.
   SpatialLoad spatial = {};
-  std::string input_path;  ///< Path of the case in the input, e.g. `load_cases[2]`.
+  std::string input_path = {};  ///< Path of the case in the input, e.g. `load_cases[2]`.
 
   bool is_solved() const { return share == Share::solved; }
 };
@@ -172,11 +172,11 @@ struct HistorySource {
 struct SpectrumLoad {
   double force = 0.0;  ///< [N], > 0
   Direction direction = Direction::tension;
-  std::optional<double> revolutions;     ///< Revolutions of the screw against the nut.
-  std::optional<double> distance;        ///< Travel under the load [m].
-  std::optional<double> duration;        ///< Time at the operation's speed [s].
-  std::optional<double> share;           ///< Share of all revolutions.
-  DrivenBy driven_by = DrivenBy::screw;  ///< Of running loads.
+  std::optional<double> revolutions = {};  ///< Revolutions of the screw against the nut.
+  std::optional<double> distance = {};     ///< Travel under the load [m].
+  std::optional<double> duration = {};     ///< Time at the operation's speed [s].
+  std::optional<double> share = {};        ///< Share of all revolutions.
+  DrivenBy driven_by = DrivenBy::screw;    ///< Of running loads.
 };
 
 /// Which temperatures the parts have in `life` with a block `heat`.

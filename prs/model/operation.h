@@ -114,8 +114,8 @@ struct Wear {
 };
 
 struct Operation {
-  double speed = 0.0;                ///< Screw against nut [rad/s].
-  std::optional<double> slip_ratio;  ///< Imposed; else from the roller's equilibrium.
+  double speed = 0.0;                     ///< Screw against nut [rad/s].
+  std::optional<double> slip_ratio = {};  ///< Imposed; else from the roller's equilibrium.
 };
 
 /// How the heads of the rollers rub in their bearings in the carrier.
@@ -186,9 +186,10 @@ struct Heat {
 
   double ambient = 0.0;  ///< [K]
   Conductance conductance;
-  std::vector<DutyStep> duty;  ///< Repeated without end; none: no cycle.
-  std::optional<Capacity> capacity;
-  std::optional<double> specific_heat;  ///< One for all parts, in place of `capacity` [J/(kg K)].
+  std::vector<DutyStep> duty = {};  ///< Repeated without end; none: no cycle.
+  std::optional<Capacity> capacity = {};
+  std::optional<double> specific_heat =
+      {};  ///< One for all parts, in place of `capacity` [J/(kg K)].
 };
 
 /// The viscosities that a named lubricant is sold with, at 40 and 100 degC.

@@ -270,7 +270,6 @@ std::span<const std::string_view> documented_commands() {
 }
 
 Json document_schema(std::string_view command) {
-  using documents::Json;
   Json schema{{"$schema", schema_parts::kDialect},
               {"title", std::string("What `prs ").append(command).append(" --json` prints")}};
   Json definitions = Json::object(), forms = Json::array();

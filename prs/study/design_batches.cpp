@@ -29,10 +29,11 @@ bool SharedContacts::get(std::optional<std::size_t> k, ContactDetail detail,
 }
 
 bool BarBatch::takes(const Case& c, std::span<const std::size_t> load_cases) {
-  using Teeth = ModelOptions::ToothCompliance::Kind;
+  using Compliance = ModelOptions::ToothCompliance::Kind;
   const bool plain = c.model.bodies == ModelOptions::Bodies::bars &&
                      c.model.mechanism == ModelOptions::Mechanism::sector &&
-                     c.model.tooth_compliance.kind == Teeth::none && c.structure && c.materials;
+                     c.model.tooth_compliance.kind == Compliance::none && c.structure &&
+                     c.materials;
   return plain && std::ranges::all_of(load_cases, [&](std::size_t k) {
            if (k >= c.load_cases.size()) return false;
            const LoadCase& load = c.load_cases[k];
