@@ -413,7 +413,7 @@ std::string without_derivative(const CaseDerivatives& result, std::size_t factor
 
 /// What 1 % of each factor does to the responses, the factors that matter most.
 Figures elasticities(const CaseDerivatives& result, const FigureOptions& options) {
-  constexpr std::size_t kMostRows = 14;
+  constexpr std::size_t kMostDrawn = 14;
   return figures_of(
       result.study.responses, options, [&](std::size_t response) -> std::optional<Figure> {
         std::vector<std::pair<double, std::string>> bars;
@@ -423,7 +423,7 @@ Figures elasticities(const CaseDerivatives& result, const FigureOptions& options
         if (bars.empty()) return std::nullopt;
         std::ranges::stable_sort(bars, std::greater{},
                                  [](const auto& b) { return std::abs(b.first); });
-        bars.resize(std::min(bars.size(), kMostRows));
+        bars.resize(std::min(bars.size(), kMostDrawn));
         Figure figure = response_figure(result.study.responses, response);
         figure.name = "derivatives_" + figure.name;
         figure.title += ": change by 1 % of each factor";
