@@ -53,9 +53,9 @@ struct PrintedStatement {
 /// `reference.yaml` of one source.
 struct Reference {
   std::filesystem::path folder;
-  std::string source;  ///< Citation.
-  std::vector<ReferenceCase> cases;
-  std::vector<PrintedStatement> statements;
+  std::string source = {};  ///< Citation.
+  std::vector<ReferenceCase> cases = {};
+  std::vector<PrintedStatement> statements = {};
 };
 
 /// Reads a `reference.yaml`; unknown, duplicate and missing keys are errors. Throws
