@@ -127,7 +127,8 @@ def inputs_in(block: dict, before: str, rows: dict[str, tuple[str, ...]]) -> Non
 
 def input_page(schema: dict, title: str, of: str) -> str:
     text = (
-        f"# {title}\n\nEvery key of a {of}. `[]` stands for the entries of a list. A path with the\n"
+        f"# {title}\n\nEvery key of a {of}. `[]` stands for the entries of a list. A path with"
+        " the\n"
         "number of an entry, `load_cases[0].axial_force`, is what `--set` and studies take.\n"
         "Required: where the block that holds the key stands; what a command needs, `prs check`\n"
         "says.\n\n"
