@@ -23,7 +23,7 @@ PRS_EMBED(engine, PRS_PAGE_ENGINE)
 namespace prs {
 namespace {
 
-constexpr std::size_t kLargestLivePage = 2'500'000;  ///< Bytes.
+constexpr std::size_t kLargestLivePage = 2'900'000;  ///< Bytes.
 
 /// What the engine leaves for the rest, and what is tried where that is still too much.
 constexpr ReportRoom kRoomsWithEngine[] = {{500'000, 300'000, 150'000}, {200'000, 150'000, 50'000}};

@@ -89,7 +89,7 @@ TEST_P(LessonReport, IsOnePageThatAsksForNothingAndSaysWhatTheCommandsSay) {
   if (!test::sanitized()) {  // With the engine; the rest was computed above.
     const std::string live = make_report(source).html;
     EXPECT_EQ(malformed(live), "");
-    EXPECT_LT(live.size(), 2'500'000u);
+    EXPECT_LT(live.size(), 3'000'000u);
   }
   EXPECT_EQ(malformed(report.html), "");
   EXPECT_THAT(report.html, HasSubstr("content=\"default-src 'none'; style-src 'sha256-"));
