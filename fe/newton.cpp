@@ -422,28 +422,32 @@ NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions&
 FollowingLoad::FollowingLoad(const Equations& equations, Eigen::VectorXd unchanged,
                              const std::vector<std::vector<NodalLoad>>& loads)
     : constant(std::move(unchanged)), per_force(loads.size()) {
-  for (std::size_t k = 0; k < loads.size(); ++k)
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    per_force[k].reserve(loads[k].size());
     equations.for_each_load(loads[k], [&](int equation, double force) {
       if (force != 0.0) per_force[k].push_back({equation, force});
     });
+  }
 }
 
 bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& options, State& q) {
   constexpr int kMostSteps = 40, kFullSteps = 10;
+  constexpr double kMuchTheSame = 0.05;  // Friction leaves more of an error.
   DoubleNumbers& numbers = doubles_->method.numbers();
   Eigen::VectorXd &residual = doubles_->residual, &correction = doubles_->correction;
   const State first = q;
-  Eigen::VectorXd f(equations_->size());
   double left = 0.0;  // Of the forces, relative.
   const auto left_at = [&](const State& state) {
-    f = load.constant;
+    equations_->linear_forces(state, residual);
+    residual -= load.constant;
     for (std::size_t k = 0; k < load.per_force.size(); ++k) {
-      if (load.per_force[k].empty()) continue;
+      const Equations::Spring& spring = equations_->springs()[k];
       const double force = equations_->response(state, static_cast<int>(k)).force;
+      for (std::size_t i = 0; i < spring.count; ++i)
+        residual[spring.equation[i]] += force * spring.coefficient[i];
       for (const FollowingLoad::Share& share : load.per_force[k])
-        f[share.equation] += force * share.times;
+        residual[share.equation] -= force * share.times;
     }
-    equations_->energy_and_residual(state, f, residual);
     double largest = 0.0;
     for (int i = 0; i < equations_->size(); ++i)
       largest =
@@ -452,7 +456,8 @@ bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& option
     return largest / options.force_scale;
   };
   numbers.tangent(q, 0.0);
-  if (numbers.factorize() != FactorizationStatus::ok) return false;
+  if (!numbers.factorized_within(kMuchTheSame) && numbers.factorize() != FactorizationStatus::ok)
+    return false;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
   for (const bool newton : {false, true}) {
     double before = std::numeric_limits<double>::infinity();

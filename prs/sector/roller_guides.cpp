@@ -1,6 +1,6 @@
 #include "prs/sector/roller_guides.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
 
 namespace prs {
 namespace {
@@ -44,8 +44,10 @@ class RollerBeam {
     std::vector<int> free;
     for (int i = 0; i < size_; ++i)
       if (!held[static_cast<std::size_t>(i)]) free.push_back(i);
-    const Eigen::MatrixXd found =
-        Eigen::MatrixXd(k(free, free)).ldlt().solve(Eigen::MatrixXd(loads(free, Eigen::all)));
+    const Eigen::SparseMatrix<double> banded = Eigen::MatrixXd(k(free, free)).sparseView();
+    const Eigen::MatrixXd found = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
+                                                        Eigen::NaturalOrdering<int>>(banded)
+                                      .solve(Eigen::MatrixXd(loads(free, Eigen::all)));
     for (std::size_t i = 0; i < free.size(); ++i)
       shapes_.row(free[i]) = found.row(static_cast<Eigen::Index>(i));
   }
@@ -139,6 +141,7 @@ fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force,
   std::vector<fe::NodalLoad> centrifugal;
   add_centrifugal(centrifugal, s, per_normal_load);
   std::vector<std::vector<fe::NodalLoad>> loads(equations.springs().size());
+  for (std::vector<fe::NodalLoad>& one : loads) one.reserve(6);
   for (const Interface i : kInterfaces)
     for (int k = 0; k < s.contacts(); ++k)
       add_friction(loads[static_cast<std::size_t>(s.spring(i, k))], s, per_normal_load, i, k);
