@@ -1,0 +1,58 @@
+"""`size`: from a requirement to a list of screws, as the program gives it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from conftest import CONFIGS, Run
+
+import rollerscrew as rs
+
+PRESS = CONFIGS / "32_press.yaml"
+#: An axis that moves 50 kg up and down.
+LIFT = {
+    "motion": {
+        "segments": [
+            {"duration": "0.2 s", "end_speed": "300 mm/s", "force": "8 kN"},
+            {"duration": "1.8 s", "end_speed": "300 mm/s", "force": "8 kN"},
+            {"duration": "0.2 s", "end_speed": "0 mm/s", "force": "8 kN"},
+        ]
+    },
+    "load": {"moved_mass": "50 kg", "inclination": "90 deg"},
+    "stroke": "650 mm",
+    "candidates": {"designs": {"screw_diameter": ["24 mm", "30 mm"], "lead": "10 mm", "starts": 5}},
+}
+
+
+def test_says_what_the_command_says(program: Run) -> None:
+    run = program("size", PRESS, "--json")
+    assert run.returncode == 0, run.stderr
+    printed = json.loads(run.stdout)["candidates"]
+    result = rs.size(PRESS)
+    assert [row.name for row in result.candidates] == [row["name"] for row in printed]
+    frame = result.to_frame()
+    assert list(frame["rank"]) == list(range(1, len(printed) + 1))
+    assert list(frame["motor_rms_torque_Nm"]) == [row["motor_rms_torque_Nm"] for row in printed]
+    criteria = result.criteria_frame()
+    assert set(criteria["status"]) <= {"pass", "fail", "not_computed", "not_applicable", "skipped"}
+    assert len(criteria) == sum(len(row["criteria"]) for row in printed)
+
+
+def test_takes_a_dictionary_and_changes_of_it() -> None:
+    result = rs.size(LIFT)
+    assert len(result.candidates) == 2
+    force = result.requirement.segments[1].axial_force_N
+    assert force == pytest.approx(8000.0 + 50.0 * 9.80665, rel=1e-12)
+    heavier = rs.size(LIFT, set={"load.moved_mass": "100 kg"})
+    assert heavier.requirement.segments[1].axial_force_N == pytest.approx(
+        8000.0 + 100.0 * 9.80665, rel=1e-12
+    )
+
+
+def test_a_case_is_no_requirement(tmp_path: Path) -> None:
+    with pytest.raises(rs.InputError, match="mechanism"):
+        rs.size(CONFIGS / "01_config_1_to_3.yaml")
+    with pytest.raises(rs.InputError, match="moved_mas"):
+        rs.size({**LIFT, "load": {"moved_mas": "50 kg"}})
