@@ -6,9 +6,8 @@ import json
 from pathlib import Path
 
 import pytest
-from conftest import CONFIGS, Run
-
 import rollerscrew as rs
+from conftest import CONFIGS, Run
 
 PRESS = CONFIGS / "32_press.yaml"
 #: An axis that moves 50 kg up and down.
