@@ -75,12 +75,13 @@ def lesson(which: int | str) -> Case:
 
 
 def lessons() -> dict[str, str]:
-    """Names of the lessons, each with what it is about."""
+    """Names of the lessons that are cases, each with what it is about."""
     found = {}
     for file in sorted(_shared("lessons").glob("[0-9]*.yaml")):
-        with file.open(encoding="utf-8") as opened:
-            title = opened.readline()
-        found[file.stem] = title.partition(": ")[2].strip().removesuffix(".")
+        text = file.read_text(encoding="utf-8")
+        if "\nmechanism:" in text:
+            title = text.partition("\n")[0]
+            found[file.stem] = title.partition(": ")[2].strip().removesuffix(".")
     return found
 
 
