@@ -108,7 +108,7 @@ std::string commands_with(const std::string& option, const CLI::App& program) {
   for (const CLI::App* command : program.get_subcommands({}))
     if (command->get_option_no_throw(option) != nullptr)
       names.push_back(fmt::format("`{}`", path_of(*command)));
-  return names.size() > 2 ? "" : fmt::format("{}", fmt::join(names, " or "));
+  return names.size() > 3 ? "" : fmt::format("{}", fmt::join(names, " or "));
 }
 
 std::string unknown_command(std::string_view word, const std::string& program,
