@@ -9,8 +9,8 @@
 
 namespace {
 
-/// Beyond the designs that are kept for the document and the quantiles. 1 MB is 5 bytes for each
-/// of those that are more.
+/// Beyond the designs that are kept for the document and the quantiles. 1.5 MB is 4 bytes for each
+/// of those that are more; the heap grows by 1 MB at a time.
 TEST(StudyMemory, IsTheSameForMoreDesigns) {
   SKIP_UNDER_SANITIZERS();
   const auto peak = [](const std::string& samples) {
@@ -20,7 +20,7 @@ TEST(StudyMemory, IsTheSameForMoreDesigns) {
     EXPECT_EQ(run.wait(&use), 0);
     return use.ru_maxrss;  // [kB]
   };
-  EXPECT_NEAR(static_cast<double>(peak("400000")), static_cast<double>(peak("200000")), 1000.0);
+  EXPECT_NEAR(static_cast<double>(peak("600000")), static_cast<double>(peak("200000")), 1500.0);
 }
 
 }  // namespace
