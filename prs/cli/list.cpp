@@ -8,6 +8,7 @@
 #include "prs/measures/measures_analysis.h"
 #include "prs/run/document_schema.h"
 #include "prs/run/lists.h"
+#include "prs/size/requirement.h"
 #include "prs/text.h"
 
 namespace prs::cli {
@@ -39,8 +40,12 @@ std::vector<Item> command_items(const Options& options) {
 }
 
 /// What `--set` takes.
-std::vector<Item> input_items(const Options&) {
-  return each(input::input_keys(), [](auto& key) { return Item{key.path, key.meaning}; });
+std::vector<Item> key_items(const std::vector<input::InputKey>& keys) {
+  return each(keys, [](auto& key) { return Item{key.path, key.meaning}; });
+}
+std::vector<Item> input_items(const Options&) { return key_items(input::input_keys()); }
+std::vector<Item> requirement_items(const Options&) {
+  return key_items(input::input_keys(requirement_schema()));
 }
 
 std::string names(const std::vector<Item>& items) {
@@ -87,6 +92,7 @@ constexpr List kLists[] = {
     {"commands", "those that take a case; with FILE, those for which it is complete", true,
      command_items, [](const Options& o) { return names(command_items(o)); }},
     {"inputs", "keys of a case, as `--set` takes them", false, input_items},
+    {"requirement", "keys of a requirement of `prs size`", false, requirement_items},
     {"lubricants", "known by name", false, nullptr,
      [](const Options&) { return lubricants_table(); },
      [](const Options&) { return lubricants_json(); }},

@@ -101,7 +101,9 @@ struct ChoiceUnder {
 };
 
 /// A map with the keys that `fields(io, value)` lists.
-struct Block {};
+struct Block {
+  std::string_view example = {};  ///< For messages, where no key must stand.
+};
 
 /// A map whose keys are described in place, by `list(io)`.
 template <class List>
@@ -214,6 +216,7 @@ struct Field;
 struct MapValue {
   /// Calls with each key in turn, some of which depend on the values of those before.
   std::function<void(const std::function<void(const Field&)>&)> for_each;
+  std::string_view example = {};
 };
 
 struct ChoiceUnderKey {
@@ -390,8 +393,10 @@ Value value_of(T& member, const ChoiceUnder& kind) {
 }
 
 template <class T>
-Value value_of(T& block, const Block&) {
-  return {map_of([&block](const Fields& io) { fields(io, block); })};
+Value value_of(T& block, const Block& kind) {
+  MapValue map = map_of([&block](const Fields& io) { fields(io, block); });
+  map.example = kind.example;
+  return {std::move(map)};
 }
 template <class T, class L>
 Value value_of(T&, const Keys<L>& keys) {

@@ -103,6 +103,7 @@ Wanted wanted(const ChoiceUnderKey& under) {
 
 /// The keys that must stand, as an example.
 Wanted wanted(const MapValue& map) {
+  if (!map.example.empty()) return {"a map", std::string(map.example)};
   std::string keys;
   map.for_each([&](const Field& field) {
     if (field.presence.required)

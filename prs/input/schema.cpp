@@ -217,12 +217,14 @@ std::string without_places(std::string_view path) {
 }
 
 const std::vector<InputKey>& input_keys() {
-  static const std::vector<InputKey> keys = [] {
-    std::vector<InputKey> all;
-    add_keys(schema(), "", all);
-    return all;
-  }();
+  static const std::vector<InputKey> keys = input_keys(schema());
   return keys;
+}
+
+std::vector<InputKey> input_keys(const Json& schema) {
+  std::vector<InputKey> all;
+  add_keys(schema, "", all);
+  return all;
 }
 
 Json schema_of(std::string_view title, const Value& description) {

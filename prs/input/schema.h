@@ -20,7 +20,8 @@ struct InputKey {
 /// The path without what stands in brackets: `load_cases.axial_force`.
 std::string without_places(std::string_view path);
 
-/// All of them, in the order of the schema.
+/// All of them, in the order of the schema: of one, and of a case.
+std::vector<InputKey> input_keys(const nlohmann::ordered_json& schema);
 const std::vector<InputKey>& input_keys();
 
 }  // namespace prs::input

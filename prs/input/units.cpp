@@ -151,6 +151,7 @@ const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
 const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K",
                                   kThermalExpansion};
 const Dimension duration{"a duration", "1 h", "s", kDuration};
+const Dimension hours{"a duration", "20000 h", "h", kDuration};
 const Dimension share{"a share", "95 %", "%", kShare};
 const Dimension mass{"a mass", "12 kg", "kg", kMass};
 const Dimension speed{"a speed", "150000 mm/min", "mm/min", kSpeed};

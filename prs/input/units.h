@@ -74,6 +74,7 @@ extern const Dimension torque;
 extern const Dimension temperature;
 extern const Dimension thermal_expansion;
 extern const Dimension duration;
+extern const Dimension hours;  ///< Durations that are shown in hours.
 extern const Dimension share;
 extern const Dimension wear;
 extern const Dimension thermal_conductance;

@@ -190,7 +190,7 @@ void fields(const Fields& io, Requirement::Shaft& s) {
 }
 
 void fields(const Fields& io, Requirement::Life& l) {
-  io("hours", l.hours, Quantity{unit::duration, positive, "20000 h"}, "Least, rests included");
+  io("hours", l.hours, Quantity{unit::hours, positive, "20000 h"}, "Least, rests included");
   io("distance", l.distance, Quantity{unit::distance, positive},
      "Least travel, in place of `hours`");
   io("reliability", l.reliability, Quantity{unit::share, Bounds{.least = 0.90, .greatest = 0.99}},
@@ -212,8 +212,7 @@ void fields_without(const Fields& io, T& block, std::initializer_list<std::strin
 void fields(const Fields& io, Requirement::Limits& l) {
   fields_without(io, static_cast<Limits&>(l), {"life", "peak_pressure"});
   io("back_driving", l.back_driving, Choice{}, "Whether the load may turn the screw");
-  io("relubrication", l.relubrication, Quantity{unit::duration, positive, "500 h"},
-     "Least interval");
+  io("relubrication", l.relubrication, Quantity{unit::hours, positive, "500 h"}, "Least interval");
 }
 
 void fields(const Fields& io, Requirement::Motor& m) {
@@ -248,7 +247,8 @@ void fields(const Fields& io, Requirement::Designs& d) {
 }
 
 void fields(const Fields& io, Requirement& r) {
-  io("motion", r.motion, Block{}, required, "One cycle, which is repeated");
+  io("motion", r.motion, Block{"{loads: [{force: 12 kN, speed: 200 mm/s, share: 100 %}]}"},
+     required, "One cycle, which is repeated");
   io("load", r.load, Block{}, "What moves, and what resists");
   io("stroke", r.stroke, Quantity{unit::length, positive, "650 mm"},
      "By default the way between the extreme positions of the cycle");
@@ -257,7 +257,7 @@ void fields(const Fields& io, Requirement& r) {
        measures("shaft", r.shaft, Block{}, "Of the screw, for buckling and critical speed");
      }},
      "As in a case");
-  io("life", r.life, Block{}, "Life that is asked for");
+  io("life", r.life, Block{"{hours: 20000 h}"}, "Life that is asked for");
   io("limits", r.limits, Block{}, "What candidates are held against");
   io("motor", r.motor, Block{}, "Without a limit there is no criterion");
   io("brake", r.brake_torque, Keys{[&](const Fields& brake) {
@@ -316,7 +316,7 @@ void complete(Requirement& r) {
   }
   if (!r.lubricant->temperature && !r.lubricant->viscosity)
     r.lubricant->temperature = CaseLubricant{}.temperature;
-  if (!r.roughness) r.roughness = {0.2e-6, 0.2e-6, 0.2e-6};
+  if (!r.roughness) r.roughness = {2e-7, 2e-7, 2e-7};
 }
 
 /// What values contradict.

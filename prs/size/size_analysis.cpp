@@ -573,8 +573,7 @@ std::string criteria_rows(const SizedCandidate& c) {
     std::string line =
         "  " +
         padded(words_of(k.name) + (k.unit.empty() ? "" : fmt::format(", {}", k.unit)), 30, true);
-    for (const std::optional<double>& value : {k.value, k.limit})
-      line += padded(significant(value, 6), 10, false);
+    line += padded(significant(k.value, 4), 10, false) + padded(significant(k.limit, 6), 10, false);
     line += padded(significant(k.margin, 4), 9, false) + "  ";
     if (k.status != CriterionStatus::pass) line += words_of(name(k.status)) + " ";
     line += k.margin ? bar(*k.margin) : k.reason;
