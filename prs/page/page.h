@@ -27,7 +27,7 @@ struct Report {
 /// nothing. Throws InputError where the case is wrong.
 Report make_report(const input::Source& source, const PageOptions& options = {});
 
-/// The engine for the page, a WebAssembly module, gzipped; empty where this build has none.
+/// The engine for the page, a WebAssembly module, packed as .lzma; empty where this build has none.
 std::string_view page_engine();
 
 }  // namespace prs
