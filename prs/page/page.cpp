@@ -15,7 +15,9 @@ PRS_EMBED(panel, PRS_PAGE_FOLDER "/panel.html")
 PRS_EMBED(thread_form, PRS_PAGE_FOLDER "/thread.html")
 PRS_EMBED(scripts, PRS_PAGE_FOLDER "/scripts.html")
 PRS_EMBED(style_sheet, PRS_PAGE_FOLDER "/page.css")
-PRS_EMBED(script, PRS_PAGE_FOLDER "/page.js")
+PRS_EMBED(report_script, PRS_PAGE_FOLDER "/report.js.gz")
+PRS_EMBED(report_hash, PRS_PAGE_FOLDER "/report.hash")
+PRS_EMBED(start, PRS_PAGE_FOLDER "/start.js")
 PRS_EMBED(worker, PRS_PAGE_FOLDER "/worker.js")
 PRS_EMBED(loader, PRS_PAGE_LOADER)
 PRS_EMBED(engine, PRS_PAGE_ENGINE)
@@ -131,11 +133,12 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
   std::string data = data_block("data", parts.shown);
   if (live)
     data += data_block("case", case_of(source)) + data_block("threads", parts.threads) +
-            fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine), script());
+            fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine),
+                        base85(report_script()), start());
   const std::string policy =
       live ? fmt::format(
-                 "; script-src '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
-                 policy_hash(script()))
+                 "; script-src '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
+                 policy_hash(start()), report_hash())
            : "";
   return fmt::format(
       fmt::runtime(page()),

@@ -1,0 +1,57 @@
+// The engine of the page, in workers.
+
+const element = (id) => document.getElementById(id);
+let workerUrl = null;
+
+/** One worker with the engine: questions in, answers out, in their order. */
+export class Engine {
+  constructor() {
+    workerUrl ??= URL.createObjectURL(
+      new Blob([element('worker').textContent], { type: 'text/javascript' }),
+    );
+    this.waiting = [];
+    this.worker = new Worker(workerUrl);
+    this.worker.onmessage = (event) => this.waiting.shift()(event.data);
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      const answer = { status: 1, messages: [`The engine stopped: ${event.message}`] };
+      for (const take of this.waiting.splice(0)) take(answer);
+    };
+    this.worker.postMessage(element('engine').textContent);
+  }
+
+  ask(question) {
+    return new Promise((resolve) => {
+      this.waiting.push(resolve);
+      this.worker.postMessage(question);
+    });
+  }
+
+  /** Ends it, also in the middle of an answer; what it was asked stays without one. */
+  end() {
+    this.worker.terminate();
+  }
+}
+
+/** Asks one question at a time; of those that come meanwhile, the last. */
+export class Latest {
+  constructor(take) {
+    this.engine = null;
+    this.take = take;
+    this.next = null;
+    this.busy = false;
+  }
+
+  async put(make) {
+    this.next = make;
+    if (this.busy) return;
+    this.busy = true;
+    this.engine ??= new Engine();
+    while (this.next) {
+      const question = this.next();
+      this.next = null;
+      this.take(await this.engine.ask(question), question);
+    }
+    this.busy = false;
+  }
+}

@@ -1,0 +1,2 @@
+// The workbench.
+globalThis.prs = {};
