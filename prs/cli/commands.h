@@ -83,6 +83,8 @@ int optimize(const Options& options);
 int report(const Options& options);
 /// The same page, written to a temporary folder where no file is named, and opened.
 int explore(const Options& options);
+/// Writes the whole program as one page, with or without a file to start with.
+int workbench(const Options& options);
 /// Writes models of the screw for other programs.
 int export_model(const Options& options);
 int schema(const Options& options);

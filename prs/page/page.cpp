@@ -1,14 +1,19 @@
 #include "prs/page/page.h"
 
 #include <nettle/base64.h>
+#include <zlib.h>
 
 #include <cctype>
 
 #include "prs/embed.h"
 #include "prs/input/force_history.h"
+#include "prs/input/schema.h"
+#include "prs/report/findings.h"
 #include "prs/run/commands.h"
+#include "prs/run/lists.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
+#include "prs/version.h"
 
 PRS_EMBED(page, PRS_PAGE_FOLDER "/page.html")
 PRS_EMBED(panel, PRS_PAGE_FOLDER "/panel.html")
@@ -19,6 +24,10 @@ PRS_EMBED(report_script, PRS_PAGE_FOLDER "/report.js.gz")
 PRS_EMBED(report_hash, PRS_PAGE_FOLDER "/report.hash")
 PRS_EMBED(start, PRS_PAGE_FOLDER "/start.js")
 PRS_EMBED(worker, PRS_PAGE_FOLDER "/worker.js")
+PRS_EMBED(workbench_frame, PRS_PAGE_FOLDER "/workbench.html")
+PRS_EMBED(workbench_style, PRS_PAGE_FOLDER "/workbench.css")
+PRS_EMBED(workbench_script, PRS_PAGE_FOLDER "/workbench.js.gz")
+PRS_EMBED(workbench_hash, PRS_PAGE_FOLDER "/workbench.hash")
 PRS_EMBED(loader, PRS_PAGE_LOADER)
 PRS_EMBED(engine, PRS_PAGE_ENGINE)
 
@@ -52,6 +61,23 @@ std::string base85(std::string_view bytes) {
     text.append(five.data(), five.size());
   }
   return text;
+}
+
+std::string gzip(std::string text) {
+  z_stream stream{};
+  constexpr int kGzip = 16 + MAX_WBITS, kMemory = 9;
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY) !=
+      Z_OK)
+    throw std::bad_alloc();
+  std::string packed(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(text.data());
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
 }
 
 /// As policies name a style or a script by its text.
@@ -115,6 +141,13 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
       section.id, section.title, section.body, hidden ? " hidden" : "", before);
 }
 
+/// What lets a page run its scripts, of which one is packed in it.
+std::string script_policy(std::string_view packed_hash) {
+  return fmt::format(
+      "; script-src '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
+      policy_hash(start()), packed_hash);
+}
+
 /// The whole file. `engine` is empty for a page without scripts.
 std::string page_html(const input::Source& source, const ReportParts& parts,
                       std::string_view engine) {
@@ -135,11 +168,7 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
     data += data_block("case", case_of(source)) + data_block("threads", parts.threads) +
             fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine),
                         base85(report_script()), start());
-  const std::string policy =
-      live ? fmt::format(
-                 "; script-src '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
-                 policy_hash(start()), report_hash())
-           : "";
+  const std::string policy = live ? script_policy(report_hash()) : "";
   return fmt::format(
       fmt::runtime(page()),
       fmt::arg("units", table_system() == UnitSystem::us ? " data-units=\"us\"" : ""),
@@ -156,6 +185,39 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
 }  // namespace
 
 std::string_view page_engine() { return engine(); }
+
+std::string workbench_page(const std::optional<input::Source>& opened,
+                           const std::vector<NamedText>& lessons) {
+  Json data{{"version", kVersion},
+            {"schemas", {{"case", input::schema()}}},
+            {"units", units_json()["units"]},
+            {"lubricants", lubricants_json()["lubricants"]},
+            {"responses", responses_json(known_responses())["responses"]},
+            {"commands", Json::array()},
+            {"sections", Json::array()},
+            {"lessons", Json::array()},
+            {"opened", nullptr}};
+  for (const OtherFile& file : other_files()) {
+    data["schemas"][std::string(file.name)] = file.schema();
+    data["commands"].push_back({{"name", name(file.command)}, {"help", file.help}, {"key", file.key}});
+  }
+  for (const AnyAnalysis& row : analyses())
+    if (row.run) data["commands"].push_back({{"name", name(row.command)}, {"help", row.help}});
+  for (const SectionRow& row : section_rows())
+    data["sections"].push_back({{"id", row.id}, {"title", row.title}});
+  for (const NamedText& lesson : lessons)
+    data["lessons"].push_back(
+        {{"name", lesson.name}, {"title", lesson.title}, {"text", lesson.text}});
+  if (opened) data["opened"] = case_of(*opened);
+  const std::string style =
+      std::string(style_sheet()) + svg_style() + std::string(workbench_style());
+  return fmt::format(fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
+                     fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),
+                     fmt::arg("loader", loader()), fmt::arg("worker", worker()),
+                     fmt::arg("engine", base85(engine())),
+                     fmt::arg("data", base85(gzip(data.dump()))),
+                     fmt::arg("script", base85(workbench_script())), fmt::arg("start", start()));
+}
 
 Report make_report(const input::Source& source, const PageOptions& options) {
   const bool live = options.live && !other_file(source);

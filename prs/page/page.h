@@ -27,6 +27,16 @@ struct Report {
 /// nothing. Throws InputError where the case is wrong.
 Report make_report(const input::Source& source, const PageOptions& options = {});
 
+/// A file by its name.
+struct NamedText {
+  std::string name, title, text;
+};
+
+/// The whole program as one page. `opened` is what it starts with, empty for the choice of a start;
+/// `lessons` are those that it offers, with the files that they read.
+std::string workbench_page(const std::optional<input::Source>& opened,
+                           const std::vector<NamedText>& lessons);
+
 /// The engine for the page, a WebAssembly module, packed as .lzma; empty where this build has none.
 std::string_view page_engine();
 
