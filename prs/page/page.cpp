@@ -190,7 +190,7 @@ std::string workbench_page(const std::optional<input::Source>& opened,
                            const std::vector<NamedText>& lessons) {
   Json data{{"version", kVersion},
             {"schemas", {{"case", input::schema()}}},
-            {"units", units_json()["units"]},
+            {"units", units_json()["quantities"]},
             {"lubricants", lubricants_json()["lubricants"]},
             {"responses", responses_json(known_responses())["responses"]},
             {"commands", Json::array()},
