@@ -37,7 +37,7 @@ struct NamedText {
 std::string workbench_page(const std::optional<input::Source>& opened,
                            const std::vector<NamedText>& lessons);
 
-/// The engine for the page, a WebAssembly module, gzipped; empty where this build has none.
+/// The engine for the page, a WebAssembly module, packed as .lzma; empty where this build has none.
 std::string_view page_engine();
 
 }  // namespace prs

@@ -3,6 +3,9 @@
 const element = (id) => document.getElementById(id);
 let workerUrl = null;
 
+/** The module as the first worker compiles it, for all others; null where it did not. */
+let compiled = null;
+
 /** One worker with the engine: questions in, answers out, in their order. */
 export class Engine {
   constructor() {
@@ -11,16 +14,24 @@ export class Engine {
     );
     this.waiting = [];
     this.worker = new Worker(workerUrl);
-    this.worker.onmessage = (event) => this.waiting.shift()(event.data);
+    this.worker.onmessage = ({ data }) =>
+      data.engine === undefined ? this.waiting.shift()(data) : this.pass(data.engine);
+    this.worker.onmessageerror = () => this.pass(null);
     this.worker.onerror = (event) => {
       event.preventDefault();
       const answer = { status: 1, messages: [`The engine stopped: ${event.message}`] };
       for (const take of this.waiting.splice(0)) take(answer);
+      this.pass(null);
     };
-    this.worker.postMessage(element('engine').textContent);
+    this.pass = () => {};
+    this.started = (compiled ?? Promise.resolve(null)).then((module) =>
+      this.worker.postMessage(module ?? element('engine').textContent),
+    );
+    compiled ??= new Promise((resolve) => (this.pass = resolve));
   }
 
-  ask(question) {
+  async ask(question) {
+    await this.started;
     return new Promise((resolve) => {
       this.waiting.push(resolve);
       this.worker.postMessage(question);
@@ -30,6 +41,7 @@ export class Engine {
   /** Ends it, also in the middle of an answer; what it was asked stays without one. */
   end() {
     this.worker.terminate();
+    this.pass(null);
   }
 }
 

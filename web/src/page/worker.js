@@ -1,8 +1,20 @@
-// The engine in a worker. The first message is the module, gzipped, in base 85; each further one a
-// question, whose answer is posted, both as objects. `loadEngine` stands in prs/engine/engine.js.
-import { unpacked } from './packed.js';
+// The engine in a worker. The first message is the module, compiled or as it stands in the page, in
+// base 85: then the compiled one is posted, for further workers. Each further message is a question,
+// whose answer is posted, both as objects. `loadEngine` stands in prs/engine/engine.js.
+import { bytesOf } from './packed.js';
 
-const start = async (text) => loadEngine(await unpacked(text).arrayBuffer());
+async function start(source) {
+  if (source instanceof WebAssembly.Module) return loadEngine(source);
+  let module = null;
+  try {
+    module = await WebAssembly.compile(unpackEngine(bytesOf(source)));
+    postMessage({ engine: module });
+  } catch (error) {
+    postMessage({ engine: null });
+    if (!module) throw error;
+  }
+  return loadEngine(module);
+}
 
 let engine = null;
 
