@@ -190,7 +190,7 @@ std::string workbench_page(const std::optional<input::Source>& opened,
                            const std::vector<NamedText>& lessons) {
   Json data{{"version", kVersion},
             {"schemas", {{"case", input::schema()}}},
-            {"units", units_json()["units"]},
+            {"units", units_json()["quantities"]},
             {"lubricants", lubricants_json()["lubricants"]},
             {"responses", responses_json(known_responses())["responses"]},
             {"commands", Json::array()},
@@ -199,7 +199,8 @@ std::string workbench_page(const std::optional<input::Source>& opened,
             {"opened", nullptr}};
   for (const OtherFile& file : other_files()) {
     data["schemas"][std::string(file.name)] = file.schema();
-    data["commands"].push_back({{"name", name(file.command)}, {"help", file.help}, {"key", file.key}});
+    data["commands"].push_back(
+        {{"name", name(file.command)}, {"help", file.help}, {"key", file.key}});
   }
   for (const AnyAnalysis& row : analyses())
     if (row.run) data["commands"].push_back({{"name", name(row.command)}, {"help", row.help}});
