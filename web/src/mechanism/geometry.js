@@ -80,13 +80,16 @@ export const rollerTurn = (d, roller) => azimuth(d, roller) * (1 - d.nut.lead / 
 /** Where the screw's groove is at the azimuth 0: there a roller's thread, half a turn from the nut. */
 export const screwTooth = (d) => d.first + d.roller.lead / 2 + d.pitch / 2;
 
+/** How far the contacts of a roller stand from whole pitches after its first thread, along the axis. */
+export const contactShift = (d, side, roller) =>
+  wrapped((d.nut.lead * azimuth(d, roller)) / turn + (side === 'screw' ? d.roller.lead / 2 : 0), d.pitch);
+
 /** Place of a contact, and the direction along its flank: x and radially outwards. */
 export function contactPlace(d, side, roller, thread) {
   const phi = azimuth(d, roller);
   const outwards = side === 'nut' ? 1 : -1; // Of the roller's tooth.
   const flank = (side === 'screw') === (d.direction === 'tension') ? 1 : -1;
-  const shift = (d.nut.lead * phi) / turn + (side === 'screw' ? d.roller.lead / 2 : 0);
-  const x = d.first + thread * d.pitch + wrapped(shift, d.pitch) + (flank * d.pitch) / 4;
+  const x = d.first + thread * d.pitch + contactShift(d, side, roller) + (flank * d.pitch) / 4;
   const norm = Math.hypot(1, d.roller.slope);
   return {
     x, phi, radius: d.centreDistance + outwards * d.roller.radius,

@@ -29,12 +29,14 @@ function themeOf(element) {
 let count = 0;
 
 /**
- * Draws `document` into the element. Throws where there is no WebGL, and leaves the element as it was.
+ * Draws `document` into the element; null where there is no WebGL, with the element as it was.
  * `onThread({load_case, roller, thread})`, all from 0, is told of a thread that the reader chose.
  */
 export function mount(element, { document: first, loadCase = 0, onThread = () => {}, texts = english, link = null }) {
   const id = `mechanism-view-${++count}`;
   const canvas = make('canvas', { tabIndex: 0, attributes: { role: 'img', 'aria-describedby': `${id}-help` } });
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
+  if (!context) return null;
   const choice = (label, select) => make('label', {}, `${label} `, select);
   const cases = make('select');
   const colours = make('select');
@@ -57,7 +59,7 @@ export function mount(element, { document: first, loadCase = 0, onThread = () =>
   let view = null;
   let data = first;
   let chosen = null;
-  view = new View(canvas, { theme: themeOf(element), onPick: (picked) => pick(picked) });
+  view = new View(canvas, context, { theme: themeOf(element), onPick: (picked) => pick(picked) });
 
   const box = make('div', { className: 'mechanism-view' },
     make('div', { className: 'picture' }, canvas),
@@ -143,13 +145,17 @@ export function mount(element, { document: first, loadCase = 0, onThread = () =>
 
   /** Shows a thread as chosen, without telling the page. */
   function select(picked) {
-    chosen = picked;
+    chosen = picked && { roller: many() ? picked.roller : 0, thread: picked.thread };
+    if (picked?.load_case !== undefined && Number(cases.value) !== picked.load_case) {
+      cases.value = picked.load_case;
+      paint();
+    }
     view.choose(picked && { roller: many() ? picked.roller : null, thread: picked.thread });
     tell();
   }
 
   function pick(picked) {
-    select(many() ? picked : { ...picked, roller: 0 });
+    select(picked);
     onThread({ load_case: Number(cases.value) || 0, ...chosen });
   }
 
@@ -198,12 +204,7 @@ export function mount(element, { document: first, loadCase = 0, onThread = () =>
     else view.choose(null);
   }
 
-  try {
-    update(first, loadCase);
-  } catch (error) {
-    dispose();
-    throw error;
-  }
+  update(first, loadCase);
 
   function dispose() {
     view.dispose();

@@ -2,12 +2,13 @@
 import {
   BufferAttribute, BufferGeometry, Color, DirectionalLight, DynamicDrawUsage, Group, HemisphereLight, InstancedMesh,
   Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, Quaternion, Raycaster, Scene,
-  ShapeUtils, SphereGeometry, Vector2, Vector3, WebGLRenderer, BackSide, DoubleSide,
+  DataTexture, InstancedBufferAttribute, ShapeUtils, SphereGeometry, Vector2, Vector3, Vector4, WebGLRenderer,
+  BackSide, DoubleSide,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 import {
-  azimuth, contactPlace, nutLine, nutSection, revolvedMesh, rollerLines, rollerTurn, screwLine, screwTooth, threadAt,
+  azimuth, contactPlace, contactShift, nutLine, nutSection, revolvedMesh, rollerLines, rollerTurn, screwLine, screwTooth, threadAt,
   threadMesh,
 } from './geometry.js';
 import { sides } from './numbers.js';
@@ -56,25 +57,58 @@ function nutFace(d, phi, outwards) {
   };
 }
 
+/**
+ * Rollers whose threads have the colours of their contacts where they touch screw and nut, fading
+ * out between: from a texture with a column per thread, and two rows per roller, screw and nut.
+ */
+function rollerMaterial(colour, uniforms) {
+  const material = new MeshLambertMaterial({ color: colour });
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms);
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', `#include <common>
+        attribute vec2 shift;
+        uniform sampler2D colours;
+        uniform vec4 threads; // First thread, pitch, number, root.
+        varying vec4 vContact;`)
+      .replace('#include <begin_vertex>', `#include <begin_vertex>
+        vec2 arm = (mat3(instanceMatrix) * vec3(0.0, position.yz)).yz;
+        float towards = dot(arm, normalize(instanceMatrix[3].yz)) / max(length(arm), 1e-6);
+        bool atNut = towards > 0.0;
+        float thread = floor((position.x - threads.x - (atNut ? shift.y : shift.x)) / threads.y + 0.5);
+        vContact = vec4(0.0);
+        if (thread >= 0.0 && thread < threads.z && length(arm) > 0.999 * threads.w) {
+          vContact = texelFetch(colours, ivec2(int(thread), 2 * gl_InstanceID + int(atNut)), 0);
+          vContact.a *= smoothstep(0.1, 0.9, abs(towards));
+        }`);
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', '#include <common>\nvarying vec4 vContact;')
+      .replace('#include <color_fragment>', `#include <color_fragment>
+        diffuseColor.rgb = mix(diffuseColor.rgb, vContact.rgb, vContact.a);`);
+  };
+  return material;
+}
+
 export class View {
-  /** Throws where there is no WebGL. `theme` gives colours: `paper`, parts, `scale` of numbers, `chosen`. */
-  constructor(canvas, { onPick, theme }) {
+  /** `theme` gives colours: of parts, the `scale` of numbers, `quiet` of what has none, `chosen`. */
+  constructor(canvas, context, { onPick, theme }) {
     this.canvas = canvas;
     this.theme = theme;
     this.onPick = onPick;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(28, 2, 1, 1e4);
     this.lights = new Group();
-    const sky = new HemisphereLight(0xffffff, 0x8a8f96, 1.7);
+    const sky = new HemisphereLight(0xffffff, 0xa9aeb4, 1.9);
     const sun = new DirectionalLight(0xffffff, 1.9);
     sun.position.set(-0.4, 1, 0.8);
     this.lights.add(sky, sun);
     this.camera.add(sun);
     this.scene.add(sky, this.camera);
+    this.uniforms = { colours: { value: null }, threads: { value: new Vector4() } };
     this.materials = {
       screw: new MeshLambertMaterial({ color: theme.screw }),
-      rollers: new MeshLambertMaterial({ color: theme.rollers }),
+      rollers: rollerMaterial(theme.rollers, this.uniforms),
       nut: new MeshLambertMaterial({ color: theme.nut, side: DoubleSide }),
       contacts: new MeshLambertMaterial({ color: 0xffffff, emissive: 0x333333 }),
       chosen: new MeshBasicMaterial({ color: theme.chosen, side: BackSide }),
@@ -97,7 +131,7 @@ export class View {
     on('webglcontextlost', (event) => event.preventDefault());
     on('webglcontextrestored', () => this.draw());
     this.sizes = new ResizeObserver(() => this.resize());
-    this.sizes.observe(canvas.parentElement);
+    this.sizes.observe(canvas);
   }
 
   /** Draws the mechanism anew where its sizes are others. */
@@ -145,6 +179,11 @@ export class View {
       matrix.setPosition(0, d.centreDistance * Math.cos(phi), d.centreDistance * Math.sin(phi));
       this.rollers.setMatrixAt(at, matrix);
     });
+    const shifts = this.places.flatMap((k) => sides.map((side) => contactShift(d, side, k)));
+    roller.setAttribute('shift', new InstancedBufferAttribute(new Float32Array(shifts), 2));
+    this.uniforms.threads.value.set(d.first, d.pitch, d.contacts, d.roller.low);
+    this.uniforms.colours.value?.dispose();
+    this.uniforms.colours.value = new DataTexture(new Uint8Array(8 * d.contacts * this.places.length), d.contacts, 2 * this.places.length);
     this.contacts = new InstancedMesh(new SphereGeometry(1, 8, 6), this.materials.contacts, 2 * this.places.length * d.contacts);
     this.contacts.instanceMatrix.setUsage(DynamicDrawUsage);
     this.chosen = new InstancedMesh(this.contacts.geometry, this.materials.chosen, 2 * this.places.length);
@@ -171,14 +210,18 @@ export class View {
     const { d } = this;
     const colour = new Color();
     const none = new Color(this.theme.quiet);
+    const { image: { data: texture } } = this.uniforms.colours.value;
     let at = 0;
     for (const roller of this.places)
       for (const side of sides)
         for (let thread = 0; thread < d.contacts; thread++, at++) {
           const share = this.colours.contacts(side, roller, thread);
-          this.contacts.setColorAt(at, share === null ? none : this.scale(share, colour));
+          const shown = share === null ? none : this.scale(share, colour);
+          this.contacts.setColorAt(at, shown);
+          texture.set([shown.r, shown.g, shown.b, share === null ? 0 : 0.8].map((part) => Math.round(255 * part)), 4 * at);
           this.contacts.setMatrixAt(at, this.patch(side, roller, thread, share));
         }
+    this.uniforms.colours.value.needsUpdate = true;
     this.contacts.instanceMatrix.needsUpdate = true;
     this.contacts.instanceColor.needsUpdate = true;
     this.contacts.computeBoundingSphere();
@@ -235,19 +278,27 @@ export class View {
     const { d } = this;
     const middle = (Math.min(0, d.screw.from) + Math.max(d.nut.length, d.screw.to)) / 2;
     this.controls.target.set(middle, 0, 0);
-    this.camera.position.set(middle - 0.62, 0.5, 0.9).sub(this.controls.target).normalize();
-    this.camera.position.multiplyScalar(this.distance()).add(this.controls.target);
+    const towards = new Vector3(-0.5, 0.55, 0.95).normalize();
+    this.camera.position.copy(towards).multiplyScalar(this.distance(towards)).add(this.controls.target);
     this.controls.update();
     this.draw();
   }
 
-  /** From which the whole mechanism is seen. */
-  distance() {
+  /** From the middle to where the whole mechanism is seen in that direction. */
+  distance(towards) {
     const { d, camera } = this;
-    const radius = Math.max(...d.nut.outer.map(([, , r]) => r));
-    const half = Math.tan((camera.fov / 2) * degree);
-    const along = (d.screw.to - d.screw.from) / 2;
-    return 1.08 * Math.max((0.85 * along + 0.6 * radius) / (half * camera.aspect), (radius + 0.3 * along) / half);
+    const right = new Vector3().crossVectors(camera.up, towards).normalize();
+    const up = new Vector3().crossVectors(towards, right);
+    const half = 0.96 * Math.tan((camera.fov / 2) * degree);
+    const ends = [[d.screw.from, d.screw.high], [d.screw.to, d.screw.high], ...d.nut.outer.flatMap(([from, to, r]) => [[from, r], [to, r]])];
+    let distance = 0;
+    for (const [x, r] of ends)
+      for (let k = 0; k < 16; k++) {
+        const point = new Vector3(x, r * Math.cos((k * Math.PI) / 8), r * Math.sin((k * Math.PI) / 8)).sub(this.controls.target);
+        const across = Math.max(Math.abs(point.dot(right)) / camera.aspect, Math.abs(point.dot(up)));
+        distance = Math.max(distance, point.dot(towards) + across / half);
+      }
+    return distance;
   }
 
   turn(across, up) {
@@ -272,7 +323,7 @@ export class View {
     const before = this.camera.aspect;
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.near = 0.5;
-    this.camera.far = 20 * this.distance();
+    this.camera.far = 100 * (this.d.screw.to - this.d.screw.from);
     this.camera.updateProjectionMatrix();
     this.renderer.setPixelRatio(Math.min(2, globalThis.devicePixelRatio) * (this.level ? 0.75 : 1));
     this.renderer.setSize(clientWidth, clientHeight, false);
@@ -339,6 +390,7 @@ export class View {
     this.sizes.disconnect();
     this.controls.dispose();
     this.bodies?.traverse((object) => object.geometry?.dispose());
+    this.uniforms.colours.value?.dispose();
     for (const material of Object.values(this.materials)) material.dispose();
     this.renderer.dispose();
   }
