@@ -1,5 +1,6 @@
 // Bundles the pages' scripts into prs/page/live, see scripts/web.sh: report, workbench and the view of the
-// mechanism that both load when it is looked at, gzipped, each with the hash by which the page's policy names it; what starts them, and the worker, as they are.
+// mechanism, which both load when it is looked at, gzipped, each with the hash by which the page's policy
+// names it; what starts them, and the worker, as they are.
 import { createHash } from 'node:crypto';
 import { writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';

@@ -33,7 +33,7 @@ std::string content_of_file(const fs::path& file) {
 
 /// The lesson, and next to it the files that it reads.
 void copy_lesson(const Lesson& lesson, const fs::path& file) {
-  const std::vector<std::string> names = companions(lesson);
+  const std::vector<std::string> names = companions(input::load_source(lesson.file.string(), {}));
   refuse_existing(file);
   for (const std::string& name : names) refuse_existing(file.parent_path() / name);
   for (const std::string& name : names)

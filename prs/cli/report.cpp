@@ -145,16 +145,19 @@ int workbench(const Options& options) {
   } else if (!options.overrides.empty()) {
     fail_option("--set", "got a value and no FILE; expected the case that it changes");
   }
-  std::vector<NamedText> carried;
+  std::vector<NamedText> texts;
+  const auto add_companions = [&](const input::Source& source) {
+    const std::filesystem::path folder = std::filesystem::path(source.name).parent_path();
+    for (const std::string& name : companions(source))
+      texts.push_back({name, "", input::load_source((folder / name).string(), {}).text});
+  };
   for (const Lesson& lesson : lessons()) {
-    const auto text = [](const std::filesystem::path& file) {
-      return input::load_source(file.string(), {}).text;
-    };
-    carried.push_back({lesson.name, lesson.title, text(lesson.file)});
-    for (const std::string& name : companions(lesson))
-      carried.push_back({name, "", text(lesson.file.parent_path() / name)});
+    const input::Source source = input::load_source(lesson.file.string(), {});
+    texts.push_back({lesson.name, lesson.title, source.text});
+    add_companions(source);
   }
-  const std::string page = workbench_page(opened, carried);
+  if (opened) add_companions(*opened);
+  const std::string page = workbench_page(opened, texts);
   write_html(*options.report, page);
   if (!options.quiet)
     print(fmt::format("{}: {:.0f} kB\n", options.report->string(),

@@ -103,14 +103,19 @@ std::string data_block(const char* id, const Json& json) {
   return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, text);
 }
 
-/// What the page asks its engine about.
-Json case_of(const input::Source& source) {
-  const input::CaseInput in = input::read_case_input(source, Command::check);
+Json texts_of(const input::Source& source) {
   Json json{{"file", source.name}, {"yaml", source.text}, {"set", Json::array()}};
   for (const std::string& text : source.overrides) {
     const std::size_t equals = text.find('=');
     json["set"].push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
+  return json;
+}
+
+/// What the page asks its engine about.
+Json case_of(const input::Source& source) {
+  const input::CaseInput in = input::read_case_input(source, Command::check);
+  Json json = texts_of(source);
   json["histories"] = Json::object();
   if (in.values.life && in.values.life->history)
     json["histories"][in.values.life->history->file] =
@@ -196,7 +201,7 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
 std::string_view page_engine() { return engine(); }
 
 std::string workbench_page(const std::optional<input::Source>& opened,
-                           const std::vector<NamedText>& lessons) {
+                           const std::vector<NamedText>& texts) {
   Json data{{"version", kVersion},
             {"schemas", {{"case", input::schema()}}},
             {"units", units_json()["quantities"]},
@@ -215,10 +220,9 @@ std::string workbench_page(const std::optional<input::Source>& opened,
     if (row.run) data["commands"].push_back({{"name", name(row.command)}, {"help", row.help}});
   for (const SectionRow& row : section_rows())
     data["sections"].push_back({{"id", row.id}, {"title", row.title}});
-  for (const NamedText& lesson : lessons)
-    data["lessons"].push_back(
-        {{"name", lesson.name}, {"title", lesson.title}, {"text", lesson.text}});
-  if (opened) data["opened"] = case_of(*opened);
+  for (const NamedText& text : texts)
+    data["lessons"].push_back({{"name", text.name}, {"title", text.title}, {"text", text.text}});
+  if (opened) data["opened"] = texts_of(*opened);
   const std::string style = style_of_pages() + std::string(workbench_style());
   return fmt::format(fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
                      fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),

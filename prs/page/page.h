@@ -27,15 +27,14 @@ struct Report {
 /// nothing. Throws InputError where the case is wrong.
 Report make_report(const input::Source& source, const PageOptions& options = {});
 
-/// A file by its name.
 struct NamedText {
   std::string name, title, text;
 };
 
 /// The whole program as one page. `opened` is what it starts with, empty for the choice of a start;
-/// `lessons` are those that it offers, with the files that they read.
+/// `texts` are the lessons that it offers and, without a title, the files that cases name.
 std::string workbench_page(const std::optional<input::Source>& opened,
-                           const std::vector<NamedText>& lessons);
+                           const std::vector<NamedText>& texts);
 
 /// The engine for the page, a WebAssembly module, packed as .lzma; empty where this build has none.
 std::string_view page_engine();

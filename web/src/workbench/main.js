@@ -1,2 +1,48 @@
-// The workbench.
-globalThis.prs = {};
+// The workbench: the program as one page. Scripts and the browser's console drive it by `prs`.
+import { h, render } from 'preact';
+import { App } from './app.jsx';
+import {
+  addVariant, ask, current, onChange, open, page, redo, set, setLanguage, setUnits, state, undo,
+} from './store.js';
+
+const place = document.getElementById('workbench');
+const draw = () => render(h(App), place);
+onChange(draw);
+
+const answered = (v) => ({ status: v.status, messages: v.messages });
+
+globalThis.prs = {
+  open: async (yaml, file) => {
+    await open(String(yaml), file);
+    return answered(current());
+  },
+  yaml: () => current()?.text ?? '',
+  set: (path, text) => set(path, text),
+  undo: () => undo(),
+  redo: () => redo(),
+  ask: (question) => ask(question),
+  variants: () => state.variants.map(({ name, text }) => ({ name, yaml: text })),
+  addVariant: async (name) => {
+    await addVariant(name);
+    return answered(current());
+  },
+  study: async () => { throw new Error('not yet'); },
+  units: setUnits,
+  language: setLanguage,
+};
+
+document.addEventListener('keydown', (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+  const key = event.key.toLowerCase();
+  // Fields have an undo of their own while somebody types.
+  if (key === 'z' && !/^(INPUT|TEXTAREA)$/.test(event.target.tagName) && !event.target.shadowRoot) {
+    event.preventDefault();
+    (event.shiftKey ? redo : undo)();
+  }
+});
+
+draw();
+if (page.opened) {
+  for (const [name, text] of Object.entries(page.opened.histories)) state.files[name] = text;
+  open(page.opened.yaml, page.opened.file.replace(/^.*[\\/]/, ''));
+}

@@ -1,0 +1,400 @@
+// What the workbench knows: variants with their texts and undo, answers of the engine, choices of the
+// reader. Views are drawn anew after each `changed()`.
+import { Engine } from '../page/engine.js';
+import { unpacked } from '../page/packed.js';
+import { statedInputs, valueAt, withValue } from './case_text.js';
+import { nodeAt } from './schema.js';
+
+export const mostVariants = 4;
+const mostUndo = 200;
+const storageKey = 'prs-workbench';
+
+/** Lists and lessons that the page carries. */
+export const page = await unpacked(document.getElementById('data').textContent).json();
+
+const lessonFiles = Object.fromEntries(
+  page.lessons.filter((l) => !l.name.match(/^\d+_[^.]*$/) || !l.title).map((l) => [l.name, l.text]),
+);
+export const lessons = page.lessons.filter((l) => l.title);
+
+export const state = {
+  variants: [],
+  current: 0,
+  units: 'si',
+  language: 'en',
+  files: { ...lessonFiles }, // Texts of files that cases name.
+  view: 'results',
+  open: new Set(['mechanism', 'loads']), // Sections.
+  loadCase: 0,
+  busy: false,
+  trouble: '',
+  note: '',
+};
+
+let draw = () => {};
+export const onChange = (call) => (draw = call);
+let waits = false;
+export function changed() {
+  if (waits) return;
+  waits = true;
+  queueMicrotask(() => {
+    waits = false;
+    draw();
+  });
+}
+
+export const current = () => state.variants[state.current];
+
+/** The file that is no case, by its keys: a requirement; undefined for a case. */
+export const otherFile = (text) =>
+  /^mechanism\s*:/m.test(text)
+    ? undefined
+    : page.commands.find((c) => c.key && new RegExp(`^${c.key}\\s*:`, 'm').test(text));
+
+export const schemaOf = (text) => {
+  const other = otherFile(text);
+  return other ? page.schemas[Object.keys(page.schemas).find((name) => name !== 'case')] : page.schemas.case;
+};
+
+// The engine -------------------------------------------------------------------------------------
+
+/** Numbers in one worker, sections and pictures in another. */
+let numbers = null;
+let pictures = null;
+const engineOf = { numbers: () => (numbers ??= new Engine()), pictures: () => (pictures ??= new Engine()) };
+
+/** The files that a text names and the page has. */
+export const filesOf = (text) =>
+  Object.fromEntries(Object.entries(state.files).filter(([name]) => text.includes(name)));
+
+export const questionOf = (variant, more) => ({
+  yaml: variant.text,
+  file: variant.file,
+  histories: filesOf(variant.text),
+  set: [],
+  ...more,
+});
+
+const nothing = { status: 2, document: null, figures: [], messages: ['prs: error: no case is open; open one first'] };
+
+export function ask(more, variant = current(), of = 'numbers') {
+  if (more.command === 'new') return engineOf[of]().ask(more);
+  return variant ? engineOf[of]().ask(questionOf(variant, more)) : Promise.resolve(nothing);
+}
+
+/** Ends a long computation: its worker goes, the next question starts another. */
+export function stop() {
+  numbers?.end();
+  pictures?.end();
+  numbers = pictures = null;
+  state.busy = false;
+  refreshing = 0;
+  changed();
+}
+
+// Variants ---------------------------------------------------------------------------------------
+
+const variant = (name, file, text) => ({
+  name, file, text,
+  undone: [], done: [],
+  documents: {}, // Of commands, by their names.
+  sections: {}, head: '',
+  inputs: statedInputs(text, schemaOf(text)),
+  messages: [], status: 0, answered: '',
+});
+
+const nameOf = (file) => file.replace(/^.*[\\/]/, '').replace(/\.ya?ml$/i, '') || 'case';
+
+/** Begins anew with a text. */
+export function open(text, file = 'case.yaml') {
+  state.variants = [variant(nameOf(file), file, text)];
+  state.current = 0;
+  state.loadCase = 0;
+  state.note = '';
+  return refresh();
+}
+
+export function addVariant(name, text = current()?.text, file = current()?.file) {
+  if (!current()) throw new Error('no case is open; open one first');
+  if (state.variants.length >= mostVariants)
+    throw new Error(`got a fifth variant; expected at most ${mostVariants}; remove one first`);
+  const taken = new Set(state.variants.map((v) => v.name));
+  let own = String(name ?? '').trim() || `${current().name} ${state.variants.length + 1}`;
+  while (taken.has(own)) own += '′';
+  state.variants.push(variant(own, file, text));
+  state.current = state.variants.length - 1;
+  return refresh();
+}
+
+export function chooseVariant(k) {
+  state.current = k;
+  changed();
+  if (current().answered !== current().text || current().units !== state.units) refresh();
+}
+
+export function removeVariant(k) {
+  if (state.variants.length < 2) return;
+  state.variants.splice(k, 1);
+  state.current = Math.min(state.current, state.variants.length - 1);
+  save();
+  changed();
+}
+
+// Edits ------------------------------------------------------------------------------------------
+
+let lastEdit = { key: null, at: 0 };
+
+/** Another text of the case at hand; edits of one `key` in a row, within two seconds, are one step. */
+export function edit(text, key = null) {
+  const v = current();
+  if (!v || text === v.text) return Promise.resolve();
+  const now = Date.now();
+  const goesOn = key !== null && key === lastEdit.key && now - lastEdit.at < 2000 && v.done.length > 0;
+  lastEdit = { key, at: now };
+  if (!goesOn) v.done.push(v.text);
+  if (v.done.length > mostUndo) v.done.shift();
+  v.undone = [];
+  takeText(v, text);
+  return refresh();
+}
+
+function takeText(v, text) {
+  v.text = text;
+  v.inputs = statedInputs(text, schemaOf(text));
+}
+
+const turn = (from, to) => {
+  const v = current();
+  if (!v || v[from].length === 0) return false;
+  v[to].push(v.text);
+  takeText(v, v[from].pop());
+  lastEdit = { key: null, at: 0 };
+  refresh();
+  return true;
+};
+export const undo = () => turn('done', 'undone');
+export const redo = () => turn('undone', 'done');
+
+/** The text with an input, as `--set` has it: {text}, or {messages} where that cannot be. */
+async function textWith(path, value) {
+  const v = current();
+  const inPlace = valueAt(v.text, path) === undefined ? null : withValue(v.text, path, value);
+  if (inPlace !== null) return { text: inPlace };
+  const answer = await ask({ command: 'write', set: [[path, value]] }, v);
+  return answer.document ? { text: answer.document.yaml } : answer;
+}
+
+/** A number alone has the unit of the value that stands there. */
+export function withUnit(path, typed) {
+  const shown = current() ? valueAt(current().text, path) : undefined;
+  const [, unit] = shown?.match(/^[-+]?[\d.]+(?:e[-+]?\d+)?\s*([^\d\s.].*)$/i) ?? [];
+  return unit && /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(typed) ? `${typed} ${unit}` : typed;
+}
+
+/** Sets an input; the answer has the status and messages of `prs check`. */
+export async function set(path, value, key = null) {
+  if (!current()) return nothing;
+  const typed = String(value).trim();
+  const { text, messages, status } = await textWith(path, typed);
+  if (text === undefined) return { status: status || 2, messages };
+  await edit(text, key);
+  const v = current();
+  return { status: v.status, messages: v.messages };
+}
+
+// Answers ----------------------------------------------------------------------------------------
+
+const singles = ['solve', 'contact', 'slip', 'life', 'measures', 'preload'];
+let refreshing = 0;
+let settled = Promise.resolve();
+
+/** Asks anew what the views show. Resolves when all numbers are there, or after some seconds. */
+export function refresh() {
+  save();
+  const round = ++refreshing;
+  const v = current();
+  state.busy = true;
+  changed();
+  settled = Promise.all([askNumbers(v, round), askSections(v, round)]).then(() => {
+    if (round !== refreshing) return;
+    state.busy = false;
+    changed();
+    document.dispatchEvent(new CustomEvent('prs-complete', { detail: v.status }));
+  });
+  const patience = new Promise((resolve) => setTimeout(resolve, 8000));
+  return Promise.race([settled, patience]);
+}
+
+async function askNumbers(v, round) {
+  const text = v.text;
+  const isOld = () => round !== refreshing || v.text !== text;
+  const take = (command, answer) => {
+    if (isOld()) return false;
+    if (answer.document) v.documents = { ...v.documents, [command]: answer.document };
+    else {
+      v.documents = { ...v.documents };
+      delete v.documents[command];
+    }
+    return true;
+  };
+  if (otherFile(text)) {
+    const check = await ask({ command: 'check' }, v);
+    if (!take('check', check)) return;
+    v.status = check.status;
+    v.messages = check.messages;
+    takeInputs(v);
+    v.answered = text;
+    return changed();
+  }
+  // First what was there before: the numbers that a reader waits for.
+  const first = v.documents.solve ? 'solve' : v.documents.contact ? 'contact' : null;
+  if (first) {
+    const answer = await ask({ command: first }, v);
+    if (isOld()) return;
+    if (answer.document) {
+      take(first, answer);
+      changed();
+    }
+  }
+  const check = await ask({ command: 'check' }, v);
+  if (isOld()) return;
+  v.status = check.status;
+  v.messages = check.messages;
+  v.answered = text;
+  if (!check.document) return changed();
+  take('check', check);
+  takeInputs(v);
+  for (const command of Object.keys(v.documents))
+    if (command !== 'check' && !check.document.commands[command]?.ready) delete v.documents[command];
+  changed();
+  for (const command of singles) {
+    if (command === first || !check.document.commands[command]?.ready) continue;
+    const answer = await ask({ command }, v);
+    if (!take(command, answer)) return;
+    if (answer.status === 3) v.status = 3;
+    changed();
+  }
+}
+
+/** The inputs that the engine finds stated; a text that it refuses keeps those of its lines. */
+function takeInputs(v) {
+  const listed = v.documents.check?.input;
+  if (!listed) return;
+  const own = new Map(v.inputs.map((input) => [input.path, input]));
+  const inputs = listed
+    .filter((entry) => !entry.default)
+    .map((entry) => ({ ...own.get(entry.path), path: entry.path, text: textOf(own, v, entry), reason: entry.reason, basis: entry.basis }));
+  const known = new Set(inputs.map((input) => input.path));
+  const parents = (path) => inputs.some((i) => path.startsWith(`${i.path}.`) || path.startsWith(`${i.path}[`));
+  for (const input of v.inputs) if (!known.has(input.path) && !parents(input.path)) inputs.push(input);
+  v.inputs = inputs;
+}
+
+const textOf = (own, v, entry) =>
+  own.get(entry.path)?.text ?? valueAt(v.text, entry.path) ?? entry.written ?? entry.value;
+
+async function askSections(v, round) {
+  const text = v.text;
+  const report = { own: 0, units: state.units };
+  // Those of a requirement take all its candidates: when they are asked for.
+  if (otherFile(text)) return;
+  report.sections = page.sections.map((s) => s.id).filter((id) => state.open.has(id) && id !== 'verdict');
+  report.sections.push('warnings');
+  const answer = await ask({ command: 'report', report }, v, 'pictures');
+  if (round !== refreshing || v.text !== text) return;
+  v.units = state.units;
+  if (answer.document) {
+    v.sections = answer.document.sections;
+    if (answer.document.head) v.head = answer.document.head;
+    v.threads = answer.document.threads;
+  }
+  changed();
+}
+
+export function toggleSection(id, isOpen) {
+  if (state.open.has(id) === isOpen) return;
+  if (isOpen) state.open.add(id);
+  else state.open.delete(id);
+  if (isOpen && !(id in (current()?.sections ?? {}))) askSections(current(), refreshing);
+}
+
+/** Every section of the report, as HTML by their names: {sections, head}. */
+export const wholeReport = () =>
+  ask({ command: 'report', report: { own: 0, units: state.units } }, current(), 'pictures');
+
+/** Answers of variants that are compared and were not asked yet. */
+export async function refreshAll() {
+  for (const v of state.variants) {
+    if (v.answered === v.text) continue;
+    const ready = (await ask({ command: 'check' }, v)).document;
+    if (ready) v.documents = { ...v.documents, check: ready };
+    for (const command of singles)
+      if (ready?.commands?.[command]?.ready) {
+        const { document } = await ask({ command }, v);
+        if (document) v.documents = { ...v.documents, [command]: document };
+      }
+    v.answered = v.text;
+    changed();
+  }
+}
+
+// Units, language, storage -----------------------------------------------------------------------
+
+export function setUnits(units) {
+  if (units !== 'si' && units !== 'us') throw new Error(`got ${units}; expected si or us`);
+  state.units = units;
+  document.documentElement.dataset.units = units;
+  changed();
+  save();
+  if (current()) askSections(current(), refreshing);
+}
+
+export function setLanguage(language) {
+  if (language !== 'en' && language !== 'de') throw new Error(`got ${language}; expected en or de`);
+  state.language = language;
+  document.documentElement.lang = language;
+  changed();
+  save();
+}
+
+let saving = 0;
+function save() {
+  clearTimeout(saving);
+  saving = setTimeout(() => {
+    if (state.variants.length === 0) return;
+    const kept = {
+      at: Date.now(),
+      current: state.current,
+      variants: state.variants.map(({ name, file, text }) => ({ name, file, text })),
+      files: Object.fromEntries(Object.entries(state.files).filter(([name, text]) => lessonFiles[name] !== text)),
+    };
+    try {
+      localStorage.setItem(storageKey, JSON.stringify(kept));
+    } catch {
+      // Without room or permission nothing is kept; the file that is saved is what counts.
+    }
+  }, 400);
+}
+
+/** What was at hand when the page was closed; null where nothing is kept. */
+export function kept() {
+  try {
+    const found = JSON.parse(localStorage.getItem(storageKey));
+    return found?.variants?.length ? found : null;
+  } catch {
+    return null;
+  }
+}
+
+export function restore(found) {
+  state.files = { ...state.files, ...found.files };
+  state.variants = found.variants.slice(0, mostVariants).map((v) => variant(String(v.name), String(v.file), String(v.text)));
+  state.current = Math.min(found.current ?? 0, state.variants.length - 1);
+  return refresh();
+}
+
+/** Whether a text is one that can be computed at once while it is typed. */
+export const canFollow = (path, text) => {
+  const node = nodeAt(schemaOf(current().text), path);
+  return node ?? null;
+};

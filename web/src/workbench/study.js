@@ -1,0 +1,2 @@
+// A study of one input, design by design.
+import { current, questionOf } from './store.js';
