@@ -131,9 +131,16 @@ class Mesh {
   }
 }
 
-/** Profile of a tooth about its middle: (x, radius), with straight flanks. */
-export function toothProfile({ pitch, radius, low, high, slope }) {
-  const half = (r) => Math.max(0, Math.min(pitch / 2, pitch / 4 - (r - radius) * slope));
+/**
+ * Profile of a tooth about its middle: (x, radius), with straight flanks. A crest or a root that is
+ * narrower than this share of the pitch is an edge.
+ */
+export function toothProfile({ pitch, radius, low, high, slope }, narrow = 0.01) {
+  const edge = (narrow * pitch) / 2;
+  const half = (r) => {
+    const width = pitch / 4 - (r - radius) * slope;
+    return width < edge ? 0 : width > pitch / 2 - edge ? pitch / 2 : width;
+  };
   return [[-half(low), low], [-half(high), high], [half(high), high], [half(low), low]];
 }
 
@@ -148,10 +155,10 @@ function teeth(tooth, pitch, from, to) {
  * The surface of a thread, cut off at both ends; `tooth`: the middle of one at the azimuth 0. Of a nut
  * (`inward`) the teeth are those of the air.
  */
-export function threadMesh(thread, { tooth, from, to, start = 0, end = turn, segments, inward = false }) {
+export function threadMesh(thread, { tooth, from, to, start = 0, end = turn, segments, narrow, inward = false }) {
   const { pitch, lead } = thread;
   const mesh = new Mesh();
-  const [a, b, c, d] = toothProfile(thread);
+  const [a, b, c, d] = toothProfile(thread, narrow);
   const edges = [[a, b], [b, c], [c, d], [d, [a[0] + pitch, a[1]]]].filter(([p, q]) => Math.hypot(q[0] - p[0], q[1] - p[1]) > 1e-6 * pitch);
   const phi = (j) => start + ((end - start) * j) / segments;
   const shifts = [(lead * start) / turn, (lead * end) / turn].sort((p, q) => p - q);
