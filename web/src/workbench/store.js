@@ -221,7 +221,7 @@ export function refresh() {
     changed();
     document.dispatchEvent(new CustomEvent('prs-complete', { detail: v.status }));
   });
-  const patience = new Promise((resolve) => setTimeout(resolve, 8000));
+  const patience = new Promise((resolve) => setTimeout(resolve, 5000));
   return Promise.race([settled, patience]);
 }
 
@@ -282,16 +282,19 @@ function takeInputs(v) {
   if (!listed) return;
   const own = new Map(v.inputs.map((input) => [input.path, input]));
   const inputs = listed
-    .filter((entry) => !entry.default)
-    .map((entry) => ({ ...own.get(entry.path), path: entry.path, text: textOf(own, v, entry), reason: entry.reason, basis: entry.basis }));
+    .filter((entry) => !(entry.default ?? !entry.written))
+    .map(({ path, reason, basis, written, value }) => ({
+      path, reason, basis,
+      text: own.get(path)?.text ?? valueAt(v.text, path) ?? written ?? value,
+    }));
+  // Parts of what is listed as a whole, `from` of a range, stand behind it.
   const known = new Set(inputs.map((input) => input.path));
-  const parents = (path) => inputs.some((i) => path.startsWith(`${i.path}.`) || path.startsWith(`${i.path}[`));
-  for (const input of v.inputs) if (!known.has(input.path) && !parents(input.path)) inputs.push(input);
+  for (const input of v.inputs.filter(({ path }) => !known.has(path))) {
+    const whole = inputs.findLastIndex(({ path }) => input.path.startsWith(`${path}.`) || input.path.startsWith(`${path}[`));
+    inputs.splice(whole < 0 ? inputs.length : whole + 1, 0, input);
+  }
   v.inputs = inputs;
 }
-
-const textOf = (own, v, entry) =>
-  own.get(entry.path)?.text ?? valueAt(v.text, entry.path) ?? entry.written ?? entry.value;
 
 async function askSections(v, round) {
   const text = v.text;
