@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 manifest=prs/page/live/web.sources
-bundles=(prs/page/live/{report,workbench}.{js.gz,hash} prs/page/live/{start,worker}.js)
+bundles=(prs/page/live/{report,workbench,mechanism}.{js.gz,hash} prs/page/live/{start,worker}.js)
 
 hash_of() { # FILE..: of their names and contents
   sha256sum -- "$@" | sha256sum | cut -d ' ' -f 1

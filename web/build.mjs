@@ -1,5 +1,6 @@
-// Bundles the pages' scripts into prs/page/live, see scripts/web.sh: report and workbench gzipped, each
-// with the hash by which the page's policy names it; what starts them, and the worker, as they are.
+// Bundles the pages' scripts into prs/page/live, see scripts/web.sh: report, workbench and the view of the
+// mechanism, which both load when it is looked at, gzipped, each with the hash by which the page's policy
+// names it; what starts them, and the worker, as they are.
 import { createHash } from 'node:crypto';
 import { writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
@@ -26,7 +27,7 @@ async function bundled(entry, format) {
   return outputFiles[0].text.replaceAll(/<(\/script|!--)/gi, '\\x3c$1');
 }
 
-for (const name of ['report', 'workbench']) {
+for (const name of ['report', 'workbench', 'mechanism']) {
   const text = await bundled(`src/${name}/main.js`, 'esm');
   const packed = gzipSync(text, { level: 9 });
   writeFileSync(new URL(`${name}.js.gz`, live), packed);

@@ -1,5 +1,6 @@
 #include "prs/page/page.h"
 
+#include <fmt/ranges.h>
 #include <nettle/base64.h>
 #include <zlib.h>
 
@@ -22,6 +23,8 @@ PRS_EMBED(scripts, PRS_PAGE_FOLDER "/scripts.html")
 PRS_EMBED(style_sheet, PRS_PAGE_FOLDER "/page.css")
 PRS_EMBED(report_script, PRS_PAGE_FOLDER "/report.js.gz")
 PRS_EMBED(report_hash, PRS_PAGE_FOLDER "/report.hash")
+PRS_EMBED(mechanism_script, PRS_PAGE_FOLDER "/mechanism.js.gz")
+PRS_EMBED(mechanism_hash, PRS_PAGE_FOLDER "/mechanism.hash")
 PRS_EMBED(start, PRS_PAGE_FOLDER "/start.js")
 PRS_EMBED(worker, PRS_PAGE_FOLDER "/worker.js")
 PRS_EMBED(workbench_frame, PRS_PAGE_FOLDER "/workbench.html")
@@ -146,18 +149,24 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
       section.id, section.title, section.body, hidden ? " hidden" : "", before);
 }
 
-/// What lets a page run its scripts, of which one is packed in it.
+/// What lets a page run its scripts, of which its own and that of the mechanism are packed in it.
 std::string script_policy(std::string_view packed_hash) {
   return fmt::format(
-      "; script-src '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
-      policy_hash(start()), packed_hash);
+      "; script-src '{}' '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
+      policy_hash(start()), packed_hash, mechanism_hash());
+}
+
+/// The style of all pages: their rules, those of pictures and the colours of scales.
+std::string style_of_pages() {
+  return fmt::format("{}{}:root{{--scale:{}}}\n", style_sheet(), svg_style(),
+                     fmt::join(kScaleColours, ","));
 }
 
 /// The whole file. `engine` is empty for a page without scripts.
 std::string page_html(const input::Source& source, const ReportParts& parts,
                       std::string_view engine) {
   const bool live = !engine.empty();
-  const std::string style = std::string(style_sheet()) + svg_style() + sheet_style(parts);
+  const std::string style = style_of_pages() + sheet_style(parts);
   std::string links, body;
   const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
     links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id,
@@ -172,7 +181,7 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
   if (live)
     data += data_block("case", case_of(source)) + data_block("threads", parts.threads) +
             fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine),
-                        base85(report_script()), start());
+                        base85(report_script()), base85(mechanism_script()), start());
   const std::string policy = live ? script_policy(report_hash()) : "";
   return fmt::format(
       fmt::runtime(page()),
@@ -214,12 +223,12 @@ std::string workbench_page(const std::optional<input::Source>& opened,
   for (const NamedText& text : texts)
     data["lessons"].push_back({{"name", text.name}, {"title", text.title}, {"text", text.text}});
   if (opened) data["opened"] = texts_of(*opened);
-  const std::string style =
-      std::string(style_sheet()) + svg_style() + std::string(workbench_style());
+  const std::string style = style_of_pages() + std::string(workbench_style());
   return fmt::format(fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
                      fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),
                      fmt::arg("loader", loader()), fmt::arg("worker", worker()),
                      fmt::arg("engine", base85(engine())),
+                     fmt::arg("mechanism", base85(mechanism_script())),
                      fmt::arg("data", base85(gzip(data.dump()))),
                      fmt::arg("script", base85(workbench_script())), fmt::arg("start", start()));
 }

@@ -13,6 +13,14 @@ export function bytesOf(text) {
   return new Uint8Array(view.buffer, 0, Number(length));
 }
 
+/** Runs a script that stands in the page gzipped, in base 85, and that its policy names by its hash. */
+export async function run(id) {
+  const script = document.createElement('script');
+  script.type = 'module';
+  script.textContent = await unpacked(document.getElementById(id).textContent).text();
+  document.body.append(script);
+}
+
 /** What a text in base 85 has gzipped, as a response. */
 export function unpacked(text) {
   const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('gzip'));

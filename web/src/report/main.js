@@ -3,6 +3,7 @@
 // what this script shows of them it sets as text.
 
 import { Engine, Latest } from '../page/engine.js';
+import { showMechanism } from './mechanism.js';
 
 const element = (id) => document.getElementById(id);
 const theCase = JSON.parse(element('case').textContent);
@@ -298,6 +299,7 @@ function askThread() {
   threadIsShown = true;
   element('thread').hidden = false;
   document.querySelector('nav a[href="#thread"]').parentElement.hidden = false;
+  document.dispatchEvent(new Event('prs-thread'));
   if (!settled) return showAll();
   complete.put(() => reportQuestion({ sections: ['thread'], thread: chosenThread() }));
 }
@@ -350,6 +352,23 @@ document.querySelector('main').addEventListener('click', (event) => {
   element('thread').scrollIntoView();
 });
 
+// The mechanism in three dimensions ---------------------------------------------------------------
+
+const thread = {
+  chosen: () => ({
+    load_case: Number(threadCase.value) || 0,
+    roller: Number(threadRoller.value) - 1,
+    thread: Number(threadNumber.value) - 1,
+  }),
+  choose: ({ load_case: loadCase, roller, thread: number }) => {
+    if (threadCase.length === 0) return;
+    threadCase.value = loadCase;
+    threadRoller.value = roller + 1;
+    threadNumber.value = number + 1;
+    askThread();
+  },
+};
+
 // Start ------------------------------------------------------------------------------------------
 
 fillThreadForm();
@@ -365,6 +384,8 @@ globalThis.prs = {
   changes,
   ask: (more) => (complete.engine ??= new Engine()).ask(question(more)),
 };
+
+showMechanism({ ask: globalThis.prs.ask, thread });
 
 // Ready before the first slider moves.
 const idle = globalThis.requestIdleCallback ?? ((run) => setTimeout(run, 200));

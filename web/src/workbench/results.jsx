@@ -1,5 +1,6 @@
 // Headlines, verdict, warnings and the sections of the report.
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { Mechanism } from './mechanism.jsx';
 import { headlinesOf, loadCaseNames } from './headlines.js';
 import { changed, current, page, state, toggleSection } from './store.js';
 import { languageOf, t, title } from './texts.js';
@@ -138,5 +139,5 @@ export function Sections() {
 }
 
 export function Results() {
-  return <><Headlines /><Verdict /><Warnings /><div id="view-3d" /><Sections />{state.language === 'de' && <p class="default">{t('engineEnglish')}</p>}</>;
+  return <><Headlines /><Verdict /><Warnings /><Mechanism /><Sections />{state.language === 'de' && <p class="default">{t('engineEnglish')}</p>}</>;
 }

@@ -1,0 +1,224 @@
+// Shapes of a mechanism from its document (`prs contact | solve | slip --json`): lengths in mm,
+// angles in rad, in the frame of docs/full_mechanism.md: x along the axis from the nut's end at the
+// loaded end of the screw, azimuths from y towards z. It draws what the document says and computes
+// no contacts, loads or temperatures.
+
+const lengths = { mm: 1, m: 1e3, cm: 10, um: 1e-3, 'µm': 1e-3, 'μm': 1e-3, nm: 1e-6, in: 25.4, ft: 304.8, uin: 25.4e-6, 'µin': 25.4e-6, 'μin': 25.4e-6 };
+const degree = Math.PI / 180;
+const angles = { deg: degree, '°': degree, rad: 1, mrad: 1e-3 };
+
+const read = (units) => (text) => {
+  const [, number, unit] = String(text).match(/^\s*([-+\d.eE]*\d\.?)\s*(.*?)\s*$/) ?? [];
+  return Number(number) * (units[unit] ?? NaN);
+};
+/** Of a text as `resolved_input` has it: `0.4 in`, `45 deg`. */
+export const length = read(lengths);
+export const angle = read(angles);
+
+const parts = ['screw', 'roller', 'nut'];
+const perPart = (value, part) => (value !== null && typeof value === 'object' ? value[part] : value);
+const turn = 2 * Math.PI;
+
+/** The part of x that is left in (-period/2, period/2]. */
+const wrapped = (x, period) => x - period * Math.ceil(x / period - 0.5);
+
+/** Sizes and places of all parts under one load case of the document. */
+export function dimensions({ contact, resolved_input: input, load_cases: cases = [] }, loadCase = 0) {
+  const { mechanism, structure, deviations } = input;
+  const shown = cases[loadCase];
+  const d = { contacts: mechanism.contacts_per_roller, rollers: mechanism.rollers, centreDistance: contact.centre_distance_mm };
+  const lead = (part) => Math.PI * contact.pitch_diameter_mm[part] * Math.tan(contact.helix_angle_deg[part] * degree);
+  d.pitch = Math.abs(lead('screw')) / mechanism.starts.screw;
+  for (const part of parts) {
+    const [low, high] = contact.profile_radius_limits_mm[part];
+    const slope = Math.tan(angle(perPart(mechanism.flank_angle, part)));
+    d[part] = { radius: contact.pitch_diameter_mm[part] / 2, lead: lead(part), low, high, slope, pitch: d.pitch };
+  }
+  const threaded = (d.contacts - 1) * d.pitch;
+  d.nut.length = structure ? length(structure.nut.length) : threaded + 4 * d.pitch;
+  d.first = shown?.position_mm ?? (d.nut.length - threaded) / 2;
+  d.last = d.first + threaded;
+  d.roller.from = d.first - d.pitch / 2 - Math.abs(d.roller.lead) / 4;
+  d.roller.to = d.last + d.pitch / 2 + Math.abs(d.roller.lead) / 4;
+  d.roller.end = structure ? length(structure.roller.end_length) : 0;
+  d.roller.endRadius = structure ? length(structure.roller.end_diameter) / 2 : 0;
+  const margin = 0.04 * d.nut.length;
+  const loaded = structure ? d.first - length(structure.screw.free_length) : 0;
+  d.screw.from = Math.min(loaded, d.roller.from - d.roller.end, 0) - margin;
+  d.screw.to = Math.max(d.roller.to + d.roller.end, d.nut.length) + margin;
+  d.screw.bore = structure ? length(structure.screw.bore) / 2 : 0;
+  d.nut.outer = outerSteps(structure?.nut, d.nut);
+  d.direction = shown?.direction ?? 'tension';
+  d.isTurned = (shown?.carrier_angle_deg ?? 0) * degree;
+  d.missing = new Set(deviations?.missing_rollers ?? []);
+  return d;
+}
+
+/** The nut's outer radius, step by step along its axis: [from, to, radius]. */
+function outerSteps(nut, { length: whole, high, pitch }) {
+  if (!nut) return [[0, whole, high + Math.max(2 * pitch, 0.15 * high)]];
+  const flanges = (nut.flanges ?? []).map((flange) => ({
+    from: length(flange.from), to: length(flange.to), radius: length(flange.outer_diameter) / 2,
+  }));
+  const faces = [...new Set([0, whole, ...flanges.flatMap(({ from, to }) => [from, to])])].sort((a, b) => a - b);
+  return faces.slice(1).map((to, k) => {
+    const middle = (faces[k] + to) / 2;
+    const flange = flanges.find((f) => f.from < middle && middle < f.to);
+    return [faces[k], to, flange?.radius ?? length(nut.outer_diameter) / 2];
+  });
+}
+
+/** Azimuth of a roller, from 0. */
+export const azimuth = (d, roller) => d.isTurned + (turn * roller) / d.rollers;
+
+/**
+ * How far a roller is turned about its axis so that its thread stands in the nut's: at the azimuth
+ * phi the middle of a groove of the nut is at first + lead phi/turn, whole pitches apart.
+ */
+export const rollerTurn = (d, roller) => azimuth(d, roller) * (1 - d.nut.lead / d.roller.lead);
+
+/** Where the screw's groove is at the azimuth 0: there a roller's thread, half a turn from the nut. */
+export const screwTooth = (d) => d.first + d.roller.lead / 2 + d.pitch / 2;
+
+/** How far the contacts of a roller stand from whole pitches after its first thread, along the axis. */
+export const contactShift = (d, side, roller) =>
+  wrapped((d.nut.lead * azimuth(d, roller)) / turn + (side === 'screw' ? d.roller.lead / 2 : 0), d.pitch);
+
+/** Place of a contact, and the direction along its flank: x and radially outwards. */
+export function contactPlace(d, side, roller, thread) {
+  const phi = azimuth(d, roller);
+  const outwards = side === 'nut' ? 1 : -1; // Of the roller's tooth.
+  const flank = (side === 'screw') === (d.direction === 'tension') ? 1 : -1;
+  const x = d.first + thread * d.pitch + contactShift(d, side, roller) + (flank * d.pitch) / 4;
+  const norm = Math.hypot(1, d.roller.slope);
+  return {
+    x, phi, radius: d.centreDistance + outwards * d.roller.radius,
+    along: [(-flank * outwards * d.roller.slope) / norm, 1 / norm],
+  };
+}
+
+/** The roller's thread that is nearest to a place along its axis. */
+export const threadAt = (d, x) => Math.max(0, Math.min(d.contacts - 1, Math.round((x - d.first) / d.pitch)));
+
+// Meshes -----------------------------------------------------------------------------------------
+
+/** Triangles with normals of their own on each side of an edge. */
+class Mesh {
+  positions = [];
+  normals = [];
+  index = [];
+
+  /** A strip between two rows of points and normals, which lie side by side. */
+  strip(rows, normalAt, count, flipped) {
+    const base = this.positions.length / 3;
+    for (const row of rows)
+      for (let j = 0; j <= count; j++) {
+        this.positions.push(...row(j));
+        this.normals.push(...normalAt(j));
+      }
+    for (let j = 0; j < count; j++) {
+      const [a, b, c, d] = [base + j, base + j + 1, base + count + 1 + j, base + count + 2 + j];
+      this.index.push(...(flipped ? [a, c, b, b, c, d] : [a, b, c, b, d, c]));
+    }
+  }
+
+  arrays() {
+    return {
+      positions: new Float32Array(this.positions),
+      normals: new Float32Array(this.normals),
+      index: new Uint32Array(this.index),
+    };
+  }
+}
+
+/** Profile of a tooth about its middle: (x, radius), with straight flanks. */
+export function toothProfile({ pitch, radius, low, high, slope }) {
+  const half = (r) => Math.max(0, Math.min(pitch / 2, pitch / 4 - (r - radius) * slope));
+  return [[-half(low), low], [-half(high), high], [half(high), high], [half(low), low]];
+}
+
+/** Middles of teeth of which a part lies between two places. */
+function teeth(tooth, pitch, from, to) {
+  const middles = [];
+  for (let k = Math.floor((from - tooth) / pitch - 0.5); tooth + (k - 0.5) * pitch < to; k++) middles.push(tooth + k * pitch);
+  return middles;
+}
+
+/**
+ * The surface of a thread, cut off at both ends; `tooth`: the middle of one at the azimuth 0. Of a nut
+ * (`inward`) the teeth are those of the air.
+ */
+export function threadMesh(thread, { tooth, from, to, start = 0, end = turn, segments, inward = false }) {
+  const { pitch, lead } = thread;
+  const mesh = new Mesh();
+  const [a, b, c, d] = toothProfile(thread);
+  const edges = [[a, b], [b, c], [c, d], [d, [a[0] + pitch, a[1]]]].filter(([p, q]) => Math.hypot(q[0] - p[0], q[1] - p[1]) > 1e-6 * pitch);
+  const phi = (j) => start + ((end - start) * j) / segments;
+  const shifts = [(lead * start) / turn, (lead * end) / turn].sort((p, q) => p - q);
+  for (const middle of teeth(tooth, pitch, from - shifts[1], to - shifts[0]))
+    for (const [p, q] of edges) {
+      const row = ([x, r]) => (j) => {
+        const at = middle + x + (lead * phi(j)) / turn;
+        return [Math.max(from, Math.min(to, at)), r * Math.cos(phi(j)), r * Math.sin(phi(j))];
+      };
+      const [dx, dr] = [q[0] - p[0], q[1] - p[1]];
+      const r = (p[1] + q[1]) / 2;
+      const normal = [-dr, dx, (dr * lead) / (turn * r)];
+      const size = Math.hypot(...normal) * (inward ? -1 : 1);
+      const [nx, nr, nt] = normal.map((n) => n / size);
+      const normalAt = (j) => [nx, nr * Math.cos(phi(j)) - nt * Math.sin(phi(j)), nr * Math.sin(phi(j)) + nt * Math.cos(phi(j))];
+      mesh.strip([row(p), row(q)], normalAt, segments, inward);
+    }
+  return mesh.arrays();
+}
+
+/** The surface of revolution of a line (x, radius), whose outside is to the left of its direction. */
+export function revolvedMesh(line, { start = 0, end = turn, segments }) {
+  const mesh = new Mesh();
+  const phi = (j) => start + ((end - start) * j) / segments;
+  for (let k = 1; k < line.length; k++) {
+    const [p, q] = [line[k - 1], line[k]];
+    const size = Math.hypot(q[0] - p[0], q[1] - p[1]);
+    if (size === 0) continue;
+    const [nx, nr] = [-(q[1] - p[1]) / size, (q[0] - p[0]) / size];
+    const row = ([x, r]) => (j) => [x, r * Math.cos(phi(j)), r * Math.sin(phi(j))];
+    mesh.strip([row(p), row(q)], (j) => [nx, nr * Math.cos(phi(j)), nr * Math.sin(phi(j))], segments, false);
+  }
+  return mesh.arrays();
+}
+
+/** Ends and bore of the screw. */
+export const screwLine = ({ screw: { from, to, bore, low } }) => [
+  [from, bore], [from, low], [to, low], [to, bore], ...(bore > 0 ? [[from, bore]] : []),
+];
+
+/** Both ends of a roller, a line each. */
+export function rollerLines({ roller: { from, to, end, endRadius, low } }) {
+  const collar = end > 0 ? endRadius : 0;
+  return [
+    [[from - end, 0], [from - end, collar], [from, collar], [from, low]],
+    [[to, low], [to, collar], [to + end, collar], [to + end, 0]],
+  ];
+}
+
+/** The outside of the nut with its faces. */
+export function nutLine({ nut: { outer, high } }) {
+  const line = [[outer[0][0], high]];
+  for (const [from, to, radius] of outer) line.push([from, radius], [to, radius]);
+  return [...line, [outer.at(-1)[1], high]];
+}
+
+/** The nut cut at an azimuth: a closed outline (x, radius). */
+export function nutSection(d, phi) {
+  const { nut, pitch } = d;
+  const profile = toothProfile(nut);
+  const within = (x) => Math.max(0, Math.min(nut.length, x));
+  const inside = teeth(d.first + (nut.lead * phi) / turn, pitch, 0, nut.length)
+    .flatMap((middle) => profile.map(([x, r]) => [within(middle + x), r]));
+  const outside = nut.outer.flatMap(([from, to, radius]) => [[from, radius], [to, radius]]).reverse();
+  const outline = [...inside, ...outside];
+  return outline.filter(([x, r], k) => {
+    const [px, pr] = outline[(k + outline.length - 1) % outline.length];
+    return Math.hypot(x - px, r - pr) > 1e-9;
+  });
+}
