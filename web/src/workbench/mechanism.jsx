@@ -14,15 +14,15 @@ export function Mechanism() {
   const [seen, setSeen] = useState(false);
   const document = documentOf(current());
 
+  // With the verdict all above it is there: what is in sight then is looked at.
+  const isReady = Boolean(current().documents.check);
   useEffect(() => {
-    if (!globalThis.WebGL2RenderingContext) return undefined;
+    if (!globalThis.WebGL2RenderingContext || !isReady) return undefined;
     const observer = new IntersectionObserver((entries) => setSeen(entries.at(-1).isIntersecting));
     observer.observe(place.current);
-    return () => {
-      observer.disconnect();
-      view.current?.dispose();
-    };
-  }, []);
+    return () => observer.disconnect();
+  }, [isReady]);
+  useEffect(() => () => view.current?.dispose(), []);
 
   useEffect(() => {
     if (!seen || !document?.contact) return;

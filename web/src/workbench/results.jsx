@@ -67,7 +67,7 @@ export function Verdict() {
     <section aria-labelledby="verdict-title" class="verdict">
       <h2 id="verdict-title">{t('verdict')}</h2>
       <p role="status"><span class={`state ${verdict.state}`}>{t(told)}</span></p>
-      <div class="wide" tabindex={0} role="region" aria-label={t('verdict')}>
+      <div class="wide" tabindex={0} role="group" aria-label={t('verdict')}>
         <table>
           <thead><tr><th scope="col">{t('criterion')}</th><th scope="col">{t('value')}</th><th scope="col">{t('limit')}</th><th scope="col">{t('state')}</th><th scope="col">{t('where')}</th></tr></thead>
           <tbody>
@@ -102,7 +102,7 @@ export function Html({ html, id }) {
     for (const summary of template.content.querySelectorAll('summary'))
       summary.parentElement.open = opened.includes(summary.textContent);
     for (const box of template.content.querySelectorAll('.wide')) {
-      box.setAttribute('role', 'region');
+      box.setAttribute('role', 'group');
       box.setAttribute('aria-label', t('results'));
     }
     body.replaceChildren(template.content);
