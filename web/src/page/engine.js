@@ -33,15 +33,23 @@ export class Engine {
   async ask(question) {
     await this.started;
     return new Promise((resolve) => {
+      if (this.waiting.length === 0) this.began = performance.now();
       this.waiting.push(resolve);
       this.worker.postMessage(question);
     });
   }
 
-  /** Ends it, also in the middle of an answer; what it was asked stays without one. */
+  /** Whether it computes, and since when. */
+  get busySince() {
+    return this.waiting.length > 0 ? this.began : null;
+  }
+
+  /** Ends it, also in the middle of an answer: `ended` says so of what it was asked. */
   end() {
     this.worker.terminate();
     this.pass(null);
+    const messages = ['prs: error: the computation was ended'];
+    for (const take of this.waiting.splice(0)) take({ status: 130, document: null, figures: [], messages, ended: true });
   }
 }
 

@@ -98,7 +98,7 @@ function Views() {
     : [['results', Results], ['compare', Compare], ['studies', Studies], ['commands', Commands]];
   const [chosen, View] = views.find(([name]) => name === state.view) ?? views[0];
   return (
-    <main class="views" id="results">
+    <div class="views" id="results">
       <div role="tablist" aria-label={t('views')} class="tabs" onKeyDown={moveByKeys}>
         {views.map(([name]) => (
           <button type="button" key={name} id={`tab-${name}`} role="tab" aria-selected={name === chosen} aria-controls="view" tabindex={name === chosen ? 0 : -1}
@@ -109,17 +109,26 @@ function Views() {
         {isWrong() && <p class="trouble" role="alert">{t('wrong')}<br /><span lang="en">{current().messages.filter((line) => /error/.test(line)).slice(0, 3).join('\n')}</span></p>}
         <View />
       </div>
-    </main>
+    </div>
+  );
+}
+
+const panes = ['form', 'yaml', 'results'];
+
+/** What a narrow window shows of the case; a wide one shows all. */
+function Panes({ pane, setPane }) {
+  return (
+    <div class="panes" role="group" aria-label={t('views')}>
+      {panes.map((name) => (
+        <button type="button" key={name} class={`pane-of-${name}`} aria-pressed={pane === name} onClick={() => { setPane(name); scrollTo(0, 0); }}>{t(name)}</button>
+      ))}
+    </div>
   );
 }
 
 function Inputs() {
-  const [shown, setShown] = useState('form');
   return (
-    <div class={`inputs shows-${shown}`}>
-      <div class="tabs narrow" role="group" aria-label={t('inputs')}>
-        {['form', 'yaml'].map((name) => <button type="button" key={name} aria-pressed={shown === name} onClick={() => setShown(name)}>{t(name)}</button>)}
-      </div>
+    <div class="inputs">
       <section class="form-part" aria-label={t('inputs')}><Form key={state.current} /></section>
       <section class="yaml-part" aria-label={t('yaml')}><Editor key={state.current} /></section>
     </div>
@@ -128,6 +137,7 @@ function Inputs() {
 
 export function App() {
   const [starts, setStarts] = useState(false);
+  const [pane, setPane] = useState('form');
   const v = current();
   useEffect(() => {
     document.title = v ? `${v.name} · ${t('title')}` : t('title');
@@ -138,15 +148,16 @@ export function App() {
       <a class="skip" href="#results">{t('skip')}</a>
       <Header starts={starts || !v} setStarts={setStarts} />
       {state.note && <p class="note" role="status" lang="en">{state.note} <button type="button" class="quiet" aria-label={t('remove', '')} onClick={() => { state.note = ''; changed(); }}>×</button></p>}
-      {(starts || !v) && (v ? <div class="start-place"><Start done={close} /></div> : <main class="start-place" id="results"><Start done={close} /></main>)}
+      {(starts || !v) && (v ? <aside class="start-place" aria-label={t('start')}><Start done={close} /></aside> : <main class="start-place" id="results"><Start done={close} /></main>)}
       {v && (
-        <>
+        <main>
           <Variants />
-          <div class="case" id="case" role="tabpanel" aria-label={v.name}>
+          <Panes pane={pane} setPane={setPane} />
+          <div class={`case shows-${pane}`} id="case" role="tabpanel" aria-label={v.name}>
             <Inputs />
             <Views />
           </div>
-        </>
+        </main>
       )}
       <footer class="foot"><p>{t('footer', page.version)}</p></footer>
     </>

@@ -33,9 +33,6 @@ const shown = (text, node) =>
     ? node.value
     : oneLine(source(text, node));
 
-const isRange = (node) => isMap(node) && node.items.some((pair) => keyOf(pair) === 'from') &&
-  node.items.every((pair) => ['from', 'to', 'steps', 'spacing', 'series'].includes(keyOf(pair)));
-
 /** Lists of scalars whose items are inputs of their own. */
 const isPlainList = (node) => isSeq(node) && node.flow && node.items.every(isScalar);
 
@@ -45,7 +42,7 @@ export function statedInputs(text, schema) {
   const found = [];
   const walk = (node, path, of) => {
     if (isAlias(node)) node = node.resolve(document);
-    if (isMap(node) && !(isRange(node) && of?.oneOf)) {
+    if (isMap(node)) {
       for (const pair of node.items) walk(pair.value, join(path, keyOf(pair)), of && below(of, keyOf(pair)));
     } else if (isSeq(node) && !(isPlainList(node) && of?.oneOf)) {
       node.items.forEach((item, k) => walk(item, join(path, k), of && below(of, k)));

@@ -42,7 +42,7 @@ export function Commands() {
           {text && (
             <>
               <p><button type="button" onClick={() => saveFile(`${v.name}.${shown.command}.json`, 'application/json', `${text}\n`)}>{t('download')}</button></p>
-              <pre class="document" tabindex={0} role="region" aria-label={t('document')}>{text.length > 60000 ? `${text.slice(0, 60000)}\n…` : text}</pre>
+              <pre class="document" tabindex={0} role="group" aria-label={t('document')}>{text.length > 60000 ? `${text.slice(0, 60000)}\n…` : text}</pre>
             </>
           )}
         </>
@@ -59,8 +59,8 @@ export function Size() {
   const run = async () => {
     setRunning(true);
     const [report, size] = await Promise.all([
-      ask({ command: 'report', report: { units: state.units } }, v, 'pictures'),
-      ask({ command: 'size' }, v),
+      ask({ command: 'report', report: { units: state.units } }),
+      ask({ command: 'size' }),
     ]);
     if (size.document) v.documents = { ...v.documents, size: size.document };
     setRunning(false);

@@ -21,7 +21,7 @@ function Numbers() {
   const all = state.variants.map((v) => headlinesOf(v));
   const paths = [...new Map(all.flat().map((row) => [row.path, row])).values()];
   return (
-    <div class="wide" tabindex={0} role="region" aria-label={t('compare')}>
+    <div class="wide" tabindex={0} role="group" aria-label={t('compare')}>
       <table class="quantities compare">
         <thead><tr><th scope="col">{t('quantity')}</th>{state.variants.map((v) => <th scope="col">{v.name}</th>)}<th scope="col" class="unit">{t('units')}</th></tr></thead>
         <tbody>
@@ -50,7 +50,7 @@ function Differences() {
   const paths = [...new Set(all.flatMap((of) => [...of.keys()]))].filter((path) => all.some((of) => of.get(path) !== all[0].get(path)));
   if (paths.length === 0) return <p>{t('sameInputs')}</p>;
   return (
-    <div class="wide" tabindex={0} role="region" aria-label={t('differentInputs')}>
+    <div class="wide" tabindex={0} role="group" aria-label={t('differentInputs')}>
       <table>
         <thead><tr><th scope="col">{t('input')}</th>{state.variants.map((v) => <th scope="col">{v.name}</th>)}</tr></thead>
         <tbody>{paths.map((path) => <tr key={path}><th scope="row"><code>{path}</code></th>{all.map((of) => <td>{of.get(path) ?? '–'}</td>)}</tr>)}</tbody>

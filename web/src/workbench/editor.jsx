@@ -63,7 +63,7 @@ export function Editor() {
         extensions: [
           lineNumbers(), drawSelection(), highlightActiveLine(), indentOnInput(), lintGutter(), search({ top: true }),
           highlightSelectionMatches(), yaml(), syntaxHighlighting(colours), look, fromOutside.of([]),
-          EditorView.contentAttributes.of({ 'aria-label': t('yamlLabel') }),
+          EditorView.contentAttributes.of({ 'aria-label': t('yamlLabel'), tabindex: '0' }),
           keymap.of([
             { key: 'Mod-z', run: turn(undo) }, { key: 'Mod-y', run: turn(redo) }, { key: 'Mod-Shift-z', run: turn(redo) },
             ...searchKeymap, ...defaultKeymap, indentWithTab,

@@ -2,7 +2,7 @@
 import { h, render } from 'preact';
 import { App } from './app.jsx';
 import {
-  addVariant, ask, current, onChange, open, page, redo, set, setLanguage, setUnits, state, undo,
+  addVariant, ask, current, onChange, open, page, redo, set, setLanguage, setUnits, state, undo, warm,
 } from './store.js';
 
 const place = document.getElementById('workbench');
@@ -43,6 +43,8 @@ document.addEventListener('keydown', (event) => {
 
 draw();
 if (page.opened) {
-  for (const [name, text] of Object.entries(page.opened.histories)) state.files[name] = text;
-  open(page.opened.yaml, page.opened.file.replace(/^.*[\\/]/, ''));
+  open(page.opened.yaml, page.opened.file.replace(/^.*[\\/]/, '')).then(async () => {
+    for (const [path, value] of page.opened.set) await set(path, value);
+  });
 }
+(globalThis.requestIdleCallback ?? ((run) => setTimeout(run, 100)))(warm);

@@ -1,5 +1,6 @@
 // Headlines, verdict, warnings and the sections of the report.
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { Mechanism } from './mechanism.jsx';
 import { headlinesOf, loadCaseNames } from './headlines.js';
 import { changed, current, page, state, toggleSection } from './store.js';
 import { languageOf, t, title } from './texts.js';
@@ -66,7 +67,7 @@ export function Verdict() {
     <section aria-labelledby="verdict-title" class="verdict">
       <h2 id="verdict-title">{t('verdict')}</h2>
       <p role="status"><span class={`state ${verdict.state}`}>{t(told)}</span></p>
-      <div class="wide" tabindex={0} role="region" aria-label={t('verdict')}>
+      <div class="wide" tabindex={0} role="group" aria-label={t('verdict')}>
         <table>
           <thead><tr><th scope="col">{t('criterion')}</th><th scope="col">{t('value')}</th><th scope="col">{t('limit')}</th><th scope="col">{t('state')}</th><th scope="col">{t('where')}</th></tr></thead>
           <tbody>
@@ -101,7 +102,7 @@ export function Html({ html, id }) {
     for (const summary of template.content.querySelectorAll('summary'))
       summary.parentElement.open = opened.includes(summary.textContent);
     for (const box of template.content.querySelectorAll('.wide')) {
-      box.setAttribute('role', 'region');
+      box.setAttribute('role', 'group');
       box.setAttribute('aria-label', t('results'));
     }
     body.replaceChildren(template.content);
@@ -138,5 +139,5 @@ export function Sections() {
 }
 
 export function Results() {
-  return <><Headlines /><Verdict /><Warnings /><div id="view-3d" /><Sections />{state.language === 'de' && <p class="default">{t('engineEnglish')}</p>}</>;
+  return <><Headlines /><Verdict /><Warnings /><Mechanism /><Sections />{state.language === 'de' && <p class="default">{t('engineEnglish')}</p>}</>;
 }

@@ -58,10 +58,9 @@ export const schemaOf = (text) => {
 
 // The engine -------------------------------------------------------------------------------------
 
-/** Numbers in one worker, sections and pictures in another. */
-let numbers = null;
-let pictures = null;
-const engineOf = { numbers: () => (numbers ??= new Engine()), pictures: () => (pictures ??= new Engine()) };
+/** Headlines in one worker, verdict and pictures in another, what the reader asks for in a third. */
+let engines = {};
+const engine = (name) => (engines[name] ??= new Engine());
 
 /** The files that a text names and the page has. */
 export const filesOf = (text) =>
@@ -77,20 +76,45 @@ export const questionOf = (variant, more) => ({
 
 const nothing = { status: 2, document: null, figures: [], messages: ['prs: error: no case is open; open one first'] };
 
-export function ask(more, variant = current(), of = 'numbers') {
-  if (more.command === 'new') return engineOf[of]().ask(more);
-  return variant ? engineOf[of]().ask(questionOf(variant, more)) : Promise.resolve(nothing);
+const send = (more, v, name) => engine(name).ask(questionOf(v, more));
+
+/** The answer on a case as it stands, which is asked once. */
+function answerOf(command, v) {
+  if (v.asked?.text !== v.text || v.asked.files !== state.files) v.asked = { text: v.text, files: state.files, answers: {} };
+  return (v.asked.answers[command] ??= send({ command }, v, command === 'check' ? 'pictures' : 'numbers'));
+}
+
+/** What a reader or a script asks, apart from what the views show. */
+export async function ask(more, v = current()) {
+  if (more.command === 'new') return engine('asked').ask(more);
+  if (!v) return nothing;
+  const same = Object.keys(more).length === 1 && v.asked?.text === v.text && v.asked.files === state.files;
+  const answer = same ? await v.asked.answers[more.command] : undefined;
+  return answer && !answer.ended ? answer : send(more, v, 'asked');
+}
+
+/** What computes values that are gone for long goes as well. */
+function endStale() {
+  const patience = 250;
+  for (const name of ['numbers', 'pictures'])
+    if (engines[name]?.busySince != null && performance.now() - engines[name].busySince > patience) {
+      engines[name].end();
+      delete engines[name];
+    }
 }
 
 /** Ends a long computation: its worker goes, the next question starts another. */
 export function stop() {
-  numbers?.end();
-  pictures?.end();
-  numbers = pictures = null;
+  for (const each of Object.values(engines)) each.end();
+  engines = {};
+  for (const v of state.variants) v.asked = null;
   state.busy = false;
-  refreshing = 0;
+  refreshing += 1;
   changed();
 }
+
+/** Ready before somebody asks. */
+export const warm = () => ['numbers', 'pictures', 'asked'].forEach(engine);
 
 // Variants ---------------------------------------------------------------------------------------
 
@@ -206,74 +230,59 @@ export async function set(path, value, key = null) {
 
 const singles = ['solve', 'contact', 'slip', 'life', 'measures', 'preload'];
 let refreshing = 0;
-let settled = Promise.resolve();
 
 /** Asks anew what the views show. Resolves when all numbers are there, or after some seconds. */
 export function refresh() {
   save();
   const round = ++refreshing;
   const v = current();
+  endStale();
   state.busy = true;
   changed();
-  settled = Promise.all([askNumbers(v, round), askSections(v, round)]).then(() => {
+  // The numbers that a reader waits for come first.
+  const settled = Promise.all([
+    askNumbers(v, round),
+    answerOf('solve', v).then(() => Promise.all([askCheck(v, round), askSections(v, round)])),
+  ]).then(() => {
     if (round !== refreshing) return;
     state.busy = false;
     changed();
     document.dispatchEvent(new CustomEvent('prs-complete', { detail: v.status }));
   });
-  const patience = new Promise((resolve) => setTimeout(resolve, 8000));
+  const patience = new Promise((resolve) => setTimeout(resolve, 5000));
   return Promise.race([settled, patience]);
 }
 
 async function askNumbers(v, round) {
-  const text = v.text;
-  const isOld = () => round !== refreshing || v.text !== text;
-  const take = (command, answer) => {
-    if (isOld()) return false;
-    if (answer.document) v.documents = { ...v.documents, [command]: answer.document };
-    else {
-      v.documents = { ...v.documents };
-      delete v.documents[command];
-    }
-    return true;
-  };
-  if (otherFile(text)) {
-    const check = await ask({ command: 'check' }, v);
-    if (!take('check', check)) return;
-    v.status = check.status;
-    v.messages = check.messages;
-    takeInputs(v);
-    v.answered = text;
-    return changed();
-  }
-  // First what was there before: the numbers that a reader waits for.
-  const first = v.documents.solve ? 'solve' : v.documents.contact ? 'contact' : null;
-  if (first) {
-    const answer = await ask({ command: first }, v);
-    if (isOld()) return;
-    if (answer.document) {
-      take(first, answer);
-      changed();
-    }
-  }
-  const check = await ask({ command: 'check' }, v);
-  if (isOld()) return;
-  v.status = check.status;
-  v.messages = check.messages;
-  v.answered = text;
-  if (!check.document) return changed();
-  take('check', check);
-  takeInputs(v);
-  for (const command of Object.keys(v.documents))
-    if (command !== 'check' && !check.document.commands[command]?.ready) delete v.documents[command];
-  changed();
+  const { text } = v;
   for (const command of singles) {
-    if (command === first || !check.document.commands[command]?.ready) continue;
-    const answer = await ask({ command }, v);
-    if (!take(command, answer)) return;
-    if (answer.status === 3) v.status = 3;
+    if (round !== refreshing || v.text !== text || otherFile(text)) return;
+    const answer = await answerOf(command, v);
+    if (round !== refreshing || v.text !== text || answer.ended) return;
+    // What is wrong in the text is told, and the numbers stay as they were.
+    if (answer.status === 2 && command === 'contact' && !v.fresh) return;
+    if (command === 'solve') v.fresh = Boolean(answer.document);
+    if (answer.document) {
+      v.fresh = true;
+      v.documents = { ...v.documents, [command]: answer.document };
+    } else if (v.fresh) v.documents = Object.fromEntries(Object.entries(v.documents).filter(([name]) => name !== command));
     changed();
   }
+}
+
+async function askCheck(v, round) {
+  const { text } = v;
+  if (round !== refreshing || v.text !== text) return;
+  const answer = await answerOf('check', v);
+  if (round !== refreshing || v.text !== text || answer.ended) return;
+  v.status = answer.status;
+  v.messages = answer.messages;
+  v.answered = text;
+  if (answer.document) {
+    v.documents = { ...v.documents, check: answer.document };
+    takeInputs(v);
+  }
+  changed();
 }
 
 /** The inputs that the engine finds stated; a text that it refuses keeps those of its lines. */
@@ -282,25 +291,28 @@ function takeInputs(v) {
   if (!listed) return;
   const own = new Map(v.inputs.map((input) => [input.path, input]));
   const inputs = listed
-    .filter((entry) => !entry.default)
-    .map((entry) => ({ ...own.get(entry.path), path: entry.path, text: textOf(own, v, entry), reason: entry.reason, basis: entry.basis }));
+    .filter((entry) => !(entry.default ?? !entry.written))
+    .map(({ path, reason, basis, written, value }) => ({
+      path, reason, basis,
+      text: own.get(path)?.text ?? valueAt(v.text, path) ?? written ?? value,
+    }));
+  // Parts of what is listed as a whole, `from` of a range, stand behind it.
   const known = new Set(inputs.map((input) => input.path));
-  const parents = (path) => inputs.some((i) => path.startsWith(`${i.path}.`) || path.startsWith(`${i.path}[`));
-  for (const input of v.inputs) if (!known.has(input.path) && !parents(input.path)) inputs.push(input);
+  for (const input of v.inputs.filter(({ path }) => !known.has(path))) {
+    const whole = inputs.findLastIndex(({ path }) => input.path.startsWith(`${path}.`) || input.path.startsWith(`${path}[`));
+    inputs.splice(whole < 0 ? inputs.length : whole + 1, 0, input);
+  }
   v.inputs = inputs;
 }
-
-const textOf = (own, v, entry) =>
-  own.get(entry.path)?.text ?? valueAt(v.text, entry.path) ?? entry.written ?? entry.value;
 
 async function askSections(v, round) {
   const text = v.text;
   const report = { own: 0, units: state.units };
   // Those of a requirement take all its candidates: when they are asked for.
-  if (otherFile(text)) return;
+  if (otherFile(text) || round !== refreshing) return;
   report.sections = page.sections.map((s) => s.id).filter((id) => state.open.has(id) && id !== 'verdict');
   report.sections.push('warnings');
-  const answer = await ask({ command: 'report', report }, v, 'pictures');
+  const answer = await send({ command: 'report', report }, v, 'pictures');
   if (round !== refreshing || v.text !== text) return;
   v.units = state.units;
   if (answer.document) {
@@ -320,21 +332,19 @@ export function toggleSection(id, isOpen) {
 
 /** Every section of the report, as HTML by their names: {sections, head}. */
 export const wholeReport = () =>
-  ask({ command: 'report', report: { own: 0, units: state.units } }, current(), 'pictures');
+  send({ command: 'report', report: { own: 0, units: state.units } }, current(), 'asked');
 
 /** Answers of variants that are compared and were not asked yet. */
 export async function refreshAll() {
   for (const v of state.variants) {
-    if (v.answered === v.text) continue;
-    const ready = (await ask({ command: 'check' }, v)).document;
-    if (ready) v.documents = { ...v.documents, check: ready };
-    for (const command of singles)
-      if (ready?.commands?.[command]?.ready) {
-        const { document } = await ask({ command }, v);
-        if (document) v.documents = { ...v.documents, [command]: document };
+    for (const command of ['check', ...singles]) {
+      const { text } = v;
+      const { document } = await answerOf(command, v);
+      if (document && v.text === text && v.documents[command] !== document) {
+        v.documents = { ...v.documents, [command]: document };
+        changed();
       }
-    v.answered = v.text;
-    changed();
+    }
   }
 }
 

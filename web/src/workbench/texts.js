@@ -167,7 +167,7 @@ const german = {
   outer_diameter: 'Außendurchmesser', axial_force: 'Axialkraft', direction: 'Richtung', position: 'Lage', name: 'Name',
   speed: 'Drehzahl', youngs_modulus: 'Elastizitätsmodul', poisson_ratio: 'Querdehnzahl', density: 'Dichte',
   backlash: 'Spiel', geometry: 'Geometrie', profile_plane: 'Profilebene', convex: 'konvex', concave: 'konkav',
-  viscosity: 'Viskosität', temperature: 'Temperatur', efficiency: 'Wirkungsgrad', stiffness: 'Steifigkeit', weight: 'Masse',
+  viscosity: 'Viskosität', temperature: 'Temperatur', stiffness: 'Steifigkeit',
   // Sections
   Warnings: 'Warnungen', Mechanism: 'Gewindetrieb', 'Inputs and assumptions': 'Eingaben und Annahmen',
   'Load distribution': 'Lastverteilung', Pressures: 'Pressungen', Stiffness: 'Steifigkeit', Life: 'Lebensdauer',
@@ -183,10 +183,15 @@ const german = {
   Convergence: 'Konvergenz',
   // Headlines
   'axial displacement': 'axiale Verschiebung', 'axial stiffness': 'axiale Steifigkeit', 'axial force': 'Axialkraft',
-  'tangent stiffness': 'Tangentensteifigkeit', 'power loss': 'Verlustleistung', 'slip efficiency': 'Wirkungsgrad', efficiency_: 'Wirkungsgrad',
+  'tangent stiffness': 'Tangentensteifigkeit', 'power loss': 'Verlustleistung', 'slip efficiency': 'Wirkungsgrad',
   'max screw peak pressure': 'größte Pressung, Spindel', 'max nut peak pressure': 'größte Pressung, Mutter',
   'max screw load rate': 'größter Lastanteil, Spindel', 'max nut load rate': 'größter Lastanteil, Mutter',
-  'screw torque': 'Drehmoment der Spindel', 'torque screw': 'Drehmoment der Spindel',
+  'torque screw': 'Drehmoment der Spindel', efficiency: 'Wirkungsgrad', weight: 'Masse', 'lost motion': 'Umkehrspiel',
+  'solved static safety': 'statische Sicherheit, gelöste Lasten', 'dynamic capacity': 'dynamische Tragzahl',
+  'screw backlash': 'Spiel an der Spindel', 'nut backlash': 'Spiel an der Mutter', 'nut heat temperature': 'Temperatur der Mutter',
+  'life static safety': 'statische Sicherheit', 'life system l10 hours': 'L10 in Stunden',
+  'life system l10 revolutions': 'L10 in Umdrehungen', 'life catalogue l10 hours': 'L10 nach Katalog, in Stunden',
+  'preload lost motion': 'Umkehrspiel',
 };
 
 /** A title of the engine in the language of the page; English where the table has none. */
