@@ -3,18 +3,17 @@
 // loaded end of the screw, azimuths from y towards z. It draws what the document says and computes
 // no contacts, loads or temperatures.
 
-const lengths = { mm: 1, m: 1e3, cm: 10, um: 1e-3, 'µm': 1e-3, 'μm': 1e-3, nm: 1e-6, in: 25.4, ft: 304.8, uin: 25.4e-6, 'µin': 25.4e-6, 'μin': 25.4e-6 };
-const degree = Math.PI / 180;
-const angles = { deg: degree, '°': degree, rad: 1, mrad: 1e-3 };
+import { factorOf, split } from '../page/quantity.js';
 
-const read = (units) => (text) => {
-  const [, number, unit] = String(text).match(/^\s*([-+\d.eE]*\d\.?)\s*(.*?)\s*$/) ?? [];
-  return Number(number) * (units[unit] ?? NaN);
+const inUnit = (unit) => (text) => {
+  const { number, unit: own } = split(text);
+  return number * factorOf(own, unit);
 };
 /** Of a text as `resolved_input` has it: `0.4 in`, `45 deg`. */
-export const length = read(lengths);
-export const angle = read(angles);
+export const length = inUnit('mm');
+export const angle = inUnit('rad');
 
+const degree = Math.PI / 180;
 const parts = ['screw', 'roller', 'nut'];
 const perPart = (value, part) => (value !== null && typeof value === 'object' ? value[part] : value);
 const turn = 2 * Math.PI;
