@@ -1,0 +1,171 @@
+// Pictures of studies as SVG elements, with the classes and variables of the page's style sheet
+// (`svg_rules` in prs/svg/elements.cpp).
+
+const namespace = 'http://www.w3.org/2000/svg';
+
+function draw(name, attributes = {}, ...children) {
+  const node = document.createElementNS(namespace, name);
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+  node.append(...children);
+  return node;
+}
+
+const width = 640;
+
+const text = (x, y, words, more = {}) => draw('text', { x, y, ...more }, String(words));
+
+/** Four digits, and powers of ten where numbers are long. */
+export const shown = (value) => (value === null || value === undefined ? '–' : String(Number(value.toPrecision(4))));
+
+/** Round places on an axis. */
+export function ticks(from, to, count = 6) {
+  if (!(to > from)) return [from];
+  const raw = (to - from) / count;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = power * [1, 2, 2.5, 5, 10].find((each) => each * power >= raw * (1 - 1e-9));
+  const found = [];
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) found.push(Number((k * step).toPrecision(12)));
+  return found;
+}
+
+function extent(values) {
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  const room = most > least ? 0.06 * (most - least) : 0.05 * Math.abs(most) || 1;
+  return [least - room, most + room];
+}
+
+function frame(height, title) {
+  return draw('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': title }, draw('title', {}, title));
+}
+
+/** Axes with their numbers and words; `at(x, y)` gives places in the picture. */
+function axes(svg, box, x, y) {
+  const horizontal = (value) => box.left + ((value - x.from) / (x.to - x.from)) * box.width;
+  const vertical = (value) => box.top + box.height - ((value - y.from) / (y.to - y.from)) * box.height;
+  const bottom = box.top + box.height;
+  for (const value of ticks(y.from, y.to))
+    svg.append(
+      draw('line', { class: 'g', x1: box.left, x2: box.left + box.width, y1: vertical(value), y2: vertical(value) }),
+      text(box.left - 6, vertical(value) + 4, shown(value), { class: 'e' }),
+    );
+  for (const value of ticks(x.from, x.to))
+    svg.append(
+      draw('line', { class: 't', x1: horizontal(value), x2: horizontal(value), y1: bottom, y2: bottom + 5 }),
+      text(horizontal(value), bottom + 19, shown(value), { class: 'm' }),
+    );
+  svg.append(
+    draw('rect', { class: 't', x: box.left, y: box.top, width: box.width, height: box.height }),
+    text(box.left + box.width / 2, bottom + 40, x.label, { class: 'm' }),
+    text(0, 0, y.label, { class: 'm', transform: `translate(16 ${box.top + box.height / 2}) rotate(-90)` }),
+  );
+  return { horizontal, vertical };
+}
+
+const withUnit = (words, unit) => (unit ? `${words} (${unit})` : words);
+
+/** A response over an input: `{values, responses, base}`, words and units of both. */
+export function curve({ values, responses, base, baseValue, title, x, y }) {
+  const points = values.map((value, k) => [value, responses[k]]).filter(([, value]) => value !== null);
+  const svg = frame(380, title);
+  if (points.length === 0) return svg;
+  const [from, to] = extent([...points.map(([, value]) => value), ...(base === null || base === undefined ? [] : [base])]);
+  const box = { left: 84, top: 14, width: width - 104, height: 300 };
+  const { horizontal, vertical } = axes(svg, box,
+    { from: Math.min(...values), to: Math.max(...values), label: withUnit(x.title, x.unit) },
+    { from, to, label: withUnit(y.title, y.unit) });
+  // A design without an answer breaks the line.
+  let path = '';
+  let isOpen = false;
+  values.forEach((value, k) => {
+    if (responses[k] === null) return void (isOpen = false);
+    path += `${isOpen ? 'L' : 'M'}${horizontal(value).toFixed(1)} ${vertical(responses[k]).toFixed(1)}`;
+    isOpen = true;
+  });
+  svg.append(draw('path', { class: 's0', 'stroke-width': 2, d: path }));
+  for (const [value, response] of points)
+    svg.append(draw('circle', { class: 'f0', cx: horizontal(value), cy: vertical(response), r: 3.5 },
+      draw('title', {}, `${shown(value)} ${x.unit}: ${shown(response)} ${y.unit}`)));
+  const isInside = baseValue >= Math.min(...values) && baseValue <= Math.max(...values);
+  if (base !== null && base !== undefined && isInside) {
+    const [cx, cy] = [horizontal(baseValue), vertical(base)];
+    svg.append(draw('path', { class: 's1', 'stroke-width': 2, d: `M${cx - 6} ${cy}L${cx} ${cy - 6}L${cx + 6} ${cy}L${cx} ${cy + 6}Z` },
+      draw('title', {}, shown(base))));
+  }
+  return svg;
+}
+
+/** A colour of the page's scale. */
+export function scaleColour(scale, share) {
+  const at = Math.max(0, Math.min(1, share)) * (scale.length - 1);
+  const k = Math.min(scale.length - 2, Math.floor(at));
+  const channel = (colour, place) => Number.parseInt(colour.slice(1 + 2 * place, 3 + 2 * place), 16);
+  const mixed = [0, 1, 2].map((place) => Math.round(channel(scale[k], place) + (at - k) * (channel(scale[k + 1], place) - channel(scale[k], place))));
+  return `#${mixed.map((value) => value.toString(16).padStart(2, '0')).join('')}`;
+}
+
+/** A response over two inputs, each field with its number: `{rows, columns, responses[row][column]}`. */
+export function heatMap({ rows, columns, responses, title, x, y, z, scale }) {
+  const known = responses.flat().filter((value) => value !== null);
+  const box = { left: 84, top: 44, width: width - 104, height: 320 };
+  const svg = frame(430, title);
+  if (known.length === 0) return svg;
+  const [least, most] = [Math.min(...known), Math.max(...known)];
+  const [across, up] = [box.width / columns.length, box.height / rows.length];
+  const hasNumbers = across >= 46 && up >= 16;
+  responses.forEach((row, k) => row.forEach((value, j) => {
+    const [left, top] = [box.left + j * across, box.top + box.height - (k + 1) * up];
+    const share = most > least ? (value - least) / (most - least) : 0.5;
+    const field = draw('rect', { x: left, y: top, width: across + 0.5, height: up + 0.5, fill: value === null ? 'none' : scaleColour(scale, share) },
+      draw('title', {}, `${shown(columns[j])} ${x.unit}, ${shown(rows[k])} ${y.unit}: ${shown(value)} ${z.unit}`));
+    svg.append(field);
+    if (hasNumbers) svg.append(text(left + across / 2, top + up / 2 + 4, shown(value), { class: value === null ? 'm' : 'n' }));
+  }));
+  const every = (count, room) => Math.max(1, Math.ceil(count / room));
+  columns.forEach((value, j) => {
+    if (j % every(columns.length, 9) === 0) svg.append(text(box.left + (j + 0.5) * across, box.top + box.height + 19, shown(value), { class: 'm' }));
+  });
+  rows.forEach((value, k) => {
+    if (k % every(rows.length, 14) === 0) svg.append(text(box.left - 6, box.top + box.height - (k + 0.5) * up + 4, shown(value), { class: 'e' }));
+  });
+  const steps = 24;
+  for (let k = 0; k < steps; k++)
+    svg.append(draw('rect', { x: box.left + 70 + k * 8, y: 8, width: 8.5, height: 12, fill: scaleColour(scale, k / (steps - 1)) }));
+  svg.append(
+    text(box.left + 64, 19, shown(least), { class: 'e' }),
+    text(box.left + 70 + 8 * steps + 6, 19, `${shown(most)} ${z.unit}  ${z.title}`),
+    draw('rect', { class: 't', x: box.left, y: box.top, width: box.width, height: box.height }),
+    text(box.left + box.width / 2, box.top + box.height + 42, withUnit(x.title, x.unit), { class: 'm' }),
+    text(0, 0, withUnit(y.title, y.unit), { class: 'm', transform: `translate(16 ${box.top + box.height / 2}) rotate(-90)` }),
+  );
+  return svg;
+}
+
+/**
+ * Effects of tolerances about the response of the case, the largest at the top: at the lower end of an
+ * input an outline, at the upper one a filled bar, each with its number.
+ */
+export function tornadoChart({ bars, base, title, y }) {
+  const rowHeight = 46;
+  const box = { left: 20, top: 10, width: width - 40, height: rowHeight * bars.length + 6 };
+  const svg = frame(box.height + 64, title);
+  const all = [base, ...bars.flatMap((bar) => bar.responses)].filter((value) => value !== null);
+  const half = Math.max(...all.map((value) => Math.abs(value - base))) * 1.25 || Math.abs(base) * 0.01 || 1;
+  const { horizontal } = axes(svg, box, { from: base - half, to: base + half, label: withUnit(y.title, y.unit) }, { from: 0, to: 0, label: '' });
+  const place = horizontal(base);
+  bars.forEach((bar, k) => {
+    const top = box.top + k * rowHeight + 6;
+    svg.append(text(box.left + 8, top + 10, `${bar.title ?? bar.path}: ${bar.value}, ${bar.within}`, { class: 'h' }));
+    bar.responses.forEach((response, end) => {
+      const from = top + 15 + 11 * end;
+      if (response === null) return void svg.append(text(place + 8, from + 9, `${bar.texts[end]}: –`, { class: 'q' }));
+      const at = horizontal(response);
+      svg.append(draw('rect', {
+        class: end === 0 ? 's0' : 'f0', x: Math.min(place, at), y: from, width: Math.max(1, Math.abs(at - place)), height: 10,
+      }, draw('title', {}, `${bar.texts[end]}: ${shown(response)} ${y.unit}`)));
+      const isLeft = at < place;
+      svg.append(text(at + (isLeft ? -6 : 6), from + 9, shown(response), { class: isLeft ? 'e h' : 'h', 'font-size': 12 }));
+    });
+  });
+  svg.append(draw('line', { class: 't', x1: place, x2: place, y1: box.top, y2: box.top + box.height }));
+  return svg;
+}
