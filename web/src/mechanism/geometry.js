@@ -3,18 +3,17 @@
 // loaded end of the screw, azimuths from y towards z. It draws what the document says and computes
 // no contacts, loads or temperatures.
 
-const lengths = { mm: 1, m: 1e3, cm: 10, um: 1e-3, 'µm': 1e-3, 'μm': 1e-3, nm: 1e-6, in: 25.4, ft: 304.8, uin: 25.4e-6, 'µin': 25.4e-6, 'μin': 25.4e-6 };
-const degree = Math.PI / 180;
-const angles = { deg: degree, '°': degree, rad: 1, mrad: 1e-3 };
+import { factorOf, split } from '../page/quantity.js';
 
-const read = (units) => (text) => {
-  const [, number, unit] = String(text).match(/^\s*([-+\d.eE]*\d\.?)\s*(.*?)\s*$/) ?? [];
-  return Number(number) * (units[unit] ?? NaN);
+const inUnit = (unit) => (text) => {
+  const { number, unit: own } = split(text);
+  return number * factorOf(own, unit);
 };
 /** Of a text as `resolved_input` has it: `0.4 in`, `45 deg`. */
-export const length = read(lengths);
-export const angle = read(angles);
+export const length = inUnit('mm');
+export const angle = inUnit('rad');
 
+const degree = Math.PI / 180;
 const parts = ['screw', 'roller', 'nut'];
 const perPart = (value, part) => (value !== null && typeof value === 'object' ? value[part] : value);
 const turn = 2 * Math.PI;
@@ -131,9 +130,16 @@ class Mesh {
   }
 }
 
-/** Profile of a tooth about its middle: (x, radius), with straight flanks. */
-export function toothProfile({ pitch, radius, low, high, slope }) {
-  const half = (r) => Math.max(0, Math.min(pitch / 2, pitch / 4 - (r - radius) * slope));
+/**
+ * Profile of a tooth about its middle: (x, radius), with straight flanks. A crest or a root that is
+ * narrower than this share of the pitch is an edge.
+ */
+export function toothProfile({ pitch, radius, low, high, slope }, narrow = 0.01) {
+  const edge = (narrow * pitch) / 2;
+  const half = (r) => {
+    const width = pitch / 4 - (r - radius) * slope;
+    return width < edge ? 0 : width > pitch / 2 - edge ? pitch / 2 : width;
+  };
   return [[-half(low), low], [-half(high), high], [half(high), high], [half(low), low]];
 }
 
@@ -148,10 +154,10 @@ function teeth(tooth, pitch, from, to) {
  * The surface of a thread, cut off at both ends; `tooth`: the middle of one at the azimuth 0. Of a nut
  * (`inward`) the teeth are those of the air.
  */
-export function threadMesh(thread, { tooth, from, to, start = 0, end = turn, segments, inward = false }) {
+export function threadMesh(thread, { tooth, from, to, start = 0, end = turn, segments, narrow, inward = false }) {
   const { pitch, lead } = thread;
   const mesh = new Mesh();
-  const [a, b, c, d] = toothProfile(thread);
+  const [a, b, c, d] = toothProfile(thread, narrow);
   const edges = [[a, b], [b, c], [c, d], [d, [a[0] + pitch, a[1]]]].filter(([p, q]) => Math.hypot(q[0] - p[0], q[1] - p[1]) > 1e-6 * pitch);
   const phi = (j) => start + ((end - start) * j) / segments;
   const shifts = [(lead * start) / turn, (lead * end) / turn].sort((p, q) => p - q);

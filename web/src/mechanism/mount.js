@@ -28,6 +28,15 @@ function themeOf(element) {
 
 let count = 0;
 
+/** Whether pictures come from the processor, which draws a tenth of the triangles. */
+function isDrawnBySoftware() {
+  const probe = document.createElement('canvas').getContext('webgl2');
+  const info = probe?.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? probe.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  probe?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
 /**
  * Draws `document` into the element; null where there is no WebGL, with the element as it was.
  * `onThread({load_case, roller, thread})`, all from 0, is told of a thread that the reader chose.
@@ -35,7 +44,8 @@ let count = 0;
 export function mount(element, { document: first, loadCase = 0, onThread = () => {}, texts = english, link = null }) {
   const id = `mechanism-view-${++count}`;
   const canvas = make('canvas', { tabIndex: 0, attributes: { role: 'img', 'aria-describedby': `${id}-help` } });
-  const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
+  const isFast = !isDrawnBySoftware();
+  const context = canvas.getContext('webgl2', { antialias: isFast });
   if (!context) return null;
   const choice = (label, select) => make('label', {}, `${label} `, select);
   const cases = make('select');
@@ -59,7 +69,7 @@ export function mount(element, { document: first, loadCase = 0, onThread = () =>
   let view = null;
   let data = first;
   let chosen = null;
-  view = new View(canvas, context, { theme: themeOf(element), onPick: (picked) => pick(picked) });
+  view = new View(canvas, context, { isFast, theme: themeOf(element), onPick: (picked) => pick(picked) });
 
   const box = make('div', { className: 'mechanism-view' },
     make('div', { className: 'picture' }, canvas),

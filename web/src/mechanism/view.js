@@ -1,9 +1,9 @@
 // The mechanism drawn by three.js. Nothing moves by itself: a picture is drawn when something changed.
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, DynamicDrawUsage, Group, HemisphereLight, InstancedMesh,
+  BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, InstancedMesh,
   Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, Quaternion, Raycaster, Scene,
-  DataTexture, InstancedBufferAttribute, ShapeUtils, SphereGeometry, Vector2, Vector3, Vector4, WebGLRenderer,
-  BackSide, DoubleSide,
+  DataTexture, InstancedBufferAttribute, Matrix3, ShapeUtils, SphereGeometry, Vector2, Vector3, Vector4, WebGLRenderer,
+  BackSide,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
@@ -16,8 +16,10 @@ import { sides } from './numbers.js';
 const degree = Math.PI / 180;
 /** The nut is left out between these azimuths, where the picture is first looked at from. */
 const cut = { from: -25 * degree, to: 115 * degree };
-/** Segments of a turn, fine and while software draws too slowly. */
-const segments = { roller: [28, 14], body: [96, 48] };
+/** Segments of a turn, and those where software draws or pictures take long. */
+const segments = { roller: [28, 9], body: [96, 36], contact: [[6, 4], [4, 2]] };
+/** Share of the pixels across while a coarse view turns. */
+const turning = 0.6;
 /** Milliseconds of a picture while the view turns, above which it is drawn coarser. */
 const slow = 40;
 
@@ -46,6 +48,31 @@ function joined(meshes) {
   return whole;
 }
 
+/** A geometry as often as asked, with colours; `put` gives each its place. */
+function repeated(geometry, times) {
+  const vertices = geometry.attributes.position.count;
+  const { array: index } = geometry.index;
+  const all = new BufferGeometry();
+  for (const name of ['position', 'normal', 'color']) all.setAttribute(name, new BufferAttribute(new Float32Array(3 * vertices * times), 3));
+  all.setIndex(new BufferAttribute(Uint32Array.from({ length: index.length * times }, (_, k) => index[k % index.length] + vertices * Math.floor(k / index.length)), 1));
+  return all;
+}
+
+function put(all, geometry, at, matrix, colour) {
+  const normals = new Matrix3().getNormalMatrix(matrix);
+  const point = new Vector3();
+  const { count } = geometry.attributes.position;
+  for (let k = 0; k < count; k++) {
+    const to = at * count + k;
+    point.fromBufferAttribute(geometry.attributes.position, k).applyMatrix4(matrix);
+    all.attributes.position.setXYZ(to, point.x, point.y, point.z);
+    point.fromBufferAttribute(geometry.attributes.normal, k).applyNormalMatrix(normals);
+    all.attributes.normal.setXYZ(to, point.x, point.y, point.z);
+    all.attributes.color.setXYZ(to, colour.r, colour.g, colour.b);
+  }
+  for (const attribute of Object.values(all.attributes)) attribute.needsUpdate = true;
+}
+
 /** The flat faces where the nut is cut. */
 function nutFace(d, phi, outwards) {
   const outline = nutSection(d, phi);
@@ -53,7 +80,7 @@ function nutFace(d, phi, outwards) {
   return {
     positions: new Float32Array(outline.flatMap(([x, r]) => [x, r * Math.cos(phi), r * Math.sin(phi)])),
     normals: new Float32Array(outline.flatMap(() => [0, -outwards * Math.sin(phi), outwards * Math.cos(phi)])),
-    index: new Uint32Array(triangles.flat()),
+    index: new Uint32Array(triangles.flatMap((corners) => (outwards > 0 ? corners : corners.reverse()))),
   };
 }
 
@@ -91,7 +118,7 @@ function rollerMaterial(colour, uniforms) {
 
 export class View {
   /** `theme` gives colours: of parts, the `scale` of numbers, `quiet` of what has none, `chosen`. */
-  constructor(canvas, context, { onPick, theme }) {
+  constructor(canvas, context, { isFast, onPick, theme }) {
     this.canvas = canvas;
     this.theme = theme;
     this.onPick = onPick;
@@ -109,18 +136,17 @@ export class View {
     this.materials = {
       screw: new MeshLambertMaterial({ color: theme.screw }),
       rollers: rollerMaterial(theme.rollers, this.uniforms),
-      nut: new MeshLambertMaterial({ color: theme.nut, side: DoubleSide }),
-      contacts: new MeshLambertMaterial({ color: 0xffffff, emissive: 0x333333 }),
+      nut: new MeshLambertMaterial({ color: theme.nut }),
+      contacts: new MeshLambertMaterial({ vertexColors: true, emissive: 0x333333 }),
       chosen: new MeshBasicMaterial({ color: theme.chosen, side: BackSide }),
     };
-    this.level = 0;
+    this.level = isFast ? 0 : 1;
     this.times = [];
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.enableZoom = false;
     canvas.style.touchAction = 'pan-y'; // A finger that moves along the page scrolls it.
-    this.controls.addEventListener('change', () => this.draw());
-    this.controls.addEventListener('end', () => this.rest());
+    this.controls.addEventListener('change', () => this.move());
     this.listeners = new AbortController();
     const { signal } = this.listeners;
     const on = (name, act, options = {}) => canvas.addEventListener(name, act, { signal, ...options });
@@ -151,11 +177,12 @@ export class View {
     if (this.bodies) {
       this.scene.remove(this.bodies);
       this.bodies.traverse((object) => object.geometry?.dispose());
-      for (const object of [this.rollers, this.contacts]) object.dispose();
+      for (const object of [this.rollers, this.chosen]) object.dispose();
     }
     this.bodies = new Group();
-    const around = { segments: segments.body[level] };
-    const open = { start: cut.to, end: cut.from + 2 * Math.PI, segments: Math.round((around.segments * 220) / 360) };
+    const narrow = level ? 0.1 : undefined;
+    const around = { segments: segments.body[level], narrow };
+    const open = { start: cut.to, end: cut.from + 2 * Math.PI, segments: Math.round((around.segments * 220) / 360), narrow };
     const screw = new Mesh(geometryOf(joined([
       threadMesh(d.screw, { tooth: screwTooth(d), from: d.screw.from, to: d.screw.to, ...around }),
       revolvedMesh(screwLine(d), around),
@@ -166,7 +193,7 @@ export class View {
       nutFace(d, open.start, -1),
       nutFace(d, open.end, 1),
     ])), this.materials.nut);
-    const ofRoller = { segments: segments.roller[level] };
+    const ofRoller = { segments: segments.roller[level], narrow };
     const roller = geometryOf(joined([
       threadMesh(d.roller, { tooth: d.first, from: d.roller.from, to: d.roller.to, ...ofRoller }),
       ...rollerLines(d).map((line) => revolvedMesh(line, ofRoller)),
@@ -184,9 +211,10 @@ export class View {
     this.uniforms.threads.value.set(d.first, d.pitch, d.contacts, d.roller.low);
     this.uniforms.colours.value?.dispose();
     this.uniforms.colours.value = new DataTexture(new Uint8Array(8 * d.contacts * this.places.length), d.contacts, 2 * this.places.length);
-    this.contacts = new InstancedMesh(new SphereGeometry(1, 8, 6), this.materials.contacts, 2 * this.places.length * d.contacts);
-    this.contacts.instanceMatrix.setUsage(DynamicDrawUsage);
-    this.chosen = new InstancedMesh(this.contacts.geometry, this.materials.chosen, 2 * this.places.length);
+    // One mesh of all contacts: where software draws, instances take longer than their triangles.
+    this.drop = new SphereGeometry(1, ...segments.contact[level]);
+    this.contacts = new Mesh(repeated(this.drop, 2 * this.places.length * d.contacts), this.materials.contacts);
+    this.chosen = new InstancedMesh(this.drop, this.materials.chosen, 2 * this.places.length);
     this.chosen.count = 0;
     this.parts = { screw, rollers: this.rollers, nut };
     for (const [part, mesh] of Object.entries(this.parts)) mesh.visible = !this.hidden?.has(part);
@@ -217,14 +245,11 @@ export class View {
         for (let thread = 0; thread < d.contacts; thread++, at++) {
           const share = this.colours.contacts(side, roller, thread);
           const shown = share === null ? none : this.scale(share, colour);
-          this.contacts.setColorAt(at, shown);
           texture.set([shown.r, shown.g, shown.b, share === null ? 0 : 0.8].map((part) => Math.round(255 * part)), 4 * at);
-          this.contacts.setMatrixAt(at, this.patch(side, roller, thread, share));
+          put(this.contacts.geometry, this.drop, at, this.patch(side, roller, thread, share), shown);
         }
     this.uniforms.colours.value.needsUpdate = true;
-    this.contacts.instanceMatrix.needsUpdate = true;
-    this.contacts.instanceColor.needsUpdate = true;
-    this.contacts.computeBoundingSphere();
+    this.contacts.geometry.computeBoundingSphere();
     for (const part of Object.keys(this.parts)) {
       const share = this.colours.parts?.[part];
       this.materials[part].color = share === undefined ? new Color(this.theme[part]) : this.scale(share, new Color());
@@ -260,7 +285,7 @@ export class View {
     if (picked)
       for (const roller of picked.roller === null ? this.places : [picked.roller])
         for (const side of sides)
-          this.chosen.setMatrixAt(at++, this.patch(side, roller, picked.thread, this.colours?.contacts(side, roller, picked.thread), 1.35));
+          this.chosen.setMatrixAt(at++, this.patch(side, roller, picked.thread, this.colours?.contacts(side, roller, picked.thread), 1.9));
     this.chosen.count = at;
     this.chosen.instanceMatrix.needsUpdate = true;
     this.draw();
@@ -281,7 +306,6 @@ export class View {
     const towards = new Vector3(-0.5, 0.55, 0.95).normalize();
     this.camera.position.copy(towards).multiplyScalar(this.distance(towards)).add(this.controls.target);
     this.controls.update();
-    this.draw();
   }
 
   /** From the middle to where the whole mechanism is seen in that direction. */
@@ -308,13 +332,11 @@ export class View {
     if (Math.abs(offset.angleTo(this.camera.up) - Math.PI / 2 + up) < 1.5) offset.applyQuaternion(new Quaternion().setFromAxisAngle(right, up));
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
-    this.draw();
   }
 
   zoom(factor) {
     this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
     this.controls.update();
-    this.draw();
   }
 
   resize() {
@@ -325,10 +347,32 @@ export class View {
     this.camera.near = 0.5;
     this.camera.far = 100 * (this.d.screw.to - this.d.screw.from);
     this.camera.updateProjectionMatrix();
-    this.renderer.setPixelRatio(Math.min(2, globalThis.devicePixelRatio) * (this.level ? 0.75 : 1));
-    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.setSharpness(1);
     if (Math.abs(before - this.camera.aspect) > 0.01) this.home();
     else this.draw();
+  }
+
+  /** Pixels of the picture over those of the screen. */
+  setSharpness(share) {
+    const ratio = share * (this.level ? 1 : Math.min(2, globalThis.devicePixelRatio));
+    const { clientWidth, clientHeight } = this.canvas;
+    const isSame = this.renderer.getPixelRatio() === ratio && this.canvas.width === Math.floor(ratio * clientWidth);
+    if (isSame && this.canvas.height === Math.floor(ratio * clientHeight)) return;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(clientWidth, clientHeight, false);
+  }
+
+  /** A picture of a movement: coarse, where pictures take long, until the view rests. */
+  move() {
+    if (this.level) {
+      this.setSharpness(turning);
+      clearTimeout(this.resting);
+      this.resting = setTimeout(() => {
+        this.setSharpness(1);
+        this.draw();
+      }, 250);
+    }
+    this.draw();
   }
 
   draw() {
@@ -356,10 +400,6 @@ export class View {
     this.resize();
   }
 
-  rest() {
-    this.times = [];
-  }
-
   click(event) {
     const [x, y] = this.pressed ?? [];
     if (!(Math.hypot(event.clientX - x, event.clientY - y) < 5)) return;
@@ -376,17 +416,17 @@ export class View {
     const shown = [this.contacts, ...Object.values(this.parts).filter((part) => part.visible)];
     const [hit] = ray.intersectObjects(shown, false);
     if (!hit) return null;
-    if (hit.object === this.contacts)
-      return {
-        roller: this.places[Math.floor(hit.instanceId / (2 * d.contacts))],
-        thread: hit.instanceId % d.contacts,
-      };
+    if (hit.object === this.contacts) {
+      const at = Math.floor((3 * hit.faceIndex) / this.drop.index.count);
+      return { roller: this.places[Math.floor(at / (2 * d.contacts))], thread: at % d.contacts };
+    }
     if (hit.object === this.rollers) return { roller: this.places[hit.instanceId], thread: threadAt(d, hit.point.x) };
     return null;
   }
 
   dispose() {
     this.listeners.abort();
+    clearTimeout(this.resting);
     this.sizes.disconnect();
     this.controls.dispose();
     this.bodies?.traverse((object) => object.geometry?.dispose());
