@@ -67,16 +67,16 @@ function moveByKeys(event) {
 }
 
 function Variants() {
-  const [renames, setRenames] = useState(false);
   return (
     <div class="variants">
       <div role="tablist" aria-label={t('variants')} onKeyDown={moveByKeys}>
         {state.variants.map((v, k) => (
           <button type="button" key={k} role="tab" aria-selected={k === state.current} aria-controls="case" tabindex={k === state.current ? 0 : -1}
-            onClick={() => chooseVariant(k)} onDblClick={() => setRenames(true)}>{v.name}</button>
+            onClick={() => chooseVariant(k)}>{v.name}</button>
         ))}
       </div>
-      <input class="variant-name" aria-label={t('renameVariant')} value={current().name}
+      <label for="variant-name" class="small">{t('renameVariant')}</label>
+      <input id="variant-name" class="variant-name" value={current().name}
         onChange={(event) => { current().name = event.currentTarget.value.trim() || current().name; changed(); }} />
       {state.variants.length < mostVariants && (
         <button type="button" title={t('variantHint')} onClick={() => addVariant()}>+ {t('addVariant')}</button>

@@ -4,7 +4,12 @@ import { below, join, skeleton, steps } from './schema.js';
 
 const options = { keepSourceTokens: true, uniqueKeys: false, prettyErrors: false };
 
-export const parsed = (text) => parseDocument(text, options);
+/** The document of a text, the last one kept: whoever changes it parses anew. */
+const kept = { text: null, document: null };
+function parsed(text) {
+  if (kept.text !== text) Object.assign(kept, { text, document: parseDocument(text, options) });
+  return kept.document;
+}
 
 const keyOf = (pair) => (isScalar(pair.key) ? String(pair.key.value) : String(pair.key));
 
@@ -116,7 +121,7 @@ export function withBlock(text, key, node) {
 
 /** The text without an input, all else as it stands. */
 export function without(text, path) {
-  const document = parsed(text);
+  const document = parseDocument(text, options);
   const way = steps(path);
   const last = way.pop();
   const parentPath = way.reduce((at, step) => join(at, step), '');
@@ -145,7 +150,7 @@ function joined(document, way, last) {
 
 /** The list at a path with its last item once more; what names it is left to the reader. */
 export function withItem(text, path) {
-  const document = parsed(text);
+  const document = parseDocument(text, options);
   const node = find(document, path);
   if (!isSeq(node) || node.items.length === 0) return null;
   const copy = node.items.at(-1).clone();

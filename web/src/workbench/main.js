@@ -4,6 +4,7 @@ import { App } from './app.jsx';
 import {
   addVariant, ask, current, onChange, open, page, redo, set, setLanguage, setUnits, state, undo, warm,
 } from './store.js';
+import { study } from './study.js';
 
 const place = document.getElementById('workbench');
 const draw = () => render(h(App), place);
@@ -26,7 +27,7 @@ globalThis.prs = {
     await addVariant(name);
     return answered(current());
   },
-  study: async () => { throw new Error('not yet'); },
+  study: (range, response) => study(range, response),
   units: setUnits,
   language: setLanguage,
 };

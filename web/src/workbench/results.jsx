@@ -61,7 +61,7 @@ export function Verdict() {
   const show = (c, value) => {
     if (value === undefined) return '–';
     const how = shownIn(c.name, unitShown(c.unit), state.units);
-    return `${number(how.convert(value), how.unit)} ${how.unit}`;
+    return `${number(how.convert(value), how.unit)} ${how.unit}`.trim();
   };
   return (
     <section aria-labelledby="verdict-title" class="verdict">
