@@ -43,7 +43,7 @@ function axes(svg, box, x, y) {
   const horizontal = (value) => box.left + ((value - x.from) / (x.to - x.from)) * box.width;
   const vertical = (value) => box.top + box.height - ((value - y.from) / (y.to - y.from)) * box.height;
   const bottom = box.top + box.height;
-  for (const value of ticks(y.from, y.to))
+  for (const value of y.to > y.from ? ticks(y.from, y.to) : [])
     svg.append(
       draw('line', { class: 'g', x1: box.left, x2: box.left + box.width, y1: vertical(value), y2: vertical(value) }),
       text(box.left - 6, vertical(value) + 4, shown(value), { class: 'e' }),

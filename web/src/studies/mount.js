@@ -2,7 +2,7 @@
 import { split, withUnit } from '../page/quantity.js';
 import { curve, heatMap, shown, tornadoChart } from './charts.js';
 import { responsePaths } from './response.js';
-import { studies } from './study.js';
+import { commands, studies } from './study.js';
 import { texts as english } from './texts.js';
 
 function make(tag, properties = {}, ...children) {
@@ -26,12 +26,13 @@ const csv = (rows) => rows.map((row) => row.map((cell) => {
 
 /**
  * `question(more)`, `engine()`: as in study.js. `responses`: rows {path, title, unit} of `prs list responses`.
- * `title(path)`: what an input is called. `texts`: see texts.js.
+ * `title(path)`: what an input is called. `texts`: see texts.js. `documents()`: those of the case by their
+ * commands, `check` among them, where the page has them at hand.
  */
-export function mount(element, { question, engine, responses = [], title = (path) => path, texts = english, scale }) {
+export function mount(element, { question, engine, responses = [], title = (path) => path, texts = english, documents = asked }) {
   const run = studies({ question, engine });
   const known = new Map(responses.map((row) => [row.path, row]));
-  const colours = scale ?? getComputedStyle(element).getPropertyValue('--scale').split(',').map((colour) => colour.trim());
+  const colours = getComputedStyle(element).getPropertyValue('--scale').split(',').map((colour) => colour.trim());
   let inputs = [];
   let cancel = null;
 
@@ -96,7 +97,8 @@ export function mount(element, { question, engine, responses = [], title = (path
   const ofResponse = (path) => ({ title: known.get(path)?.title ?? path, unit: known.get(path)?.unit ?? '' });
 
   function fillTolerances() {
-    const rows = inputs.map(({ path, text }, k) => {
+    const isWhole = ({ text }) => /^\s*[-+]?\d+\s*$/.test(text);
+    const rows = inputs.filter((input) => !isWhole(input)).map(({ path, text }, k) => {
       const use = make('input', { type: 'checkbox', checked: k < firstTolerances, attributes: { 'aria-label': `${texts.use}: ${title(path)}` } });
       const within = make('input', { type: 'text', value: '1 %', size: 18, attributes: { 'aria-label': `${texts.within}: ${title(path)}` } });
       const row = make('tr', {}, make('td', {}, use), make('th', { scope: 'row', textContent: title(path), title: path }), make('td', { textContent: text }), make('td', {}, within));
@@ -106,40 +108,51 @@ export function mount(element, { question, engine, responses = [], title = (path
     tolerances.chosen = () => rows.map((row) => row.chosen()).filter(Boolean);
   }
 
-  /** Reads what the case has: its inputs with numbers, and the responses of its commands. */
-  async function refresh() {
+  /** Documents of the case, from the engine. */
+  async function asked() {
     const host = engine();
+    const found = {};
     try {
-      const check = await host.ask(question({ command: 'check' }));
-      if (!check.document) return;
-      inputs = check.document.input
-        .filter(({ path, value, written, default: isDefault }) => !isDefault && split(written ?? value) && !/^(study|optimize|report)\b/.test(path))
-        .map(({ path, value, written }) => ({ path, text: String(written ?? value) }));
-      const rank = ({ path }) => (usual.findIndex((each) => each.test(path)) + usual.length + 1) % (usual.length + 1);
-      const sorted = [...inputs].sort((a, b) => rank(a) - rank(b));
-      for (const [select, at] of [[first.path, 0], [second.path, 1]]) {
-        const before = select.value;
-        select.replaceChildren(...inputs.map(({ path }) => new Option(title(path), path)));
-        select.value = inputs.some(({ path }) => path === before) ? before : sorted[Math.min(at, sorted.length - 1)]?.path;
-      }
-      const paths = new Set();
-      for (const command of ['solve', 'slip', 'measures', 'life', 'contact'].filter((name) => check.document.commands[name]?.ready)) {
+      for (const command of ['check', ...commands]) {
+        if (found.check?.commands[command]?.ready === false) continue;
         const { document: answer } = await host.ask(question({ command }));
-        if (answer) for (const path of responsePaths(answer)) if (known.size === 0 || known.has(path)) paths.add(path);
+        if (answer) found[command] = answer;
       }
-      const before = wanted.value;
-      wanted.replaceChildren(...[...paths].map((path) => {
-        const { title: words, unit } = ofResponse(path);
-        return new Option(unit ? `${words} (${unit})` : words, path);
-      }));
-      wanted.value = paths.has(before) ? before : paths.has(firstResponse) ? firstResponse : [...paths][0];
-      fillTolerances();
-      showKind();
-      start.disabled = inputs.length === 0;
-      state.textContent = inputs.length === 0 ? texts.noInputs : '';
+      return found;
     } finally {
       host.end?.();
     }
+  }
+
+  /** Reads what the case has: its inputs with numbers, and the responses of its commands. */
+  async function refresh() {
+    const { check, ...others } = await documents();
+    if (!check?.input) return;
+    inputs = check.input
+      .filter(({ path, value, written, default: isDefault }) => !isDefault && split(written ?? value) && !/^(study|optimize|report)\b/.test(path))
+      .map(({ path, value, written }) => ({ path, text: String(written ?? value) }));
+    // The first two of the usual ones, of each one.
+    const found = usual.map((each) => inputs.find(({ path }) => each.test(path))).filter(Boolean);
+    const sorted = [...found, ...inputs.filter((input) => !found.includes(input))];
+    for (const [select, at] of [[first.path, 0], [second.path, 1]]) {
+      const before = select.value;
+      select.replaceChildren(...inputs.map(({ path }) => new Option(title(path), path)));
+      select.value = inputs.some(({ path }) => path === before) ? before : sorted[Math.min(at, sorted.length - 1)]?.path;
+    }
+    const paths = new Set();
+    for (const command of commands)
+      for (const path of others[command] ? responsePaths(others[command]) : [])
+        if (known.size === 0 || known.has(path)) paths.add(path);
+    const before = wanted.value;
+    wanted.replaceChildren(...[...paths].map((path) => {
+      const { title: words, unit } = ofResponse(path);
+      return new Option(unit ? `${words} (${unit})` : words, path);
+    }));
+    wanted.value = paths.has(before) ? before : paths.has(firstResponse) ? firstResponse : [...paths][0];
+    fillTolerances();
+    showKind();
+    start.disabled = inputs.length === 0;
+    if (inputs.length === 0) state.textContent = texts.noInputs;
   }
 
   /** The picture with all its numbers below. */
