@@ -152,6 +152,9 @@ export function tornadoChart({ bars, base, title, y }) {
   const half = Math.max(...all.map((value) => Math.abs(value - base))) * 1.25 || Math.abs(base) * 0.01 || 1;
   const { horizontal } = axes(svg, box, { from: base - half, to: base + half, label: withUnit(y.title, y.unit) }, { from: 0, to: 0, label: '' });
   const place = horizontal(base);
+  // As many digits as tell the bars apart.
+  const places = Math.max(0, Math.min(12, 2 - Math.floor(Math.log10(half))));
+  svg.append(draw('line', { class: 't', x1: place, x2: place, y1: box.top, y2: box.top + box.height }));
   bars.forEach((bar, k) => {
     const top = box.top + k * rowHeight + 6;
     svg.append(text(box.left + 8, top + 10, `${bar.title ?? bar.path}: ${bar.value}, ${bar.within}`, { class: 'h' }));
@@ -163,9 +166,8 @@ export function tornadoChart({ bars, base, title, y }) {
         class: end === 0 ? 's0' : 'f0', x: Math.min(place, at), y: from, width: Math.max(1, Math.abs(at - place)), height: 10,
       }, draw('title', {}, `${bar.texts[end]}: ${shown(response)} ${y.unit}`)));
       const isLeft = at < place;
-      svg.append(text(at + (isLeft ? -6 : 6), from + 9, shown(response), { class: isLeft ? 'e h' : 'h', 'font-size': 12 }));
+      svg.append(text(at + (isLeft ? -6 : 6), from + 9, response.toFixed(places), { class: isLeft ? 'e h' : 'h', 'font-size': 12 }));
     });
   });
-  svg.append(draw('line', { class: 't', x1: place, x2: place, y1: box.top, y2: box.top + box.height }));
   return svg;
 }
