@@ -14,11 +14,10 @@ const width = 640;
 
 const text = (x, y, words, more = {}) => draw('text', { x, y, ...more }, String(words));
 
-/** Four digits, and powers of ten where numbers are long. */
-export const shown = (value) => (value === null || value === undefined ? '–' : String(Number(value.toPrecision(4))));
+const shown = (value) => (value === null || value === undefined ? '–' : String(Number(value.toPrecision(4))));
 
 /** Round places on an axis. */
-export function ticks(from, to, count = 6) {
+function ticks(from, to, count = 6) {
   if (!(to > from)) return [from];
   const raw = (to - from) / count;
   const power = 10 ** Math.floor(Math.log10(raw));
@@ -28,74 +27,14 @@ export function ticks(from, to, count = 6) {
   return found;
 }
 
-function extent(values) {
-  const [least, most] = [Math.min(...values), Math.max(...values)];
-  const room = most > least ? 0.06 * (most - least) : 0.05 * Math.abs(most) || 1;
-  return [least - room, most + room];
-}
-
 function frame(height, title) {
   return draw('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': title }, draw('title', {}, title));
 }
 
-/** Axes with their numbers and words; `at(x, y)` gives places in the picture. */
-function axes(svg, box, x, y) {
-  const horizontal = (value) => box.left + ((value - x.from) / (x.to - x.from)) * box.width;
-  const vertical = (value) => box.top + box.height - ((value - y.from) / (y.to - y.from)) * box.height;
-  const bottom = box.top + box.height;
-  for (const value of y.to > y.from ? ticks(y.from, y.to) : [])
-    svg.append(
-      draw('line', { class: 'g', x1: box.left, x2: box.left + box.width, y1: vertical(value), y2: vertical(value) }),
-      text(box.left - 6, vertical(value) + 4, shown(value), { class: 'e' }),
-    );
-  for (const value of ticks(x.from, x.to))
-    svg.append(
-      draw('line', { class: 't', x1: horizontal(value), x2: horizontal(value), y1: bottom, y2: bottom + 5 }),
-      text(horizontal(value), bottom + 19, shown(value), { class: 'm' }),
-    );
-  svg.append(
-    draw('rect', { class: 't', x: box.left, y: box.top, width: box.width, height: box.height }),
-    text(box.left + box.width / 2, bottom + 40, x.label, { class: 'm' }),
-    text(0, 0, y.label, { class: 'm', transform: `translate(16 ${box.top + box.height / 2}) rotate(-90)` }),
-  );
-  return { horizontal, vertical };
-}
-
 const withUnit = (words, unit) => (unit ? `${words} (${unit})` : words);
 
-/** A response over an input: `{values, responses, base}`, words and units of both. */
-export function curve({ values, responses, base, baseValue, title, x, y }) {
-  const points = values.map((value, k) => [value, responses[k]]).filter(([, value]) => value !== null);
-  const svg = frame(380, title);
-  if (points.length === 0) return svg;
-  const [from, to] = extent([...points.map(([, value]) => value), ...(base === null || base === undefined ? [] : [base])]);
-  const box = { left: 84, top: 14, width: width - 104, height: 300 };
-  const { horizontal, vertical } = axes(svg, box,
-    { from: Math.min(...values), to: Math.max(...values), label: withUnit(x.title, x.unit) },
-    { from, to, label: withUnit(y.title, y.unit) });
-  // A design without an answer breaks the line.
-  let path = '';
-  let isOpen = false;
-  values.forEach((value, k) => {
-    if (responses[k] === null) return void (isOpen = false);
-    path += `${isOpen ? 'L' : 'M'}${horizontal(value).toFixed(1)} ${vertical(responses[k]).toFixed(1)}`;
-    isOpen = true;
-  });
-  svg.append(draw('path', { class: 's0', 'stroke-width': 2, d: path }));
-  for (const [value, response] of points)
-    svg.append(draw('circle', { class: 'f0', cx: horizontal(value), cy: vertical(response), r: 3.5 },
-      draw('title', {}, `${shown(value)} ${x.unit}: ${shown(response)} ${y.unit}`)));
-  const isInside = baseValue >= Math.min(...values) && baseValue <= Math.max(...values);
-  if (base !== null && base !== undefined && isInside) {
-    const [cx, cy] = [horizontal(baseValue), vertical(base)];
-    svg.append(draw('path', { class: 's1', 'stroke-width': 2, d: `M${cx - 6} ${cy}L${cx} ${cy - 6}L${cx + 6} ${cy}L${cx} ${cy + 6}Z` },
-      draw('title', {}, shown(base))));
-  }
-  return svg;
-}
-
 /** A colour of the page's scale. */
-export function scaleColour(scale, share) {
+function scaleColour(scale, share) {
   const at = Math.max(0, Math.min(1, share)) * (scale.length - 1);
   const k = Math.min(scale.length - 2, Math.floor(at));
   const channel = (colour, place) => Number.parseInt(colour.slice(1 + 2 * place, 3 + 2 * place), 16);
@@ -104,7 +43,8 @@ export function scaleColour(scale, share) {
 }
 
 /** A response over two inputs, each field with its number: `{rows, columns, responses[row][column]}`. */
-export function heatMap({ rows, columns, responses, title, x, y, z, scale }) {
+export function heatMap({ rows, columns, responses, title, x, y, z }) {
+  const scale = getComputedStyle(document.documentElement).getPropertyValue('--scale').split(',').map((colour) => colour.trim());
   const known = responses.flat().filter((value) => value !== null);
   const box = { left: 84, top: 44, width: width - 104, height: 320 };
   const svg = frame(430, title);
@@ -142,31 +82,47 @@ export function heatMap({ rows, columns, responses, title, x, y, z, scale }) {
 
 /**
  * Effects of tolerances about the response of the case, the largest at the top: at the lower end of an
- * input an outline, at the upper one a filled bar, each with its number.
+ * input an outline, at the upper one a filled bar, each with its number. `ends`: what both are called.
  */
-export function tornadoChart({ bars, base, title, y }) {
+export function tornadoChart({ bars, base, title, y, ends }) {
   const rowHeight = 46;
-  const box = { left: 20, top: 10, width: width - 40, height: rowHeight * bars.length + 6 };
-  const svg = frame(box.height + 64, title);
-  const all = [base, ...bars.flatMap((bar) => bar.responses)].filter((value) => value !== null);
-  const half = Math.max(...all.map((value) => Math.abs(value - base))) * 1.25 || Math.abs(base) * 0.01 || 1;
-  const { horizontal } = axes(svg, box, { from: base - half, to: base + half, label: withUnit(y.title, y.unit) }, { from: 0, to: 0, label: '' });
-  const place = horizontal(base);
+  const box = { left: 20, top: 30, width: width - 40, height: rowHeight * bars.length + 6 };
+  const bottom = box.top + box.height;
+  const svg = frame(bottom + 48, title);
+  const known = [base, ...bars.flatMap((bar) => bar.responses)].filter((value) => value !== null);
+  const half = Math.max(...known.map((value) => Math.abs(value - base))) * 1.25 || Math.abs(base) * 0.01 || 1;
+  const horizontal = (value) => box.left + box.width * (0.5 + (value - base) / (2 * half));
   // As many digits as tell the bars apart.
   const places = Math.max(0, Math.min(12, 2 - Math.floor(Math.log10(half))));
-  svg.append(draw('line', { class: 't', x1: place, x2: place, y1: box.top, y2: box.top + box.height }));
+  const told = (value) => value.toFixed(places).replace('-', '−');
+  const place = horizontal(base);
+  for (const value of ticks(base - half, base + half))
+    svg.append(
+      draw('line', { class: 't', x1: horizontal(value), x2: horizontal(value), y1: bottom, y2: bottom + 5 }),
+      text(horizontal(value), bottom + 19, shown(value), { class: 'm' }),
+    );
+  svg.append(
+    draw('rect', { class: 't', x: box.left, y: box.top, width: box.width, height: box.height }),
+    draw('line', { class: 't', x1: place, x2: place, y1: box.top, y2: bottom }),
+    text(box.left + box.width / 2, bottom + 40, withUnit(y.title, y.unit), { class: 'm' }),
+  );
+  ends.forEach((words, k) => svg.append(
+    draw('rect', { class: k === 0 ? 's0' : 'f0', x: box.left + 200 * k, y: 8, width: 26, height: 10 }),
+    text(box.left + 200 * k + 34, 17, words),
+  ));
   bars.forEach((bar, k) => {
     const top = box.top + k * rowHeight + 6;
-    svg.append(text(box.left + 8, top + 10, `${bar.title ?? bar.path}: ${bar.value}, ${bar.within}`, { class: 'h' }));
+    svg.append(text(box.left + 8, top + 10, `${bar.path}: ${bar.value}, ${bar.within}`, { class: 'h' }));
     bar.responses.forEach((response, end) => {
       const from = top + 15 + 11 * end;
       if (response === null) return void svg.append(text(place + 8, from + 9, `${bar.texts[end]}: –`, { class: 'q' }));
       const at = horizontal(response);
-      svg.append(draw('rect', {
-        class: end === 0 ? 's0' : 'f0', x: Math.min(place, at), y: from, width: Math.max(1, Math.abs(at - place)), height: 10,
-      }, draw('title', {}, `${bar.texts[end]}: ${shown(response)} ${y.unit}`)));
       const isLeft = at < place;
-      svg.append(text(at + (isLeft ? -6 : 6), from + 9, response.toFixed(places), { class: isLeft ? 'e h' : 'h', 'font-size': 12 }));
+      svg.append(
+        draw('rect', { class: end === 0 ? 's0' : 'f0', x: Math.min(place, at), y: from, width: Math.max(1, Math.abs(at - place)), height: 10 },
+          draw('title', {}, `${bar.texts[end]}: ${told(response)} ${y.unit}`)),
+        text(at + (isLeft ? -6 : 6), from + 9, told(response), { class: isLeft ? 'e h' : 'h', 'font-size': 12 }),
+      );
     });
   });
   return svg;

@@ -23,9 +23,6 @@ const labelOf = (path) =>
       [key && words(key), ...[...places.matchAll(/\d+/g)].map(([k]) => Number(k) + 1)].filter((x) => x !== '').join(' ')))
     .join(' · ') || words(path);
 
-/** With its block before it. */
-export const titleOf = (path) => `${words(blockOf(path))}: ${labelOf(path)}`;
-
 const idOf = (path) => `input-${path.replace(/[^\w]/g, '-')}`;
 
 /** Whether what the engine finds wrong names this input. */

@@ -4,7 +4,7 @@ import { App } from './app.jsx';
 import {
   addVariant, ask, current, onChange, open, page, redo, set, setLanguage, setUnits, state, undo, warm,
 } from './store.js';
-import { study } from './study.js';
+import { studiesOf } from './studies.jsx';
 
 const place = document.getElementById('workbench');
 const draw = () => render(h(App), place);
@@ -27,7 +27,10 @@ globalThis.prs = {
     await addVariant(name);
     return answered(current());
   },
-  study: (range, response) => study(range, response),
+  study: async (range, response) => {
+    const { values, responses, unit } = await studiesOf().study({ ...range, steps: Number(range.steps) }, response);
+    return { values, responses, unit };
+  },
   units: setUnits,
   language: setLanguage,
 };

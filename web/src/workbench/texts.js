@@ -28,7 +28,7 @@ const table = {
   variants: ['Variants', 'Varianten'],
   addVariant: ['Add variant', 'Variante hinzufügen'],
   removeVariant: ['Remove variant {}', 'Variante {} entfernen'],
-  renameVariant: ['Its name', 'Ihr Name'],
+  renameVariant: ['Name', 'Name'],
   variantHint: ['A variant is a copy of the case at hand: change it, and compare both.',
     'Eine Variante ist eine Kopie des aktuellen Falls: ändern Sie sie und vergleichen Sie beide.'],
   headlines: ['Headlines', 'Kennwerte'],
