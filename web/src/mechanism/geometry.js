@@ -193,9 +193,10 @@ export function revolvedMesh(line, { start = 0, end = turn, segments }) {
   return mesh.arrays();
 }
 
-/** Ends and bore of the screw. */
-export const screwLine = ({ screw: { from, to, bore, low } }) => [
-  [from, bore], [from, low], [to, low], [to, bore], ...(bore > 0 ? [[from, bore]] : []),
+/** Both ends of the screw and its bore, a line each. */
+export const screwLines = ({ screw: { from, to, bore, low } }) => [
+  [[from, bore], [from, low]],
+  [[to, low], [to, bore], ...(bore > 0 ? [[from, bore]] : [])],
 ];
 
 /** Both ends of a roller, a line each. */

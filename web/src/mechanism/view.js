@@ -8,7 +8,7 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 import {
-  azimuth, contactPlace, contactShift, nutLine, nutSection, revolvedMesh, rollerLines, rollerTurn, screwLine, screwTooth, threadAt,
+  azimuth, contactPlace, contactShift, nutLine, nutSection, revolvedMesh, rollerLines, rollerTurn, screwLines, screwTooth, threadAt,
   threadMesh,
 } from './geometry.js';
 import { sides } from './numbers.js';
@@ -185,7 +185,7 @@ export class View {
     const open = { start: cut.to, end: cut.from + 2 * Math.PI, segments: Math.round((around.segments * 220) / 360), narrow };
     const screw = new Mesh(geometryOf(joined([
       threadMesh(d.screw, { tooth: screwTooth(d), from: d.screw.from, to: d.screw.to, ...around }),
-      revolvedMesh(screwLine(d), around),
+      ...screwLines(d).map((line) => revolvedMesh(line, around)),
     ])), this.materials.screw);
     const nut = new Mesh(geometryOf(joined([
       threadMesh(d.nut, { tooth: d.first, from: 0, to: d.nut.length, inward: true, ...open }),

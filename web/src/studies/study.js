@@ -4,7 +4,7 @@ import { factorOf, split, withUnit } from '../page/quantity.js';
 import { inputAt, response } from './response.js';
 
 /** Commands that a response is looked for in, in this order. */
-const commands = ['solve', 'slip', 'measures', 'life', 'contact'];
+export const commands = ['solve', 'slip', 'measures', 'life', 'contact'];
 
 /** Values between two ends, whose unit is the same: texts as in a case, and numbers in that unit. */
 export function range({ from, to, steps, spacing = 'linear' }) {

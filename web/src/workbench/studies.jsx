@@ -1,6 +1,7 @@
 // Studies of one and two inputs, and of tolerances, asked in workers design by design.
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { Engine } from '../page/engine.js';
+import { heatMap, tornadoChart } from '../studies/charts.js';
 import { responsePaths } from '../studies/response.js';
 import { studies } from '../studies/study.js';
 import { Chart } from './chart.jsx';
@@ -80,6 +81,13 @@ function shown(path, values) {
   return { ...how, label: axis(capital(title(name)), how.unit) };
 }
 
+/** An SVG element with its title. */
+function Picture({ title: words, svg }) {
+  const place = useRef(null);
+  useEffect(() => place.current.replaceChildren(svg));
+  return <figure class="chart"><figcaption>{words}</figcaption><div class="wide" ref={place} /></figure>;
+}
+
 function OneResult({ asked, found }) {
   const how = shown(asked.response, found.responses);
   const points = found.values.map((x, k) => [x, found.responses[k]]).filter(([, y]) => y !== null).map(([x, y]) => [x, how.convert(y)]);
@@ -99,18 +107,19 @@ function OneResult({ asked, found }) {
 function TwoResult({ asked, found }) {
   const all = found.responses.flat();
   const how = shown(asked.response, all);
-  const known = all.filter((x) => x !== null);
-  const [least, most] = [Math.min(...known), Math.max(...known)];
-  const share = (x) => (most > least ? Math.round((35 * (x - least)) / (most - least)) : 0);
+  const picture = heatMap({
+    rows: found.rows, columns: found.columns, responses: found.responses.map((row) => row.map((x) => (x === null ? null : how.convert(x)))), title: how.label,
+    x: { title: asked.two.path, unit: found.units[1] }, y: { title: asked.one.path, unit: found.units[0] }, z: { title: '', unit: how.unit },
+  });
   return (
     <>
-      <h3>{how.label}</h3>
+      <Picture title={how.label} svg={picture} />
       <div class="wide" tabindex={0} role="group" aria-label={how.label}>
         <table class="quantities map">
           <thead><tr><th scope="col">{axis(asked.one.path, found.units[0])} ↓ {axis(asked.two.path, found.units[1])} →</th>{found.columns.map((x) => <th scope="col">{number(x, '', 5)}</th>)}</tr></thead>
           <tbody>{found.rows.map((row, k) => (
             <tr><th scope="row">{number(row, '', 5)}</th>
-              {found.responses[k].map((x) => <td style={x === null ? undefined : { background: `color-mix(in srgb, var(--link) ${share(x)}%, var(--paper))` }}>{x === null ? '–' : number(how.convert(x), how.unit)}</td>)}</tr>
+              {found.responses[k].map((x) => <td>{x === null ? '–' : number(how.convert(x), how.unit)}</td>)}</tr>
           ))}</tbody>
         </table>
       </div>
@@ -121,33 +130,13 @@ function TwoResult({ asked, found }) {
 function Tornado({ asked, found }) {
   const values = found.bars.flatMap((bar) => bar.responses).filter((x) => x !== null).concat(found.base);
   const how = shown(asked.response, values);
-  const [least, most] = [Math.min(...values), Math.max(...values)].map(how.convert);
-  const width = 640;
-  const left = 250;
-  const at = (x) => left + ((how.convert(x) - least) / (most - least || 1)) * (width - left - 70);
-  const row = 30;
+  const picture = tornadoChart({
+    bars: found.bars.map((bar) => ({ ...bar, responses: bar.responses.map((x) => (x === null ? null : how.convert(x))) })),
+    base: how.convert(found.base), title: how.label, ends: [t('low'), t('high')], y: { title: how.label.replace(/ \([^)]*\)$/, ''), unit: how.unit },
+  });
   return (
     <>
-      <figure class="chart tornado">
-        <figcaption>{how.label}</figcaption>
-        <svg viewBox={`0 0 ${width} ${row * found.bars.length + 34}`} role="img" aria-label={how.label}>
-          {found.bars.map(({ path, within, responses }, k) => {
-            const y = 8 + k * row;
-            return (
-              <g key={path}>
-                <text x={left - 12} y={y + 10} text-anchor="end">{path}</text>
-                <text x={left - 12} y={y + 22} text-anchor="end" class="label">± {within}</text>
-                {responses.map((x, side) => x !== null && (
-                  <rect class={`bar series-${side === 0 ? 2 : 1}`} x={Math.min(at(x), at(found.base))} width={Math.max(1, Math.abs(at(x) - at(found.base)))} y={y} height={row - 10}>
-                    <title>{`${t(side === 0 ? 'low' : 'high')}: ${number(how.convert(x), how.unit)} ${how.unit}`}</title></rect>
-                ))}
-              </g>
-            );
-          })}
-          <line class="axis" x1={at(found.base)} x2={at(found.base)} y1={2} y2={row * found.bars.length + 6} />
-          <text x={at(found.base)} y={row * found.bars.length + 22} text-anchor="middle">{number(how.convert(found.base), how.unit)} {how.unit}</text>
-        </svg>
-      </figure>
+      <Picture title={how.label} svg={picture} />
       <div class="wide" tabindex={0} role="group" aria-label={t('tornado')}>
         <table class="quantities"><thead><tr><th scope="col">{t('input')}</th><th scope="col">{t('within')}</th><th scope="col">{t('low')}</th><th scope="col">{t('high')}</th></tr></thead>
           <tbody>{found.bars.map(({ path, within, responses }) => (
