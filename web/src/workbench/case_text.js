@@ -48,6 +48,8 @@ export function statedInputs(text, schema) {
   const walk = (node, path, of) => {
     if (isAlias(node)) node = node.resolve(document);
     if (isMap(node)) {
+      // A choice, `{convex: 5 mm}` where `straight` could stand, is an input as a whole, too.
+      if (node.flow && of?.oneOf && path) found.push({ path, text: shown(text, node), isWhole: true });
       for (const pair of node.items) walk(pair.value, join(path, keyOf(pair)), of && below(of, keyOf(pair)));
     } else if (isSeq(node) && !(isPlainList(node) && of?.oneOf)) {
       node.items.forEach((item, k) => walk(item, join(path, k), of && below(of, k)));
@@ -59,10 +61,11 @@ export function statedInputs(text, schema) {
   return found;
 }
 
-/** The text of one input; undefined where it is not stated. */
+/** The text of one input; undefined where it is not stated, or over several lines. */
 export function valueAt(text, path) {
   const node = find(parsed(text), path);
-  return node && shown(text, node);
+  const isBlock = (isMap(node) || isSeq(node)) && !node.flow;
+  return node && !isBlock ? shown(text, node) : undefined;
 }
 
 /** Keys of the map at a path; null where there is none. */

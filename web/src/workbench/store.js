@@ -145,7 +145,7 @@ export function addVariant(name, text = current()?.text, file = current()?.file)
   const taken = new Set(state.variants.map((v) => v.name));
   let own = String(name ?? '').trim() || `${current().name} ${state.variants.length + 1}`;
   while (taken.has(own)) own += '′';
-  state.variants.push(variant(own, file, text));
+  state.variants.push(variant(own, file === current().file ? `${own}.yaml` : file, text));
   state.current = state.variants.length - 1;
   return refresh();
 }
@@ -219,6 +219,10 @@ export function withUnit(path, typed) {
 export async function set(path, value, key = null) {
   if (!current()) return nothing;
   const typed = String(value).trim();
+  if (!nodeAt(schemaOf(current().text), path)) {
+    const refused = await ask({ command: 'check', set: [[path, typed]] });
+    if (refused.status === 2) return { status: 2, messages: refused.messages };
+  }
   const { text, messages, status } = await textWith(path, typed);
   if (text === undefined) return { status: status || 2, messages };
   await edit(text, key);
@@ -249,7 +253,7 @@ export function refresh() {
     changed();
     document.dispatchEvent(new CustomEvent('prs-complete', { detail: v.status }));
   });
-  const patience = new Promise((resolve) => setTimeout(resolve, 5000));
+  const patience = new Promise((resolve) => setTimeout(resolve, 15000));
   return Promise.race([settled, patience]);
 }
 
@@ -298,7 +302,7 @@ function takeInputs(v) {
     }));
   // Parts of what is listed as a whole, `from` of a range, stand behind it.
   const known = new Set(inputs.map((input) => input.path));
-  for (const input of v.inputs.filter(({ path }) => !known.has(path))) {
+  for (const input of v.inputs.filter(({ path, isWhole }) => !known.has(path) && !isWhole)) {
     const whole = inputs.findLastIndex(({ path }) => input.path.startsWith(`${path}.`) || input.path.startsWith(`${path}[`));
     inputs.splice(whole < 0 ? inputs.length : whole + 1, 0, input);
   }
@@ -402,9 +406,3 @@ export function restore(found) {
   state.current = Math.min(found.current ?? 0, state.variants.length - 1);
   return refresh();
 }
-
-/** Whether a text is one that can be computed at once while it is typed. */
-export const canFollow = (path, text) => {
-  const node = nodeAt(schemaOf(current().text), path);
-  return node ?? null;
-};
