@@ -194,10 +194,8 @@ def test_four_variants_side_by_side(browser: Workbench) -> None:
     browser.find("#tab-compare").click()
     browser.wait("document.querySelectorAll('.compare tbody tr:first-child .change').length === 3")
     browser.wait("document.querySelectorAll('.charts .chart polyline').length >= 16")
-    shown = [
-        float(change.text.split()[0].replace("−", "-"))
-        for change in browser.driver.find_elements("css selector", ".compare tr:first-child .change")
-    ]
+    changes = browser.driver.find_elements("css selector", ".compare tr:first-child .change")
+    shown = [float(change.text.split()[0].replace("−", "-")) for change in changes]
     numbers = [
         browser.js(
             "return (await prs.ask({ command: 'solve', set: [['mechanism.rollers', args[0]]] }))"
@@ -210,9 +208,7 @@ def test_four_variants_side_by_side(browser: Workbench) -> None:
     browser.find("#tab-results").click()
 
 
-def test_a_study_is_that_of_the_program(
-    browser: Workbench, program: Run, tmp_path: Path
-) -> None:
+def test_a_study_is_that_of_the_program(browser: Workbench, program: Run, tmp_path: Path) -> None:
     study = """
 study:
   command: solve
@@ -316,9 +312,7 @@ def test_a_case_of_catalogue_data(browser: Workbench, program: Run) -> None:
     assert "--screw-diameter" in refused["messages"][0]
 
 
-def test_starts_with_a_file(
-    browser: Workbench, page: Path, program: Run, tmp_path: Path
-) -> None:
+def test_starts_with_a_file(browser: Workbench, page: Path, program: Run, tmp_path: Path) -> None:
     file = tmp_path / "workbench.html"
     case = CONFIGS / "05_standard_screw.yaml"
     run = program("workbench", case, "--set", "mechanism.rollers=9", "--output", file)
@@ -353,6 +347,7 @@ def test_fits_a_phone(browser: Workbench) -> None:
         browser.open_case(LESSON)
         for pane in ("form", "yaml", "results"):
             browser.find(f".pane-of-{pane}").click()
-            assert browser.driver.execute_script("return document.documentElement.scrollWidth") == 375
+            width = browser.driver.execute_script("return document.documentElement.scrollWidth")
+            assert width == 375, pane
     finally:
         browser.resize(1400, 1000)
