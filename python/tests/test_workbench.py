@@ -258,6 +258,7 @@ def test_what_is_typed_is_computed_and_a_wrong_value_is_told(browser: Workbench)
     field.clear()
     field.send_keys("70\n")
     browser.wait("prs.yaml().includes('outer_diameter: 70 mm')")
+    assert field.get_attribute("value") == "70 mm"
     browser.wait(
         f"document.querySelector('[data-quantity={STIFFNESS}]').textContent !== '{before}'"
     )
