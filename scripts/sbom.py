@@ -3,7 +3,8 @@
 
 scripts/sbom.py [BUILD] > prs.cdx.json. CycloneDX 1.5 of what BUILD, by default build/release, was
 compiled with (headers, by ninja's record of them) and loads (shared libraries), as Debian packages,
-of the Python package's dependencies as they are installed in build/venv, and of the scripts of pages.
+of the Python package's dependencies as they are installed in build/venv, and of the scripts of
+pages.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Adds to a repaired wheel the licences of what it holds of others: shared libraries that auditwheel
-put in and header libraries that became part of the programs, as Debian's packages have them, and
-scripts of pages (web/licences.txt).
+"""Adds to a repaired wheel the licences of what it holds of others: shared libraries that
+auditwheel put in and header libraries that became part of the programs, as Debian's packages have
+them, and scripts of pages (web/licences.txt).
 
 wheel_licences.py WHEEL. A bundled library that is not in the table below is an error.
 """

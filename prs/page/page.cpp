@@ -66,20 +66,14 @@ std::string base85(std::string_view bytes) {
   return text;
 }
 
-std::string gzip(std::string text) {
-  z_stream stream{};
-  constexpr int kGzip = 16 + MAX_WBITS, kMemory = 9;
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY) !=
-      Z_OK)
+std::string deflated(std::string_view text) {
+  uLongf size = compressBound(text.size());
+  std::string packed(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                reinterpret_cast<const Bytef*>(text.data()), text.size(),
+                Z_BEST_COMPRESSION) != Z_OK)
     throw std::bad_alloc();
-  std::string packed(deflateBound(&stream, text.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(text.data());
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
+  packed.resize(size);
   return packed;
 }
 
@@ -224,13 +218,13 @@ std::string workbench_page(const std::optional<input::Source>& opened,
     data["lessons"].push_back({{"name", text.name}, {"title", text.title}, {"text", text.text}});
   if (opened) data["opened"] = texts_of(*opened);
   const std::string style = style_of_pages() + std::string(workbench_style());
-  return fmt::format(fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
-                     fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),
-                     fmt::arg("loader", loader()), fmt::arg("worker", worker()),
-                     fmt::arg("engine", base85(engine())),
-                     fmt::arg("mechanism", base85(mechanism_script())),
-                     fmt::arg("data", base85(gzip(data.dump()))),
-                     fmt::arg("script", base85(workbench_script())), fmt::arg("start", start()));
+  return fmt::format(
+      fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
+      fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),
+      fmt::arg("loader", loader()), fmt::arg("worker", worker()),
+      fmt::arg("engine", base85(engine())), fmt::arg("mechanism", base85(mechanism_script())),
+      fmt::arg("data", base85(deflated(data.dump(-1, ' ', false, Json::error_handler_t::replace)))),
+      fmt::arg("script", base85(workbench_script())), fmt::arg("start", start()));
 }
 
 Report make_report(const input::Source& source, const PageOptions& options) {

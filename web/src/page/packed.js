@@ -21,8 +21,8 @@ export async function run(id) {
   document.body.append(script);
 }
 
-/** What a text in base 85 has gzipped, as a response. */
-export function unpacked(text) {
-  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('gzip'));
+/** What a text in base 85 has packed, as a response. */
+export function unpacked(text, form = 'gzip') {
+  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream(form));
   return new Response(stream);
 }

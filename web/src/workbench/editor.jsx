@@ -69,12 +69,15 @@ export function Editor() {
             ...searchKeymap, ...defaultKeymap, indentWithTab,
           ]),
           EditorView.updateListener.of((update) => {
-            if (update.docChanged && !own) edit(update.state.doc.toString(), 'editor');
+            if (!update.docChanged || own) return;
+            const text = update.state.doc.toString();
+            edit(current().text.includes('\r\n') ? text.replaceAll('\n', '\r\n') : text, 'editor');
           }),
         ],
       }),
     });
-    view.current.take = (text) => {
+    view.current.take = (ours) => {
+      const text = ours.replaceAll('\r\n', '\n');
       const old = view.current.state.doc.toString();
       if (old === text) return;
       let from = 0;

@@ -40,7 +40,8 @@ function Field({ input, schema }) {
   const other = inSystem(text, state.units);
   const commit = (value) => {
     const typed = withUnit(path, value.trim());
-    if (typed === '' || typed === text) return setDraft(null);
+    if (typed === '') return undefined; // The value stays, in grey, until another is written.
+    if (typed === text) return setDraft(null);
     set(path, typed, `field ${path}`).then(({ status, messages }) => {
       if (valueAt(current().text, path) !== typed) setDraft(null);
       state.note = status === 2 && messages?.length ? messages[0] : '';
@@ -63,7 +64,7 @@ function Field({ input, schema }) {
           {options.map((word) => <option value={word}>{word}</option>)}
         </select>
       ) : (
-        <input id={id} type="text" data-path={path} value={draft ?? text} spellcheck={false} autocomplete="off"
+        <input id={id} type="text" data-path={path} value={draft ?? text} placeholder={text} spellcheck={false} autocomplete="off"
           aria-describedby={describedBy} aria-invalid={wrong || undefined}
           onInput={(event) => follow(event.currentTarget.value)}
           onChange={(event) => commit(event.currentTarget.value)}

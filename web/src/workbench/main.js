@@ -4,6 +4,7 @@ import { App } from './app.jsx';
 import {
   addVariant, ask, current, onChange, open, page, redo, set, setLanguage, setUnits, state, undo, warm,
 } from './store.js';
+import { takeFiles } from './start.jsx';
 import { studiesOf } from './studies.jsx';
 
 const place = document.getElementById('workbench');
@@ -43,6 +44,14 @@ document.addEventListener('keydown', (event) => {
     event.preventDefault();
     (event.shiftKey ? redo : undo)();
   }
+});
+
+// Files that are dropped anywhere are opened.
+document.addEventListener('dragover', (event) => event.preventDefault());
+document.addEventListener('drop', (event) => {
+  if (!event.dataTransfer?.files.length) return;
+  event.preventDefault();
+  takeFiles([...event.dataTransfer.files]);
 });
 
 draw();

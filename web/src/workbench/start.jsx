@@ -76,15 +76,14 @@ export function FileButton({ id, label, className, done }) {
 }
 
 export function Start({ done }) {
-  const last = kept();
   const [chosen, setChosen] = useState(lessons[0]?.name);
   return (
     <section class="start" aria-labelledby="start-title">
       <h2 id="start-title">{t('startTitle')}</h2>
-      {last && (
-        <p><button type="button" onClick={() => { restore(last); done?.(); }}>{t('goOn', last.variants[last.current]?.name ?? last.variants[0].name)}</button>{' '}
+      {kept().map((last) => (
+        <p key={last.at}><button type="button" onClick={() => { restore(last); done?.(); }}>{t('goOn', last.variants.map((v) => v.name).join(', '))}</button>{' '}
           <span class="default">{t('savedAt', new Date(last.at).toLocaleString(state.language))}</span></p>
-      )}
+      ))}
       <div class="start-ways">
         <ByCatalogue done={done} />
         <div>

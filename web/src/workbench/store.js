@@ -8,9 +8,10 @@ import { nodeAt } from './schema.js';
 export const mostVariants = 4;
 const mostUndo = 200;
 const storageKey = 'prs-workbench';
+const previousKey = 'prs-workbench-before';
 
 /** Lists and lessons that the page carries. */
-export const page = await unpacked(document.getElementById('data').textContent).json();
+export const page = await unpacked(document.getElementById('data').textContent, 'deflate').json();
 
 const lessonFiles = Object.fromEntries(
   page.lessons.filter((l) => !l.name.match(/^\d+_[^.]*$/) || !l.title).map((l) => [l.name, l.text]),
@@ -131,6 +132,7 @@ const nameOf = (file) => file.replace(/^.*[\\/]/, '').replace(/\.ya?ml$/i, '') |
 
 /** Begins anew with a text. */
 export function open(text, file = 'case.yaml') {
+  keep(previousKey);
   state.variants = [variant(nameOf(file), file, text)];
   state.current = 0;
   state.loadCase = 0;
@@ -374,30 +376,35 @@ export function setLanguage(language) {
 let saving = 0;
 function save() {
   clearTimeout(saving);
-  saving = setTimeout(() => {
-    if (state.variants.length === 0) return;
-    const kept = {
-      at: Date.now(),
-      current: state.current,
-      variants: state.variants.map(({ name, file, text }) => ({ name, file, text })),
-      files: Object.fromEntries(Object.entries(state.files).filter(([name, text]) => lessonFiles[name] !== text)),
-    };
-    try {
-      localStorage.setItem(storageKey, JSON.stringify(kept));
-    } catch {
-      // Without room or permission nothing is kept; the file that is saved is what counts.
-    }
-  }, 400);
+  saving = setTimeout(keep, 400, storageKey);
 }
 
-/** What was at hand when the page was closed; null where nothing is kept. */
-export function kept() {
+function keep(key) {
+  if (state.variants.length === 0) return;
+  const all = {
+    at: Date.now(),
+    current: state.current,
+    variants: state.variants.map(({ name, file, text }) => ({ name, file, text })),
+    files: Object.fromEntries(Object.entries(state.files).filter(([name, text]) => lessonFiles[name] !== text)),
+  };
   try {
-    const found = JSON.parse(localStorage.getItem(storageKey));
-    return found?.variants?.length ? found : null;
+    localStorage.setItem(key, JSON.stringify(all));
   } catch {
-    return null;
+    // Without room or permission nothing is kept; the file that is saved is what counts.
   }
+}
+
+/** What was at hand when the page was closed, and what stood there before something was opened. */
+export function kept() {
+  const read = (key) => {
+    try {
+      const found = JSON.parse(localStorage.getItem(key));
+      return found?.variants?.length ? [found] : [];
+    } catch {
+      return [];
+    }
+  };
+  return [...(current() ? [] : read(storageKey)), ...read(previousKey)];
 }
 
 export function restore(found) {
