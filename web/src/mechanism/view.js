@@ -366,7 +366,7 @@ export class View {
   move() {
     if (this.level) {
       this.setSharpness(turning);
-      this.contacts.visible = false; // The rollers show their colours.
+      this.contacts.visible = !this.rollers.visible; // Rollers show the colours, too.
       clearTimeout(this.resting);
       this.resting = setTimeout(() => {
         this.setSharpness(1);
