@@ -29,6 +29,7 @@ install(CODE "set(prs \"$<TARGET_FILE:prs>\")" COMPONENT program)
 install(SCRIPT cmake/install_texts.cmake COMPONENT program)
 
 install(FILES LICENSE DESTINATION share/doc/prs COMPONENT licence)
+install(FILES web/licences.txt DESTINATION share/doc/prs RENAME LICENCES.pages COMPONENT licence)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/prs COMPONENT documents)
 install(DIRECTORY docs DESTINATION share/doc/prs COMPONENT documents)
 

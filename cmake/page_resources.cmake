@@ -2,7 +2,7 @@
 # it is shipped. Without it pages are for reading alone.
 set(folder ${PROJECT_SOURCE_DIR}/prs/page/live)
 set(loader ${PROJECT_SOURCE_DIR}/prs/engine/engine.js)
-set(engine ${PROJECT_SOURCE_DIR}/prs/engine/engine.wasm.gz)
+set(engine ${PROJECT_SOURCE_DIR}/prs/engine/engine.wasm.lzma)
 if(NOT EXISTS ${engine} OR NOT EXISTS ${loader})
   set(loader ${PROJECT_BINARY_DIR}/prs/no_engine)
   set(engine ${loader})

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Builds the engine of live pages by emscripten and ships it as prs/engine/engine.wasm.gz, with the list
+# Builds the engine of live pages by emscripten and ships it as prs/engine/engine.wasm.lzma, with the list
 # of its sources and their hash in prs/engine/engine.sources. --check: whether these sources are still
 # those; needs no emscripten.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-module=prs/engine/engine.wasm.gz
+module=prs/engine/engine.wasm.lzma
 manifest=prs/engine/engine.sources
 
 hash_of() { # FILE..: of their names and contents
@@ -21,12 +21,12 @@ if [[ ${1:-} == --check ]]; then
   exit
 fi
 
-scripts/setup.sh emscripten libfast-float-dev zopfli
+scripts/setup.sh emscripten libfast-float-dev xz-utils
 cmake --preset wasm
 # What clang 14 writes depends on where its memory lies: without random addresses, and with a compiler
 # cache of its own, the same sources give the same bytes.
 CCACHE_NAMESPACE=engine setarch -R cmake --build --preset wasm
-zopfli --i5 -c build/wasm/wasm/engine.wasm >"$module"
+xz --format=lzma --lzma1=preset=9e,dict=8MiB,pb=0,lc=4 -c build/wasm/wasm/engine.wasm >"$module"
 
 mapfile -t sources < <(
   {

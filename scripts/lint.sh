@@ -29,6 +29,7 @@ has() { # TOOL
 export PATH=$PWD/build/venv/bin:$PATH
 check rooms scripts/check_rooms.py
 check engine scripts/engine.sh --check
+check web scripts/web.sh --check
 check markdown scripts/wrap_markdown.py
 # A lambda with a return type as a template argument, which clang-format takes for the end of a namespace.
 check namespaces bash -c '! git grep -nE "^[>,]" -- "*.h" "*.cpp"'

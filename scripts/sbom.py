@@ -3,7 +3,8 @@
 
 scripts/sbom.py [BUILD] > prs.cdx.json. CycloneDX 1.5 of what BUILD, by default build/release, was
 compiled with (headers, by ninja's record of them) and loads (shared libraries), as Debian packages,
-and of the Python package's dependencies as they are installed in build/venv.
+of the Python package's dependencies as they are installed in build/venv, and of the scripts of
+pages.
 """
 
 from __future__ import annotations
@@ -75,10 +76,27 @@ def python_components() -> list[dict[str, str]]:
     ]
 
 
+def page_components() -> list[dict[str, str]]:
+    """What is bundled into the scripts of pages."""
+    packages = json.loads((ROOT / "web/package-lock.json").read_text())["packages"]
+    names = {path: path.rpartition("node_modules/")[2] for path, p in packages.items() if path}
+    return [
+        {
+            "type": "library",
+            "name": name,
+            "version": packages[path]["version"],
+            "purl": f"pkg:npm/{name.replace('@', '%40')}@{packages[path]['version']}",
+        }
+        for path, name in names.items()
+        if not packages[path].get("dev")
+    ]
+
+
 def bill(build: Path) -> dict[str, object]:
     used = packages(headers(build) | shared_libraries(build))
     version = re.search(r'kVersion = "(.*?)"', (ROOT / "prs/version.h").read_text())[1]  # type: ignore[index]
-    components = [debian_component(package) for package in sorted(used)] + python_components()
+    components = [debian_component(package) for package in sorted(used)]
+    components += python_components() + page_components()
     return {
         "bomFormat": "CycloneDX",
         "specVersion": "1.5",

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Adds to a repaired wheel the licences of what it holds of others, as Debian's packages have them:
-shared libraries that auditwheel put in, and header libraries that became part of the programs.
+"""Adds to a repaired wheel the licences of what it holds of others: shared libraries that
+auditwheel put in and header libraries that became part of the programs, as Debian's packages have
+them, and scripts of pages (web/licences.txt).
 
 wheel_licences.py WHEEL. A bundled library that is not in the table below is an error.
 """
@@ -33,6 +34,8 @@ HEADERS = {
     "libxsimd-dev": "BSD-3-Clause",
     "nlohmann-json3-dev": "MIT",
 }
+#: Of the scripts in pages.
+PAGES = Path(__file__).resolve().parents[1] / "web" / "licences.txt"
 
 
 def output(*command: str) -> str:
@@ -73,6 +76,8 @@ def collect(libraries: list[Path]) -> tuple[dict[str, str], list[str]]:
         licences.append(licence)
     nanobind = Path(str(distribution("nanobind").locate_file("nanobind"))).parent
     (licence_file,) = nanobind.glob("nanobind-*.dist-info/licenses/LICENSE")
+    texts["pages"] = PAGES.read_text(encoding="utf-8")
+    licences += ["MIT", "ISC"]
     texts["nanobind"] = licence_file.read_text(encoding="utf-8")
     return texts, list(dict.fromkeys(licences))
 

@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "prs/cli/printing.h"
+#include "prs/configurations/new_case.h"
 #include "prs/input/did_you_mean.h"
 
 namespace prs::cli {
@@ -251,14 +252,11 @@ void fail_option(std::string_view option, std::string_view message) {
 double quantity_option(std::string_view option, const std::string& text,
                        const input::Dimension& dimension, const input::Bounds& bounds,
                        std::string_view expected) {
-  const input::ParsedQuantity parsed = input::parse_quantity(text, dimension);
-  if (!parsed.value)
-    fail_option(option, "got {}; expected {} with its unit, for example `{}`{}{}",
-                input::shown(text), dimension.name, dimension.example,
-                parsed.hint.empty() ? "" : "; ", parsed.hint);
-  if (!bounds.contain(*parsed.value))
-    fail_option(option, "got {}; expected {}", input::shown(text), expected);
-  return *parsed.value;
+  try {
+    return quantity_of_option(option, text, dimension, bounds, expected);
+  } catch (const CaseError& error) {
+    fail_option(error.path(), error.what());
+  }
 }
 
 }  // namespace prs::cli

@@ -165,6 +165,14 @@ void add_explore_options(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
+void add_workbench_options(CLI::App& command, Options& options) {
+  add_value(command, "file", options.file, "FILE", "A case or a requirement to start with");
+  add_set(command, options);
+  add_value(command, "-o,--output", options.report, "FILE", "Write the page into this file")
+      ->required();
+  add_quiet(command, options);
+}
+
 void add_export_options(CLI::App& command, Options& options) {
   ExportOptions& o = options.export_model;
   add_file(command, options)->required();
@@ -291,6 +299,10 @@ constexpr OwnRow kOwnRows[] = {
     {"explore", kAnalyse, "Write that page and open it in the browser, to try other values",
      add_explore_options, explore,
      "prs explore case.yaml\nprs explore case.yaml --output page.html"},
+    {"workbench", kAnalyse,
+     "Write the program itself as one page: any browser opens it, without an install",
+     add_workbench_options, workbench,
+     "prs workbench --output workbench.html\nprs workbench case.yaml --output workbench.html"},
     {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica",
      add_export_options, export_model,
      "prs export case.yaml --fmu\n"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/cli/printing.h"
+#include "prs/configurations/new_case.h"
 
 namespace CLI {
 class App;
@@ -15,15 +16,6 @@ struct ConfigurationOptions {
   std::optional<std::string> type;  ///< `standard` or `inverted`.
   std::optional<int> starts, roller_starts, rollers;
   std::vector<std::string> write;  ///< Empty, or the number of a line and a file.
-};
-
-/// Arguments of `prs new`; quantities as the user wrote them.
-struct NewOptions {
-  std::string type, file;  ///< If `lesson` is given, `type` may hold the file.
-  std::optional<std::string> lesson;
-  std::optional<std::string> screw_diameter, lead, nut_diameter, nut_length, roller_profile_radius;
-  std::optional<std::string> load, speed, lubricant, temperature, mechanism;
-  std::optional<int> starts, rollers;
 };
 
 /// Arguments of `prs export`; quantities as the user wrote them.
@@ -83,6 +75,8 @@ int optimize(const Options& options);
 int report(const Options& options);
 /// The same page, written to a temporary folder where no file is named, and opened.
 int explore(const Options& options);
+/// Writes the whole program as one page, with or without a file to start with.
+int workbench(const Options& options);
 /// Writes models of the screw for other programs.
 int export_model(const Options& options);
 int schema(const Options& options);

@@ -121,13 +121,14 @@ Lesson lesson(const std::string& asked) {
               hint.empty() ? "" : "; ", hint);
 }
 
-std::vector<std::string> companions(const Lesson& lesson) {
-  const input::Source source = input::load_source(lesson.file.string(), {});
+std::vector<std::string> companions(const input::Source& source) {
   input::ErrorList errors(source);
   const input::Node root = input::read_document(source, errors);
   errors.throw_if_any();
-  const input::Node* file = input::find_path(root, "life.history.file");
-  return file ? std::vector{file->text} : std::vector<std::string>{};
+  std::vector<std::string> names;
+  for (const char* path : {"life.history.file", "motion.history.file", "candidates.catalogue.file"})
+    if (const input::Node* file = input::find_path(root, path)) names.push_back(file->text);
+  return names;
 }
 
 }  // namespace prs::cli

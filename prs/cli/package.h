@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "prs/input/source.h"
+
 namespace prs::cli {
 
 /// Replaces this process by another program of the package. It is looked for in the folder that
@@ -34,7 +36,7 @@ std::vector<Lesson> lessons();
 /// InputError where there is none.
 Lesson lesson(const std::string& asked);
 
-/// The files beside a lesson that it reads, by the names that it has for them.
-std::vector<std::string> companions(const Lesson& lesson);
+/// The files that a case or a requirement reads, by the names that it has for them.
+std::vector<std::string> companions(const input::Source& source);
 
 }  // namespace prs::cli

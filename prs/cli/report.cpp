@@ -7,6 +7,7 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
+#include "prs/cli/package.h"
 #include "prs/loads/load_analysis.h"
 
 namespace prs::cli {
@@ -64,6 +65,15 @@ void note_empty_results(const Options& options, const input::Source& source) {
                                 input::shown(folder.string())));
 }
 
+void write_html(const std::filesystem::path& path, std::string_view html) {
+  std::error_code told_by_the_file;
+  std::filesystem::create_directories(std::filesystem::absolute(path).parent_path(),
+                                      told_by_the_file);
+  StagedFile file(path);
+  file.append(html);
+  file.publish();
+}
+
 /// The page of a case, written where the options say.
 Report write_page(const Options& options) {
   const input::Source source = case_source(options);
@@ -72,14 +82,7 @@ Report write_page(const Options& options) {
     asked.results = {std::filesystem::absolute(options.report.value_or("page")).parent_path()};
   const TableUnits units(options.units);
   Report report = make_report(source, asked);
-  if (options.report) {
-    std::error_code told_by_the_file;
-    std::filesystem::create_directories(std::filesystem::absolute(*options.report).parent_path(),
-                                        told_by_the_file);
-    StagedFile file(*options.report);
-    file.append(report.html);
-    file.publish();
-  }
+  if (options.report) write_html(*options.report, report.html);
   note_empty_results(options, source);
   for (const std::string& text : report.notes) note(options, "prs: " + text);
   return report;
@@ -92,6 +95,13 @@ std::filesystem::path temporary_page(const std::string& file) {
     throw std::system_error(errno, std::generic_category(), folder);
   const std::string stem = std::filesystem::path(file).stem().string();
   return std::filesystem::path(folder) / ((stem.empty() || stem == "-" ? "case" : stem) + ".html");
+}
+
+void require_engine() {
+  if (page_engine().empty())
+    throw std::runtime_error(
+        "this program was built without the engine of pages; `prs report` writes a page for "
+        "reading");
 }
 
 /// Hands a file to the desktop's program for it, and does not wait; false where there is none.
@@ -125,11 +135,38 @@ int report(const Options& options) {
   return exit_status(report.converged);
 }
 
+int workbench(const Options& options) {
+  require_engine();
+  require_places(options);
+  std::optional<input::Source> opened;
+  if (!options.file.empty()) {
+    opened = case_source(options);
+    if (!other_file(*opened)) input::read_case_input(*opened, Command::check);
+  } else if (!options.overrides.empty()) {
+    fail_option("--set", "got a value and no FILE; expected the case that it changes");
+  }
+  std::vector<NamedText> texts;
+  const auto add_companions = [&](const input::Source& source) {
+    const std::filesystem::path folder = std::filesystem::path(source.name).parent_path();
+    for (const std::string& name : companions(source))
+      texts.push_back({name, "", input::load_source((folder / name).string(), {}).text});
+  };
+  for (const Lesson& lesson : lessons()) {
+    const input::Source source = input::load_source(lesson.file.string(), {});
+    texts.push_back({lesson.name, lesson.title, source.text});
+    add_companions(source);
+  }
+  if (opened) add_companions(*opened);
+  const std::string page = workbench_page(opened, texts);
+  write_html(*options.report, page);
+  if (!options.quiet)
+    print(fmt::format("{}: {:.0f} kB\n", options.report->string(),
+                      static_cast<double>(page.size()) / 1000.0));
+  return kDone;
+}
+
 int explore(const Options& options) {
-  if (page_engine().empty())
-    throw std::runtime_error(
-        "this program was built without the engine of pages; `prs report` writes a page for "
-        "reading");
+  require_engine();
   require_places(options);
   Options at = options;
   if (!at.report) at.report = temporary_page(options.file);

@@ -6,8 +6,10 @@
 #include <new>
 #include <sstream>
 
+#include "prs/configurations/new_case.h"
 #include "prs/report/report.h"
 #include "prs/run/commands.h"
+#include "prs/size/size.h"
 
 namespace prs {
 namespace {
@@ -15,14 +17,16 @@ namespace {
 /// The question is wrong, not its case.
 class QuestionError : public std::runtime_error {
  public:
+  using std::runtime_error::runtime_error;
   QuestionError(std::string_view got, std::string_view expected)
       : std::runtime_error(fmt::format("question: got {}; expected {}", got, expected)) {}
   QuestionError(std::string_view key, std::string_view got, std::string_view expected)
       : std::runtime_error(fmt::format("question: {}: got {}; expected {}", key, got, expected)) {}
 };
 
-/// Names that are no command: sections of the report, and the case with its overrides written in.
-constexpr std::string_view kReport = "report", kWrite = "write";
+/// Names that are no command of a case: sections of the report, the case with its overrides written
+/// in, a new case.
+constexpr std::string_view kReport = "report", kWrite = "write", kNew = "new";
 
 struct Question {
   std::string name;
@@ -30,6 +34,8 @@ struct Question {
   input::Source source;
   std::vector<std::string> load_cases;
   bool figures = false;
+  std::size_t rank = 0;  ///< Of the candidate that is written.
+  NewOptions new_case;
 };
 
 struct Answer {
@@ -68,7 +74,7 @@ const AnyAnalysis& analysis_named(const std::string& name) {
     known.push_back(prs::name(row.command));
   }
   for (const OtherFile& file : other_files()) known.push_back(prs::name(file.command));
-  known.insert(known.end(), {kReport, kWrite});
+  known.insert(known.end(), {kReport, kWrite, kNew});
   throw QuestionError("command", input::shown(name),
                       fmt::format("one of {}", fmt::join(known, ", ")));
 }
@@ -87,20 +93,45 @@ LiveQuestion live_question(const Json& json) {
   return question;
 }
 
+NewOptions new_options(const Json& json) {
+  const std::pair<const char*, std::optional<std::string> NewOptions::*> kTexts[] = {
+      {"screw_diameter", &NewOptions::screw_diameter},
+      {"lead", &NewOptions::lead},
+      {"nut_diameter", &NewOptions::nut_diameter},
+      {"nut_length", &NewOptions::nut_length},
+      {"roller_profile_radius", &NewOptions::roller_profile_radius},
+      {"load", &NewOptions::load},
+      {"speed", &NewOptions::speed},
+      {"lubricant", &NewOptions::lubricant},
+      {"temperature", &NewOptions::temperature},
+      {"mechanism", &NewOptions::mechanism}};
+  NewOptions options;
+  options.type = value_of<std::string>(json, "type", "standard", "standard or inverted");
+  for (const auto& [key, text] : kTexts)
+    if (json.contains(key)) options.*text = value_of<std::string>(json, key, "", "a text");
+  for (const auto& [key, number] :
+       {std::pair{"starts", &NewOptions::starts}, std::pair{"rollers", &NewOptions::rollers}})
+    if (json.contains(key)) options.*number = value_of<int>(json, key, 0, "a whole number");
+  return options;
+}
+
 Question parsed(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) throw QuestionError(input::shown(text), "a JSON object");
-  constexpr std::string_view kKeys[] = {"command",   "yaml",       "file",    "set",
-                                        "histories", "load_cases", "figures", "report"};
+  constexpr std::string_view kKeys[] = {"command",    "yaml",    "file",   "set",  "histories",
+                                        "load_cases", "figures", "report", "rank", "new"};
   for (const auto& item : json.items())
     if (std::ranges::find(kKeys, item.key()) == std::end(kKeys))
       throw QuestionError(input::shown(item.key()),
                           fmt::format("the keys {}", fmt::join(kKeys, ", ")));
-  for (const char* key : {"command", "yaml"})
-    if (!json.contains(key)) throw QuestionError(key, "nothing", "a text");
-
   Question question;
   question.name = value_of<std::string>(json, "command", "", "a text");
+  for (const char* key : {"command", "yaml"})
+    if (!json.contains(key) && question.name != kNew) throw QuestionError(key, "nothing", "a text");
+  question.rank = value_of<std::size_t>(json, "rank", 0, "a rank of the list, from 1");
+  question.new_case = new_options(value_of<Json>(json, "new", Json::object(), "an object"));
+  if (question.name == kNew) return question;
+
   if (question.name != kReport && question.name != kWrite && !other_named(question.name))
     analysis_named(question.name);
   question.report = live_question(value_of<Json>(json, "report", Json::object(), "an object"));
@@ -177,7 +208,26 @@ Answer report_answer(const Question& question) {
           .document_text = std::move(text)};
 }
 
+Answer new_answer(const NewOptions& options) {
+  try {
+    return {.document = {{"yaml", new_case_text(options)}, {"assumed", assumptions(options)}}};
+  } catch (const CaseError& error) {
+    throw QuestionError(fmt::format("{}: {}", error.path(), error.what()));
+  }
+}
+
+/// A candidate of a requirement as a case.
+Answer candidate_answer(const Question& question) {
+  const SizeResult result = size_screws(read_requirement(question.source));
+  if (question.rank > result.candidates.size())
+    throw QuestionError("rank", std::to_string(question.rank),
+                        fmt::format("a rank of the list, 1 to {}", result.candidates.size()));
+  return {.document = {
+              {"yaml", written_candidate(result.input, result.candidates[question.rank - 1])}}};
+}
+
 Answer written_answer(const Question& question) {
+  if (question.rank > 0) return candidate_answer(question);
   const std::optional<std::string> text = input::written_case(question.source);
   if (!text)
     throw QuestionError("set", "a value that cannot be written into the file in its place",
@@ -207,6 +257,7 @@ Answer delivered_answer(const Question& question, Command command, const Deliver
 Answer answer_to(const Question& question) {
   if (question.name == kReport) return report_answer(question);
   if (question.name == kWrite) return written_answer(question);
+  if (question.name == kNew) return new_answer(question.new_case);
   if (const OtherFile* file = other_named(question.name))
     return delivered_answer(question, file->command, file->run(question.source));
   const AnyAnalysis& row = analysis_named(question.name);

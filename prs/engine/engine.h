@@ -28,9 +28,11 @@ namespace prs {
 ///      "figures": [..],   // what `--figures` adds to it; empty where they are not asked for
 ///      "messages": [..]}  // what the program says on standard error, line by line
 ///
-/// Two further commands serve pages. `write`: the document is {"yaml": ..}, the case with its
-/// overrides in it. `report` asks, under a key of that name, for sections of the report, see
-/// `LiveQuestion`:
+/// Further commands serve pages. `write`: the document is {"yaml": ..}, the case with its overrides
+/// in it; of a requirement with `"rank": 1` the case of that candidate. `new`: {"yaml": ..}, what
+/// `prs new` writes for its options under this key, {"type": "standard", "lead": "10 mm", ..}, and
+/// "assumed", what it says of the rest; it needs no `yaml`. `report` asks, under a key of that
+/// name, for sections of the report, see `LiveQuestion`:
 ///
 ///     {"own": 1,                                  // so many pairs of `set` are the report's
 ///      "quick": true,                             // only what follows while a value moves

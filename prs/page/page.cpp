@@ -1,22 +1,36 @@
 #include "prs/page/page.h"
 
+#include <fmt/ranges.h>
 #include <nettle/base64.h>
+#include <zlib.h>
 
 #include <cctype>
 
 #include "prs/embed.h"
 #include "prs/input/force_history.h"
+#include "prs/input/schema.h"
+#include "prs/report/findings.h"
 #include "prs/run/commands.h"
+#include "prs/run/lists.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
+#include "prs/version.h"
 
 PRS_EMBED(page, PRS_PAGE_FOLDER "/page.html")
 PRS_EMBED(panel, PRS_PAGE_FOLDER "/panel.html")
 PRS_EMBED(thread_form, PRS_PAGE_FOLDER "/thread.html")
 PRS_EMBED(scripts, PRS_PAGE_FOLDER "/scripts.html")
 PRS_EMBED(style_sheet, PRS_PAGE_FOLDER "/page.css")
-PRS_EMBED(script, PRS_PAGE_FOLDER "/page.js")
+PRS_EMBED(report_script, PRS_PAGE_FOLDER "/report.js.gz")
+PRS_EMBED(report_hash, PRS_PAGE_FOLDER "/report.hash")
+PRS_EMBED(mechanism_script, PRS_PAGE_FOLDER "/mechanism.js.gz")
+PRS_EMBED(mechanism_hash, PRS_PAGE_FOLDER "/mechanism.hash")
+PRS_EMBED(start, PRS_PAGE_FOLDER "/start.js")
 PRS_EMBED(worker, PRS_PAGE_FOLDER "/worker.js")
+PRS_EMBED(workbench_frame, PRS_PAGE_FOLDER "/workbench.html")
+PRS_EMBED(workbench_style, PRS_PAGE_FOLDER "/workbench.css")
+PRS_EMBED(workbench_script, PRS_PAGE_FOLDER "/workbench.js.gz")
+PRS_EMBED(workbench_hash, PRS_PAGE_FOLDER "/workbench.hash")
 PRS_EMBED(loader, PRS_PAGE_LOADER)
 PRS_EMBED(engine, PRS_PAGE_ENGINE)
 
@@ -52,6 +66,17 @@ std::string base85(std::string_view bytes) {
   return text;
 }
 
+std::string deflated(std::string_view text) {
+  uLongf size = compressBound(text.size());
+  std::string packed(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                reinterpret_cast<const Bytef*>(text.data()), text.size(),
+                Z_BEST_COMPRESSION) != Z_OK)
+    throw std::bad_alloc();
+  packed.resize(size);
+  return packed;
+}
+
 /// As policies name a style or a script by its text.
 std::string policy_hash(std::string_view text) {
   const std::string digest = sha256(text);
@@ -72,14 +97,19 @@ std::string data_block(const char* id, const Json& json) {
   return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, text);
 }
 
-/// What the page asks its engine about.
-Json case_of(const input::Source& source) {
-  const input::CaseInput in = input::read_case_input(source, Command::check);
+Json texts_of(const input::Source& source) {
   Json json{{"file", source.name}, {"yaml", source.text}, {"set", Json::array()}};
   for (const std::string& text : source.overrides) {
     const std::size_t equals = text.find('=');
     json["set"].push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
+  return json;
+}
+
+/// What the page asks its engine about.
+Json case_of(const input::Source& source) {
+  const input::CaseInput in = input::read_case_input(source, Command::check);
+  Json json = texts_of(source);
   json["histories"] = Json::object();
   if (in.values.life && in.values.life->history)
     json["histories"][in.values.life->history->file] =
@@ -113,11 +143,24 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
       section.id, section.title, section.body, hidden ? " hidden" : "", before);
 }
 
+/// What lets a page run its scripts, of which its own and that of the mechanism are packed in it.
+std::string script_policy(std::string_view packed_hash) {
+  return fmt::format(
+      "; script-src '{}' '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
+      policy_hash(start()), packed_hash, mechanism_hash());
+}
+
+/// The style of all pages: their rules, those of pictures and the colours of scales.
+std::string style_of_pages() {
+  return fmt::format("{}{}:root{{--scale:{}}}\n", style_sheet(), svg_style(),
+                     fmt::join(kScaleColours, ","));
+}
+
 /// The whole file. `engine` is empty for a page without scripts.
 std::string page_html(const input::Source& source, const ReportParts& parts,
                       std::string_view engine) {
   const bool live = !engine.empty();
-  const std::string style = std::string(style_sheet()) + svg_style() + sheet_style(parts);
+  const std::string style = style_of_pages() + sheet_style(parts);
   std::string links, body;
   const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
     links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id,
@@ -131,12 +174,9 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
   std::string data = data_block("data", parts.shown);
   if (live)
     data += data_block("case", case_of(source)) + data_block("threads", parts.threads) +
-            fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine), script());
-  const std::string policy =
-      live ? fmt::format(
-                 "; script-src '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
-                 policy_hash(script()))
-           : "";
+            fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine),
+                        base85(report_script()), base85(mechanism_script()), start());
+  const std::string policy = live ? script_policy(report_hash()) : "";
   return fmt::format(
       fmt::runtime(page()),
       fmt::arg("units", table_system() == UnitSystem::us ? " data-units=\"us\"" : ""),
@@ -153,6 +193,39 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
 }  // namespace
 
 std::string_view page_engine() { return engine(); }
+
+std::string workbench_page(const std::optional<input::Source>& opened,
+                           const std::vector<NamedText>& texts) {
+  Json data{{"version", kVersion},
+            {"schemas", {{"case", input::schema()}}},
+            {"units", units_json()["quantities"]},
+            {"lubricants", lubricants_json()["lubricants"]},
+            {"responses", responses_json(known_responses())["responses"]},
+            {"commands", Json::array()},
+            {"sections", Json::array()},
+            {"lessons", Json::array()},
+            {"opened", nullptr}};
+  for (const OtherFile& file : other_files()) {
+    data["schemas"][std::string(file.name)] = file.schema();
+    data["commands"].push_back(
+        {{"name", name(file.command)}, {"help", file.help}, {"key", file.key}});
+  }
+  for (const AnyAnalysis& row : analyses())
+    if (row.run) data["commands"].push_back({{"name", name(row.command)}, {"help", row.help}});
+  for (const SectionRow& row : section_rows())
+    data["sections"].push_back({{"id", row.id}, {"title", row.title}});
+  for (const NamedText& text : texts)
+    data["lessons"].push_back({{"name", text.name}, {"title", text.title}, {"text", text.text}});
+  if (opened) data["opened"] = texts_of(*opened);
+  const std::string style = style_of_pages() + std::string(workbench_style());
+  return fmt::format(
+      fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
+      fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),
+      fmt::arg("loader", loader()), fmt::arg("worker", worker()),
+      fmt::arg("engine", base85(engine())), fmt::arg("mechanism", base85(mechanism_script())),
+      fmt::arg("data", base85(deflated(data.dump(-1, ' ', false, Json::error_handler_t::replace)))),
+      fmt::arg("script", base85(workbench_script())), fmt::arg("start", start()));
+}
 
 Report make_report(const input::Source& source, const PageOptions& options) {
   const bool live = options.live && !other_file(source);

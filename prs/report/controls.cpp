@@ -520,6 +520,15 @@ LiveAnswer live_sections(const input::Source& source, const LiveQuestion& questi
   constexpr Command kOfThread[] = {Command::contact, Command::solve, Command::slip};
   thread_local Kept kept;
   const TableUnits units(question.units);
+  if (other_file(source)) {
+    ReportParts parts = requirement_parts(source, {});
+    LiveAnswer answer;
+    answer.head = std::move(parts.head);
+    answer.notes = std::move(parts.notes);
+    for (ReportSection& section : parts.sections)
+      answer.sections[section.id] = std::move(section.body);
+    return answer;
+  }
   if (question.sections == std::vector{std::string(kThread)}) {
     Findings few = findings_of(source, {}, kOfThread);
     return answer_of(few, question);

@@ -49,9 +49,13 @@ def each_lesson() -> list[Any]:
 class Browser:
     """A window of a phone or a desk, with what it asked for and complained about."""
 
-    def __init__(self, scripts: bool = True) -> None:
+    def __init__(self, scripts: bool = True, draws: bool = False) -> None:
         options = webdriver.ChromeOptions()
-        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage"):
+        webgl = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+        for argument in (
+            *("--headless=new", "--no-sandbox", "--disable-dev-shm-usage"),
+            *(webgl if draws else ("--disable-3d-apis",)),
+        ):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         if not scripts:
@@ -145,6 +149,16 @@ def browser() -> Iterator[Browser]:
     if not shutil.which("chromedriver"):
         pytest.skip("no browser: install chromium-driver")
     browser = Browser()
+    yield browser
+    browser.driver.quit()
+
+
+@pytest.fixture(scope="module")
+def drawing() -> Iterator[Browser]:
+    """One with WebGL."""
+    if not shutil.which("chromedriver"):
+        pytest.skip("no browser: install chromium-driver")
+    browser = Browser(draws=True)
     yield browser
     browser.driver.quit()
 
@@ -371,6 +385,85 @@ def test_a_thread_is_looked_at(browser: Browser, page: Callable[..., Path]) -> N
     WebDriverWait(browser.driver, PATIENCE, ignored_exceptions=moved).until(
         first_is_picked, "the first thread is picked"
     )
+
+
+def thread_in_view(browser: Browser) -> tuple[int, int, list[float]]:
+    """The roller, the thread and its loads and pressures that the view tells."""
+    told = browser.text(".mechanism-view .told")
+    place = re.match(r"Roller (\d+), thread (\d+): ", told)
+    assert place, told
+    numbers = [float(number) for number in re.findall(r"([\d.]+) (?:N|MPa)\b", told)]
+    return int(place[1]), int(place[2]), numbers
+
+
+def test_mechanism_in_three_dimensions_tells_its_threads(
+    drawing: Browser, page: Callable[..., Path], program: Run
+) -> None:
+    (lesson,) = (file for file in lessons() if file.stem.startswith("24_"))
+    cases = json.loads(program("solve", lesson, "--json").stdout)["load_cases"]
+
+    def assert_told() -> tuple[int, int]:
+        roller, thread, told = thread_in_view(drawing)
+        shown = cases[int(drawing.find("#thread-case").get_attribute("value") or 0)]
+        assert told == [
+            pytest.approx(shown[side][key][roller - 1][thread - 1], rel=5e-4)
+            for side in ("screw", "nut")
+            for key in ("normal_load_N", "peak_pressure_MPa")
+        ]
+        for field, number in (("roller", roller), ("number", thread)):
+            assert drawing.find(f"#thread-{field}").get_attribute("value") == str(number)
+        return roller, thread
+
+    drawing.open(page(24))
+    drawing.driver.execute_script(
+        "document.documentElement.style.scrollBehavior = 'auto';"
+        "document.getElementById('mechanism').scrollIntoView()"
+    )
+    drawing.wait("document.querySelector('.mechanism-view canvas')?.getAttribute('aria-label')")
+    canvas = drawing.find(".mechanism-view canvas")
+    label = canvas.get_attribute("aria-label") or ""
+    most = max(
+        max(max(row) for row in case[side]["normal_load_N"])
+        for case in cases
+        for side in ("screw", "nut")
+    )
+    assert "11 rollers with 20 threads each" in label
+    assert f"{most:.4g} N" in label
+    first = assert_told()
+    # By a click on the roller in the middle of the picture, then by keys.
+    canvas.click()
+    clicked = assert_told()
+    assert clicked != first
+    assert drawing.driver.switch_to.active_element == canvas
+    canvas.send_keys(Keys.PAGE_DOWN)
+    number = clicked[1] % 20 + 1
+    assert assert_told()[1] == number
+    drawing.find("#thread-number").send_keys(Keys.ARROW_UP if number < 20 else Keys.ARROW_DOWN)
+    assert abs(assert_told()[1] - number) == 1
+    printed = drawing.driver.execute_cdp_cmd("Page.printToPDF", {})["data"]
+    paper = pypdf.PdfReader(io.BytesIO(base64.b64decode(printed)))
+    assert "Reset view" not in " ".join(sheet.extract_text() for sheet in paper.pages)
+    # What is hidden is not drawn.
+    drawing.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
+    whole = canvas.screenshot_as_png
+    drawing.find(".mechanism-view input[type=checkbox]").click()
+    WebDriverWait(drawing.driver, PATIENCE).until(
+        lambda _: canvas.screenshot_as_png != whole, "the nut is hidden"
+    )
+    assert drawing.complaints() == []
+    assert [url for url in drawing.requests() if not url.startswith(("blob:", "data:"))] == []
+
+
+def test_mechanism_has_its_picture_without_webgl(
+    browser: Browser, page: Callable[..., Path]
+) -> None:
+    browser.open(page(4))
+    browser.driver.execute_script("document.getElementById('mechanism').scrollIntoView()")
+    assert browser.ask({"command": "check"})["status"] == 0  # After what the view has asked.
+    browser.wait("document.querySelectorAll('body > script[type=module]').length === 2")
+    assert browser.driver.find_elements(By.CSS_SELECTOR, ".mechanism-view") == []
+    assert browser.find("#mechanism svg").is_displayed()
+    assert browser.complaints() == []
 
 
 def test_hostile_names_stay_text(

@@ -2,15 +2,15 @@
 import {spawnSync} from 'node:child_process';
 import {readFileSync, readdirSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
-import {gunzipSync} from 'node:zlib';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 const program = process.env.PRS ?? `${root}/build/release/prs/cli/prs`;
 const script = readFileSync(`${root}/prs/engine/engine.js`, 'utf8');
-const shipped = process.env.PRS_ENGINE ?? `${root}/prs/engine/engine.wasm.gz`;
+const shipped = process.env.PRS_ENGINE ?? `${root}/prs/engine/engine.wasm.lzma`;
 
-export const loadEngine = () =>
-    new Function(`${script}; return loadEngine;`)()(gunzipSync(readFileSync(shipped)));
+const load = new Function(`${script}; return {unpackEngine, loadEngine};`);
+export const {unpackEngine} = load();
+export const loadEngine = () => load().loadEngine(unpackEngine(readFileSync(shipped)));
 
 export const textOf = (lesson) => readFileSync(`${root}/configs/${lesson}`, 'utf8');
 

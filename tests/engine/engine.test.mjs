@@ -1,9 +1,10 @@
 // The shipped engine of live pages against the program, which must have been built.
 import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
 import {createHash} from 'node:crypto';
 import test from 'node:test';
 
-import {commandsFor, lessons, loadEngine, questionOn, run, textOf} from './engine.mjs';
+import {commandsFor, lessons, loadEngine, questionOn, run, textOf, unpackEngine} from './engine.mjs';
 
 const ask = await loadEngine();
 const answerTo = (question) => JSON.parse(ask(JSON.stringify(question)));
@@ -67,6 +68,20 @@ for (const lesson of lessons)
       if (history) history.file = history.file.split('/').pop();
       assert.deepEqual(differences(answer.document, document).slice(0, 5), []);
     });
+
+const xz = (input, ...words) => spawnSync('xz', ['--format=lzma', '-c', ...words], {input}).stdout;
+
+test('what xz packs is unpacked', {skip: xz('') === null}, () => {
+  const numbers = Buffer.from(Float64Array.from({length: 20_000}, (_, k) => Math.sin(k)).buffer);
+  const texts = [Buffer.alloc(0), Buffer.from('a'), Buffer.alloc(100_000), numbers,
+                 Buffer.concat(lessons.map((name) => Buffer.from(textOf(name)))),
+                 Buffer.concat([numbers, Buffer.alloc(5_000_000, numbers.subarray(9, 300)), numbers])];
+  for (const text of texts)
+    for (const how of ['lc=4,pb=0', 'lc=0,lp=2,pb=3', 'lc=3,lp=1,pb=2'])
+      assert.ok(text.equals(unpackEngine(xz(text, `--lzma1=preset=6,${how}`))), `${text.length} ${how}`);
+  const packed = xz(numbers);
+  assert.throws(() => unpackEngine(packed.subarray(0, packed.length / 2)), /cut off/);
+});
 
 test('values are set as by --set', () => {
   const set = [['mechanism.rollers', '9'], ['load_cases[0].axial_force', '20 kN']];

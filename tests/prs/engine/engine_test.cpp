@@ -174,6 +174,50 @@ TEST(Engine, SolvesTheLoadCasesThatAreAskedFor) {
   EXPECT_GT(answer_of(question)["document"]["load_cases"].size(), 1u);
 }
 
+TEST(Engine, WritesTheCaseThatNewWrites) {
+  const Json asked{{"type", "inverted"},
+                   {"screw_diameter", "21 mm"},
+                   {"lead", "5 mm"},
+                   {"starts", 3},
+                   {"lubricant", "iso-vg-46"}};
+  const test::Outcome run = run_program(
+      "new inverted --screw-diameter '21 mm' --lead '5 mm' --starts 3 --lubricant iso-vg-46");
+  const Json answer = answer_of({{"command", "new"}, {"new", asked}});
+  EXPECT_EQ(answer["status"], 0);
+  EXPECT_EQ(answer["document"]["yaml"], run.out);
+  EXPECT_THAT(answer["document"]["assumed"].get<std::string>(), HasSubstr("rollers"));
+  EXPECT_THAT(only_message({{"command", "new"}, {"new", {{"lead", "5 mm"}}}}),
+              StartsWith("prs: error: --screw-diameter: missing"));
+}
+
+/// A requirement with the rows of a catalogue alone, which are few.
+Json question_on_catalogue(const std::string& command) {
+  Json question = question_of(command, "32_press.yaml");
+  question["histories"] = {{"32_press.csv", lesson_text("32_press.csv")}};
+  question["set"] = pairs({{"candidates", "{catalogue: {file: 32_press.csv}}"}});
+  return question;
+}
+
+TEST(Engine, WritesACandidateAsTheProgramDoes) {
+  const test::TemporaryDirectory folder;
+  const std::string file = (folder.path() / "screw.yaml").string();
+  const test::Outcome run = run_program(
+      "size configs/32_press.yaml --set 'candidates={catalogue: {file: 32_press.csv}}' --write 2 "
+      "'" +
+      file + "'");
+  ASSERT_EQ(run.status, 0) << run.err;
+  Json question = question_on_catalogue("write");
+  question["rank"] = 2;
+  EXPECT_EQ(answer_of(question)["document"]["yaml"], test::content_of(file));
+  question["rank"] = 1000;
+  EXPECT_THAT(only_message(question), HasSubstr("rank: got 1000; expected a rank of the list"));
+}
+
+TEST(Engine, ReportsOnARequirement) {
+  const Json sections = answer_of(question_on_catalogue("report"))["document"]["sections"];
+  EXPECT_THAT(sections["candidates"].get<std::string>(), HasSubstr("<table"));
+}
+
 /// What is wrong with a question, and a part of what is said of it.
 TEST(Engine, RefusesQuestionsThatItDoesNotKnow) {
   const Json good = question_of("solve", "01_config_1_to_3.yaml");

@@ -326,6 +326,30 @@ TEST(ReportCommand, FoldersOfResultsThatHaveNoneAreTold) {
   EXPECT_EQ(test::run_prs("explore x.yaml --output ''", folder.path()).status, 2);
 }
 
+TEST(WorkbenchCommand, WritesThePageOfAnyCaseAndRefusesWrongOnes) {
+  const test::TemporaryDirectory folder;
+  const auto run = [&](const std::string& arguments) {
+    return test::run_prs("workbench " + arguments, folder.path());
+  };
+  const std::string lessons = PRS_SOURCE_DIR "/configs/";
+  for (const char* const lesson : {"", "14_flight_spectrum.yaml", "32_press.yaml"}) {
+    const std::string file = *lesson ? "'" + lessons + lesson + "'" : "";
+    const test::Outcome written = run(file + " --output page.html");
+    EXPECT_EQ(written.status, 0) << written.err;
+    const std::string page = test::content_of(folder.path() / "page.html");
+    EXPECT_LT(page.size(), 4'500'000u);
+    EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+    std::filesystem::remove(folder.path() / "page.html");
+  }
+  EXPECT_EQ(run("").status, 2);
+  EXPECT_EQ(run("--set mechanism.rollers=9 --output page.html").status, 2);
+  EXPECT_EQ(
+      run("'" + lessons + "05_standard_screw.yaml' --set mechanism.rollers=no --output page.html")
+          .status,
+      2);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "page.html"));
+}
+
 TEST(Svg, DrawsLargeMapsNoFinerThanAScreen) {
   const auto map_of = [](std::size_t nodes) {
     Figure figure{"map", "Map", {"x"}, {"y"}};

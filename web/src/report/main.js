@@ -2,60 +2,11 @@
 // the report with other values. All HTML comes from the engine, which escapes the texts of the case;
 // what this script shows of them it sets as text.
 
+import { Engine, Latest } from '../page/engine.js';
+import { showMechanism } from './mechanism.js';
+
 const element = (id) => document.getElementById(id);
 const theCase = JSON.parse(element('case').textContent);
-
-// The engine -------------------------------------------------------------------------------------
-
-let workerUrl = null;
-
-/** One worker with the engine: questions in, answers out, in their order. */
-class Engine {
-  constructor() {
-    workerUrl ??= URL.createObjectURL(
-      new Blob([element('worker').textContent], { type: 'text/javascript' }),
-    );
-    this.waiting = [];
-    this.worker = new Worker(workerUrl);
-    this.worker.onmessage = (event) => this.waiting.shift()(event.data);
-    this.worker.onerror = (event) => {
-      event.preventDefault();
-      const answer = { status: 1, messages: [`The engine stopped: ${event.message}`] };
-      for (const take of this.waiting.splice(0)) take(answer);
-    };
-    this.worker.postMessage(element('engine').textContent);
-  }
-
-  ask(question) {
-    return new Promise((resolve) => {
-      this.waiting.push(resolve);
-      this.worker.postMessage(question);
-    });
-  }
-}
-
-/** Asks one question at a time; of those that come meanwhile, the last. */
-class Latest {
-  constructor(take) {
-    this.engine = null;
-    this.take = take;
-    this.next = null;
-    this.busy = false;
-  }
-
-  async put(make) {
-    this.next = make;
-    if (this.busy) return;
-    this.busy = true;
-    this.engine ??= new Engine();
-    while (this.next) {
-      const question = this.next();
-      this.next = null;
-      this.take(await this.engine.ask(question), question);
-    }
-    this.busy = false;
-  }
-}
 
 // What is changed --------------------------------------------------------------------------------
 
@@ -348,6 +299,7 @@ function askThread() {
   threadIsShown = true;
   element('thread').hidden = false;
   document.querySelector('nav a[href="#thread"]').parentElement.hidden = false;
+  document.dispatchEvent(new Event('prs-thread'));
   if (!settled) return showAll();
   complete.put(() => reportQuestion({ sections: ['thread'], thread: chosenThread() }));
 }
@@ -400,6 +352,23 @@ document.querySelector('main').addEventListener('click', (event) => {
   element('thread').scrollIntoView();
 });
 
+// The mechanism in three dimensions ---------------------------------------------------------------
+
+const thread = {
+  chosen: () => ({
+    load_case: Number(threadCase.value) || 0,
+    roller: Number(threadRoller.value) - 1,
+    thread: Number(threadNumber.value) - 1,
+  }),
+  choose: ({ load_case: loadCase, roller, thread: number }) => {
+    if (threadCase.length === 0) return;
+    threadCase.value = loadCase;
+    threadRoller.value = roller + 1;
+    threadNumber.value = number + 1;
+    askThread();
+  },
+};
+
 // Start ------------------------------------------------------------------------------------------
 
 fillThreadForm();
@@ -415,6 +384,8 @@ globalThis.prs = {
   changes,
   ask: (more) => (complete.engine ??= new Engine()).ask(question(more)),
 };
+
+showMechanism({ ask: globalThis.prs.ask, thread });
 
 // Ready before the first slider moves.
 const idle = globalThis.requestIdleCallback ?? ((run) => setTimeout(run, 200));

@@ -1,0 +1,88 @@
+// How quantities are shown: digits and units, as in reports (prs/report/tables.cpp,
+// prs/record/table_units.cpp), and inputs in the other system.
+
+// By definition (NIST SP 811, appendix B).
+const inch = 25.4; // mm
+const pound = 0.45359237; // kg
+const poundForce = pound * 9.80665; // N
+
+const us = {
+  N: ['lbf', 1 / poundForce],
+  kN: ['lbf', 1000 / poundForce],
+  MPa: ['ksi', (inch * inch) / poundForce / 1000],
+  GPa: ['ksi', (inch * inch) / poundForce],
+  mm: ['in', 1 / inch],
+  m: ['in', 1000 / inch],
+  µm: ['µin', 1000 / inch],
+  nm: ['µin', 1 / inch],
+  kg: ['lb', 1 / pound],
+  'N/µm': ['lbf/µin', inch / 1000 / poundForce],
+  'N m': ['lbf in', 1000 / inch / poundForce],
+  'N mm': ['lbf in', 1 / inch / poundForce],
+  'mm/s': ['in/s', 1 / inch],
+  'kg mm²': ['lb in²', 1 / pound / inch / inch],
+};
+
+const digitsIn = (unit) =>
+  ['mm', 'deg', 'in'].includes(unit) ? 5 : ['h', 'km', '°C', 'degC', '°F', 'rev', '10^6 rev', '10^6 in'].includes(unit) ? 3 : 4;
+
+/** In what a number of a document is shown: {unit, convert}. */
+export function shownIn(path, unit, system, largest = Infinity) {
+  if (!unit && /efficiency/.test(path)) return { unit: '%', convert: (x) => 100 * x };
+  if (unit === 'degC' || unit === '°C')
+    return system === 'us'
+      ? { unit: '°F', convert: (x) => 1.8 * x + 32 }
+      : { unit: '°C', convert: (x) => x };
+  if (system === 'us' && us[unit]) return { unit: us[unit][0], convert: (x) => x * us[unit][1] };
+  if (unit === 'MPa') return { unit: 'GPa', convert: (x) => x / 1000 };
+  if (unit === 'N' && Math.abs(largest) >= 1000) return { unit: 'kN', convert: (x) => x / 1000 };
+  return { unit, convert: (x) => x };
+}
+
+const superscript = (n) => [...String(n)].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c])).join('');
+
+/** With an engineer's digits, never with a separator of thousands. */
+export function number(value, unit = '', digits = digitsIn(unit)) {
+  if (!Number.isFinite(value)) return '–';
+  const size = Math.abs(value);
+  let text;
+  if (unit === 'N/µm') text = value.toFixed(1);
+  else if (size === 0) text = '0';
+  else if (size >= 1e6 || size < 1e-4) {
+    const [head, exponent] = value.toExponential(digits - 1).split('e');
+    text = `${head} × 10${superscript(Number(exponent))}`;
+  } else if (size >= 10 ** digits - 0.5) text = value.toFixed(0);
+  else text = String(Number(value.toPrecision(digits)));
+  return text.replace(/^-/, '−').replace(/(× 10)/, '$1');
+}
+
+/** A quantity of a document as it is shown: '596.9 N/µm'. */
+export function quantity(value, path, unit, system) {
+  const how = shownIn(path, unit, system, value);
+  return { text: number(how.convert(value), how.unit), unit: how.unit };
+}
+
+// Inputs in the other system ----------------------------------------------------------------------
+
+const toUs = {
+  mm: ['in', 1 / inch], cm: ['in', 10 / inch], m: ['in', 1000 / inch], um: ['uin', 1000 / inch], µm: ['uin', 1000 / inch],
+  N: ['lbf', 1 / poundForce], kN: ['lbf', 1000 / poundForce],
+  MPa: ['ksi', us.MPa[1]], GPa: ['ksi', us.GPa[1]], kg: ['lb', 1 / pound],
+  'N m': ['lbf in', us['N m'][1]], 'N/um': ['lbf/uin', us['N/µm'][1]], 'N/mm': ['lbf/in', inch / poundForce],
+  'mm/s': ['in/s', 1 / inch], 'mm/min': ['in/min', 1 / inch], 'm/min': ['in/min', 1000 / inch],
+};
+const toSi = {
+  in: ['mm', inch], ft: ['mm', 12 * inch], uin: ['um', inch / 1000], lbf: ['N', poundForce], ksi: ['MPa', 1 / us.MPa[1]],
+  psi: ['MPa', 1 / us.MPa[1] / 1000], lb: ['kg', pound], 'lbf in': ['N m', 1 / us['N m'][1]],
+  'lbf/uin': ['N/um', 1 / us['N/µm'][1]], 'lbf/in': ['N/mm', poundForce / inch], 'in/s': ['mm/s', inch],
+};
+
+/** '30 mm' in US units, '1.181 in'; null where it is the same there. */
+export function inSystem(text, system) {
+  const [, value, unit] = /^\s*([-+]?[\d.]+(?:e[-+]?\d+)?)\s*(\S.*?)\s*$/i.exec(text) ?? [];
+  if (!unit) return null;
+  if (system === 'us' && unit === 'degC') return `${number(1.8 * value + 32, '', 4)} degF`;
+  if (system === 'si' && unit === 'degF') return `${number((value - 32) / 1.8, '', 4)} degC`;
+  const found = (system === 'us' ? toUs : toSi)[unit];
+  return found ? `${number(value * found[1], '', 5)} ${found[0]}` : null;
+}
