@@ -219,9 +219,7 @@ std::string head(const CheckResult& result) {
 
 }  // namespace
 
-Record<CheckResult> record_of(Type<CheckResult>) {
-  return {"Check", "What a case is ready for, and what follows from it.", kCheck};
-}
+PRS_RECORD(CheckResult, "Check", "What a case is ready for, and what follows from it.", kCheck);
 
 namespace {
 
