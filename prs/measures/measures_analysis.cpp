@@ -283,8 +283,7 @@ Figures yang(const MeasuresResult& result) {
     const std::vector<double>& rate = result.load_measures[k]->yang_load_rate;
     if (rate.empty() || figure.panels.size() == kMostYangPanels) continue;
     threads = std::max(threads, rate.size());
-    Panel& panel = figure.panels.emplace_back();
-    panel.title = shown_name(load_case.load_case.name);
+    Panel& panel = figure.panels.emplace_back(Panel{shown_name(load_case.load_case.name)});
     panel.series = {{0, {over_threads(load_case.threads->screw.load_rate, per_si::percent)}},
                     {1, {over_threads(load_case.threads->nut.load_rate, per_si::percent)}},
                     {2, {over_threads(rate, per_si::percent)}}};
