@@ -412,7 +412,9 @@ FigureOptions figure_options(const std::string& text) {
   };
   try {
     const Json given = Json::parse(text);
-    for (const auto& [key, value] : given.items()) {
+    for (const auto& entry : given.items()) {
+      const std::string& key = entry.key();
+      const Json& value = entry.value();
       const auto is = [&](const char* name, auto& option) {
         if (key == name) take(value, option);
         return key == name;
