@@ -223,7 +223,7 @@ ValidationTable ellipticity_approximations() {
 SourceExtension extension() {
   return {.folder = "sandu_2018",
           .derived = derived,
-          .tables = [] { return std::vector{ellipticity_approximations()}; },
+          .tables = [](auto&) { return std::vector{ellipticity_approximations()}; },
           .supplement =
               [](const Case& reference, const Reference& thesis) {
                 return Supplement{

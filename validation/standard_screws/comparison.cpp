@@ -121,7 +121,7 @@ constexpr double kDensity = 7800.0;    // kg/m^3
 constexpr int kLargestDiameter = 120;  // mm
 
 /// Cylinders of steel, one of each whole diameter in mm, per metre.
-Json cylinders() {
+Json cylinders(const Reference&) {
   Json json = Json::object();
   for (int d = 1; d <= kLargestDiameter; ++d) {
     const RoundBody body = tube(d * 1e-3, 0.0, 1.0);

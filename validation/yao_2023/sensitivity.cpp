@@ -413,7 +413,7 @@ ValidationTable closure_of_printed_points() {
 SourceExtension extension() {
   return {.folder = "yao_2023",
           .derived = derived,
-          .tables = [] { return std::vector{closure_of_printed_points()}; },
+          .tables = [](auto&) { return std::vector{closure_of_printed_points()}; },
           .supplement = sensitivity};
 }
 
