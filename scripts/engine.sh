@@ -31,7 +31,8 @@ zopfli --i5 -c build/wasm/wasm/engine.wasm >"$module"
 mapfile -t sources < <(
   {
     ninja -C build/wasm -t deps | awk '/^ / { print $1 }' | (cd build/wasm && xargs realpath)
-    realpath cmake/webassembly.cmake wasm/CMakeLists.txt
+    realpath cmake/webassembly.cmake wasm/CMakeLists.txt prs/measures/measures.yaml \
+      validation/standard_screws/screws.csv
   } | grep "^$PWD/" | grep -v "^$PWD/build/" | sed "s|^$PWD/||" | LC_ALL=C sort -u
 )
 {
