@@ -212,23 +212,6 @@ Figure patch_figure(std::string name, const LoadCaseResult& result,
   return figure;
 }
 
-}  // namespace
-
-/// Friction coefficient and sliding velocity over the patch of the most loaded thread at both
-/// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
-/// of each patch is as long as two of them lie apart.
-Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
-  return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
-}
-
-/// The same of one thread of one load case.
-Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
-                              std::size_t thread) {
-  return patch_figure("thread_friction", result, fields, thread);
-}
-
-namespace {
-
 /// A curve of the figure, in the order of drawing: the sum lies on top.
 struct MomentCurve {
   std::string_view title;
@@ -314,6 +297,19 @@ Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipRe
 }
 
 }  // namespace
+
+/// Friction coefficient and sliding velocity over the patch of the most loaded thread at both
+/// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
+/// of each patch is as long as two of them lie apart.
+Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
+  return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
+}
+
+/// The same of one thread of one load case.
+Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
+                              std::size_t thread) {
+  return patch_figure("thread_friction", result, fields, thread);
+}
 
 /// Moment on a roller about its axis against the slip ratio: its contributions and their sum over
 /// the whole range and, against the distance from the ideal slip ratio, around the root (Sandu

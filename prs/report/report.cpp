@@ -26,15 +26,6 @@ std::string data_url(std::string_view type, std::string_view content) {
   return url;
 }
 
-}  // namespace
-
-std::string download_link(std::string_view name, std::string_view type, std::string_view content) {
-  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", html(name),
-                     data_url(type, content));
-}
-
-namespace {
-
 constexpr std::size_t kMostColumns = 6;  ///< Load cases side by side in a table.
 
 // Load cases
@@ -149,6 +140,11 @@ std::string mark_of_sheets(const Findings& all) {
 }
 
 }  // namespace
+
+std::string download_link(std::string_view name, std::string_view type, std::string_view content) {
+  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", html(name),
+                     data_url(type, content));
+}
 
 /// Title block: what the file says of the report, and what it was made from.
 std::string head_html(const Findings& all) {
