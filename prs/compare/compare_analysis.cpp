@@ -66,6 +66,23 @@ constexpr Quantity<MostLoaded> kMostLoaded[] = {
      "share of each thread; of a full mechanism [roller][thread]"},
 };
 
+/// Largest pressure of a thread at either interface [Pa].
+std::optional<double> largest_pressure(const LoadCaseResult& result) {
+  if (!result.threads) return std::nullopt;
+  const std::optional<double> screw = largest_of(result.threads->screw.peak_pressure);
+  const std::optional<double> nut = largest_of(result.threads->nut.peak_pressure);
+  return screw && nut ? std::max(*screw, *nut) : screw ? screw : nut;
+}
+
+/// Over the best model's; absent where either is.
+std::optional<double> stiffness_over_best(const ComparedModel& m) {
+  return over(m.result().axial_stiffness, m.best().axial_stiffness);
+}
+
+std::optional<double> pressure_over_best(const ComparedModel& m) {
+  return over(largest_pressure(m.result()), largest_pressure(m.best()));
+}
+
 constexpr Quantity<ComparedModel> kModel[] = {
     {"bodies", of<&ComparedModel::model_name>,
      "bars | refined | influence of one sector, or full: all rollers"},
@@ -120,21 +137,6 @@ std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads) {
   if (loads.rollers) return static_cast<std::size_t>(loads.rollers->largest_thread);
   const auto thread = index_of_largest(loads.load_rate);
   return thread ? std::optional(*thread + 1) : std::nullopt;
-}
-
-std::optional<double> largest_pressure(const LoadCaseResult& result) {
-  if (!result.threads) return std::nullopt;
-  const std::optional<double> screw = largest_of(result.threads->screw.peak_pressure);
-  const std::optional<double> nut = largest_of(result.threads->nut.peak_pressure);
-  return screw && nut ? std::max(*screw, *nut) : screw ? screw : nut;
-}
-
-std::optional<double> stiffness_over_best(const ComparedModel& m) {
-  return over(m.result().axial_stiffness, m.best().axial_stiffness);
-}
-
-std::optional<double> pressure_over_best(const ComparedModel& m) {
-  return over(largest_pressure(m.result()), largest_pressure(m.best()));
 }
 
 PRS_RECORD(MostLoaded, "MostLoadedThread", "What an interface's threads carry, by one model.",

@@ -164,8 +164,7 @@ std::string table_without(const MeasuresResult& result, const Keys& hidden) {
   return text + warning_section(all_warnings(result.analysis));
 }
 
-}  // namespace
-
+/// Keys of estimates of what the result or another command computes.
 std::vector<std::string> estimates_in(const MeasuresResult& result) {
   const auto known = [&](auto member) {
     return std::ranges::any_of(result.load_measures,
@@ -178,11 +177,14 @@ std::vector<std::string> estimates_in(const MeasuresResult& result) {
                            solved || known(&LoadMeasures::thread_static_safety), loaded});
 }
 
+/// With the estimates of what is computed.
+std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }
+
+}  // namespace
+
 std::string measures_table(const MeasuresResult& result) {
   return table_without(result, estimates_in(result));
 }
-
-std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }
 
 std::string measure_explanations() {
   return "Measures of the mechanism: `measures` in documents\n\n" + explanations<Measures>() +

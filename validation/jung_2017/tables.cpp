@@ -73,6 +73,30 @@ ThreadCompliance yamamoto(const Diameters& d, const ToothSection& tooth, double 
   return c;
 }
 
+/// Printed numbers over exact ones, less 1, in ppm, and the part of it that the rounding of F(rho)
+/// and of the number itself explains.
+ValidationTable deviations_of_table_a1(const Reference& thesis) {
+  ValidationTable table{
+      "Table A1: printed over exact, less 1, and what of it no rounding explains, in ppm",
+      {"F(rho)", "a*", "b*", "delta*", "beyond, a*", "b*", "delta*"},
+      {},
+      0};
+  for (const PrintedParameters& line : table_a1(thesis)) {
+    const ContactParameters exact = contact_parameters(line.curvature_difference.value());
+    ValidationTable::Row row{line.curvature_difference.text, {}};
+    row.values = {
+        line.semi_major.value() / exact.semi_major - 1.0,
+        line.semi_minor.value() / exact.semi_minor - 1.0,
+        line.approach.value() / exact.approach - 1.0,
+        unexplained(line.semi_major, line.curvature_difference, &ContactParameters::semi_major),
+        unexplained(line.semi_minor, line.curvature_difference, &ContactParameters::semi_minor),
+        unexplained(line.approach, line.curvature_difference, &ContactParameters::approach)};
+    for (double& value : row.values) value *= 1e6;
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 }  // namespace
 
 std::array<Diameters, 10> case_1() {
@@ -181,28 +205,6 @@ double unexplained(const PrintedNumber& printed, const PrintedNumber& f,
   const auto [least, greatest] = std::minmax(one, other);
   const double beyond = std::max(least - printed.value(), printed.value() - greatest);
   return std::max(beyond - printed.half_unit(), 0.0) / printed.value();
-}
-
-ValidationTable deviations_of_table_a1(const Reference& thesis) {
-  ValidationTable table{
-      "Table A1: printed over exact, less 1, and what of it no rounding explains, in ppm",
-      {"F(rho)", "a*", "b*", "delta*", "beyond, a*", "b*", "delta*"},
-      {},
-      0};
-  for (const PrintedParameters& line : table_a1(thesis)) {
-    const ContactParameters exact = contact_parameters(line.curvature_difference.value());
-    ValidationTable::Row row{line.curvature_difference.text, {}};
-    row.values = {
-        line.semi_major.value() / exact.semi_major - 1.0,
-        line.semi_minor.value() / exact.semi_minor - 1.0,
-        line.approach.value() / exact.approach - 1.0,
-        unexplained(line.semi_major, line.curvature_difference, &ContactParameters::semi_major),
-        unexplained(line.semi_minor, line.curvature_difference, &ContactParameters::semi_minor),
-        unexplained(line.approach, line.curvature_difference, &ContactParameters::approach)};
-    for (double& value : row.values) value *= 1e6;
-    table.rows.push_back(std::move(row));
-  }
-  return table;
 }
 
 std::array<ScaleLine, 10> scale_chart() {

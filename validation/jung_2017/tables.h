@@ -94,10 +94,6 @@ struct PrintedParameters {
 };
 std::vector<PrintedParameters> table_a1(const Reference& thesis);
 
-/// Printed numbers over exact ones, less 1, in ppm, and the part of it that the rounding of F(rho)
-/// and of the number itself explains.
-ValidationTable deviations_of_table_a1(const Reference& thesis);
-
 /// How far a printed number lies beyond what the rounding of F(rho) and its own allow, relative to
 /// it; 0 for a number that may be right.
 double unexplained(const PrintedNumber& printed, const PrintedNumber& curvature_difference,
