@@ -31,7 +31,8 @@ xz --format=lzma --lzma1=preset=9e,dict=8MiB,pb=0,lc=4 -c build/wasm/wasm/engine
 mapfile -t sources < <(
   {
     ninja -C build/wasm -t deps | awk '/^ / { print $1 }' | (cd build/wasm && xargs realpath)
-    realpath cmake/webassembly.cmake wasm/CMakeLists.txt
+    realpath cmake/webassembly.cmake wasm/CMakeLists.txt prs/measures/measures.yaml \
+      validation/standard_screws/screws.csv
   } | grep "^$PWD/" | grep -v "^$PWD/build/" | sed "s|^$PWD/||" | LC_ALL=C sort -u
 )
 {

@@ -52,68 +52,78 @@ Record<ComparedLoad> record_of(Type<ComparedLoad>);
 namespace {
 
 constexpr Quantity<MostLoaded> kMostLoaded[] = {
-    {"most_loaded_thread",
-     of<[](const MostLoaded& m) { return most_loaded_thread(*m.loads).value_or(1); }>,
+    {"most_loaded_thread", of<[](auto& m) { return most_loaded_thread(*m.loads).value_or(1); }>,
      "1 is next to the loaded end of the screw"},
-    {"most_loaded_roller", of<[](const MostLoaded& m) {
+    {"most_loaded_roller", of<[](auto& m) {
        return m.loads->rollers ? std::optional(m.loads->rollers->largest_roller) : std::nullopt;
      }>,
      "from 1; of a full mechanism"},
-    {"largest_load_rate_percent", of<[](const MostLoaded& m) { return largest_of(m.shares()); }>,
+    {"largest_load_rate_percent", of<[](auto& m) { return largest_of(m.shares()); }>,
      "its share: axial load over force per roller"},
-    {"largest_peak_pressure_MPa",
-     of<[](const MostLoaded& m) { return largest_of(m.loads->peak_pressure); }>,
+    {"largest_peak_pressure_MPa", of<[](auto& m) { return largest_of(m.loads->peak_pressure); }>,
      "largest of a thread"},
     {"load_rate_percent", of<&MostLoaded::shares>,
      "share of each thread; of a full mechanism [roller][thread]"},
 };
 
+/// Largest pressure of a thread at either interface [Pa].
+std::optional<double> largest_pressure(const LoadCaseResult& result) {
+  if (!result.threads) return std::nullopt;
+  const std::optional<double> screw = largest_of(result.threads->screw.peak_pressure);
+  const std::optional<double> nut = largest_of(result.threads->nut.peak_pressure);
+  return screw && nut ? std::max(*screw, *nut) : screw ? screw : nut;
+}
+
+/// Over the best model's; absent where either is.
+std::optional<double> stiffness_over_best(const ComparedModel& m) {
+  return over(m.result().axial_stiffness, m.best().axial_stiffness);
+}
+
+std::optional<double> pressure_over_best(const ComparedModel& m) {
+  return over(largest_pressure(m.result()), largest_pressure(m.best()));
+}
+
 constexpr Quantity<ComparedModel> kModel[] = {
     {"bodies", of<&ComparedModel::model_name>,
      "bars | refined | influence of one sector, or full: all rollers"},
-    {"converged", of<[](const ComparedModel& m) { return m.result().converged(); }>,
+    {"converged", of<[](auto& m) { return m.result().converged(); }>,
      "whether there is an equilibrium"},
-    {"axial_stiffness_N_per_um",
-     of<[](const ComparedModel& m) { return m.result().axial_stiffness; }>,
+    {"axial_stiffness_N_per_um", of<[](auto& m) { return m.result().axial_stiffness; }>,
      "secant: force over displacement"},
     {"stiffness_over_best", of<stiffness_over_best>, "over that of the best model"},
-    {"axial_displacement_um",
-     of<[](const ComparedModel& m) { return m.result().axial_displacement; }>,
+    {"axial_displacement_um", of<[](auto& m) { return m.result().axial_displacement; }>,
      "of the loaded section; > 0 along the load"},
-    {"largest_peak_pressure_MPa",
-     of<[](const ComparedModel& m) { return largest_pressure(m.result()); }>,
+    {"largest_peak_pressure_MPa", of<[](auto& m) { return largest_pressure(m.result()); }>,
      "largest of a thread at either interface"},
     {"pressure_over_best", of<pressure_over_best>, "largest over that of the best model"},
-    {"screw", of<[](const ComparedModel& m) { return most_loaded(m, Interface::screw); }>,
+    {"screw", of<[](auto& m) { return most_loaded(m, Interface::screw); }>,
      "threads of one roller at the screw"},
-    {"nut", of<[](const ComparedModel& m) { return most_loaded(m, Interface::nut); }>,
+    {"nut", of<[](auto& m) { return most_loaded(m, Interface::nut); }>,
      "threads of one roller at the nut"},
 };
 
 constexpr Quantity<ComparedLoad> kLoad[] = {
     {"name", of<[](const ComparedLoad& l) -> const std::string& { return l.load().name; }>,
      "as the file has it"},
-    {"axial_force_N", of<[](const ComparedLoad& l) { return l.load().axial_force; }>,
-     "on the whole screw"},
-    {"direction", of<[](const ComparedLoad& l) { return l.load().direction; }>,
-     "tension | compression"},
-    {"position_mm", of<[](const ComparedLoad& l) { return l.load().position; }>,
+    {"axial_force_N", of<[](auto& l) { return l.load().axial_force; }>, "on the whole screw"},
+    {"direction", of<[](auto& l) { return l.load().direction; }>, "tension | compression"},
+    {"position_mm", of<[](auto& l) { return l.load().position; }>,
      "of the first roller contact on the nut"},
-    {"models", of<[](const ComparedLoad& l) {
+    {"models", of<[](auto& l) {
        std::vector<ComparedModel> models;
        for (std::size_t m = 0; m < l.comparison->models.size(); ++m)
          models.push_back({l.comparison, l.load_case, m});
        return models;
      }>,
      "the best last"},
-    {"warnings", of<[](const ComparedLoad& l) { return sentences(l.best().warnings); }>,
+    {"warnings", of<[](auto& l) { return sentences(l.best().warnings); }>,
      "what is unusual about this load, by the best model"},
 };
 
 constexpr Quantity<ModelComparison> kComparison[] = {
     {"models", of<model_names>,
      "that were compared: bars | refined | influence, or one of them | full; the best last"},
-    {"load_cases", of<[](const ModelComparison& c) {
+    {"load_cases", of<[](auto& c) {
        std::vector<ComparedLoad> loads;
        for (std::size_t k = 0; k < c.load_cases(); ++k) loads.push_back({&c, k});
        return loads;
@@ -129,36 +139,12 @@ std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads) {
   return thread ? std::optional(*thread + 1) : std::nullopt;
 }
 
-std::optional<double> largest_pressure(const LoadCaseResult& result) {
-  if (!result.threads) return std::nullopt;
-  const std::optional<double> screw = largest_of(result.threads->screw.peak_pressure);
-  const std::optional<double> nut = largest_of(result.threads->nut.peak_pressure);
-  return screw && nut ? std::max(*screw, *nut) : screw ? screw : nut;
-}
-
-std::optional<double> stiffness_over_best(const ComparedModel& m) {
-  return over(m.result().axial_stiffness, m.best().axial_stiffness);
-}
-
-std::optional<double> pressure_over_best(const ComparedModel& m) {
-  return over(largest_pressure(m.result()), largest_pressure(m.best()));
-}
-
-Record<MostLoaded> record_of(Type<MostLoaded>) {
-  return {"MostLoadedThread", "What an interface's threads carry, by one model.", kMostLoaded};
-}
-
-Record<ComparedModel> record_of(Type<ComparedModel>) {
-  return {"ComparedModel", "The answer of one model of the bodies to a load case.", kModel};
-}
-
-Record<ComparedLoad> record_of(Type<ComparedLoad>) {
-  return {"ComparedLoadCase", "A load case by each model of the bodies.", kLoad};
-}
-
-Record<ModelComparison> record_of(Type<ModelComparison>) {
-  return {"Comparison", "The models of the bodies side by side.", kComparison};
-}
+PRS_RECORD(MostLoaded, "MostLoadedThread", "What an interface's threads carry, by one model.",
+           kMostLoaded);
+PRS_RECORD(ComparedModel, "ComparedModel", "The answer of one model of the bodies to a load case.",
+           kModel);
+PRS_RECORD(ComparedLoad, "ComparedLoadCase", "A load case by each model of the bodies.", kLoad);
+PRS_RECORD(ModelComparison, "Comparison", "The models of the bodies side by side.", kComparison);
 
 namespace {
 
@@ -265,8 +251,7 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
     figure.add(std::string(name_of_model(c.models[m].model)), case_line(m));
   const auto threads = static_cast<std::size_t>(c.best().contacts.mechanism.contacts_per_roller);
   for (const Interface i : kInterfaces) {
-    Panel& panel = figure.panels.emplace_back();
-    panel.title = interface_title(i);
+    Panel& panel = figure.panels.emplace_back(Panel{interface_title(i)});
     for (std::size_t m = 0; m < c.models.size(); ++m) {
       const InterfaceLoads& loads = (*c.models[m].load_cases[k].threads)[i];
       panel.series.push_back({m, {over_threads(of_most_loaded_roller(loads), per_si::percent)}});

@@ -19,13 +19,6 @@ struct ComparedModel {
 /// Number of the thread that carries most, from 1, of whichever roller.
 std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads);
 
-/// Largest pressure of a thread at either interface [Pa].
-std::optional<double> largest_pressure(const LoadCaseResult& result);
-
-/// Over the best model's; absent where either is.
-std::optional<double> stiffness_over_best(const ComparedModel& m);
-std::optional<double> pressure_over_best(const ComparedModel& m);
-
 Record<ComparedModel> record_of(Type<ComparedModel>);
 Record<ModelComparison> record_of(Type<ModelComparison>);
 

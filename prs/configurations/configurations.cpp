@@ -89,6 +89,12 @@ void describe(Configuration& c, const Contacts& contacts, double gap) {
   c.most_rollers = most_rollers(c.centre_distance, crest, gap);
 }
 
+/// Free space between the outermost radii of neighbouring rollers, overlap < 0 [m]:
+/// 2 c sin(pi/N) - 2 r (Sandu 2018, (1.45)).
+double neighbour_gap(double centre_distance, double outer_radius, int rollers) {
+  return 2.0 * (centre_distance * std::sin(std::numbers::pi / rollers) - outer_radius);
+}
+
 void count_rollers(Configuration& c, const ConfigurationQuery& query, double crest) {
   c.mechanism.rollers = query.rollers.value_or(c.most_rollers);
   c.crest_gap = neighbour_gap(c.centre_distance, crest, c.mechanism.rollers);
@@ -155,10 +161,6 @@ Span span(const std::optional<int>& given, int first, int last) {
 }
 
 }  // namespace
-
-double neighbour_gap(double centre_distance, double outer_radius, int rollers) {
-  return 2.0 * (centre_distance * std::sin(std::numbers::pi / rollers) - outer_radius);
-}
 
 int most_rollers(double centre_distance, double outer_radius, double gap) {
   constexpr double kMost = 1000.0;

@@ -29,10 +29,6 @@ namespace prs {
 /// Fewer do not centre the screw.
 inline constexpr int kFewestRollers = 3;
 
-/// Free space between the outermost radii of neighbouring rollers, overlap < 0 [m]:
-/// 2 c sin(pi/N) - 2 r (Sandu 2018, (1.45)).
-double neighbour_gap(double centre_distance, double outer_radius, int rollers);
-
 /// Largest number of rollers of this outer radius whose neighbours are `gap` apart, (1.47) with
 /// r + gap/2; at most 1000, and 1 where even two would not fit.
 int most_rollers(double centre_distance, double outer_radius, double gap);

@@ -142,10 +142,8 @@ std::string heading(const ConfigurationQuery& q) {
 
 }  // namespace
 
-Record<Configurations> record_of(Type<Configurations>) {
-  return {"Configurations", "Starts that give a sound mechanism, and those that do not.",
-          kConfigurations};
-}
+PRS_RECORD(Configurations, "Configurations",
+           "Starts that give a sound mechanism, and those that do not.", kConfigurations);
 
 std::string_view type_name(Mechanism::Type type) {
   return type == Mechanism::Type::standard ? "standard" : "inverted";

@@ -67,7 +67,7 @@ constexpr std::string_view kReliability = "ISO 281:2007, a1",
 
 /// A life, scaled to the reliability that is asked for.
 template <auto member>
-constexpr auto rated_of = of<[](const LifeInUse& life) {
+constexpr auto rated_of = of<[](auto& life) {
   const auto& value = std::invoke(member, life);
   if constexpr (detail::is_optional<std::remove_cvref_t<decltype(value)>>)
     return value ? std::optional(life.rated * *value) : std::nullopt;
@@ -90,7 +90,7 @@ constexpr Quantity<LifeInUse> kLifeInUse[] = {
     {"rated_revolutions", rated_of<&LifeInUse::revolutions>, kRated, kReliability,
      "rated life in revolutions"},
     {"rated_revolutions_range",
-     of<[](const LifeInUse& l) {
+     of<[](auto& l) {
        return Range{l.rated * l.revolutions_range[0], l.rated * l.revolutions_range[1]};
      },
         is_finite>,
@@ -129,17 +129,16 @@ constexpr Quantity<InterfaceLife> kInterfaceLife[] = {
 };
 
 template <auto get>
-constexpr auto of_flank = of<[](const DirectionLife& d) { return std::invoke(get, *d.flank); }>;
+constexpr auto of_flank = of<[](auto& d) { return std::invoke(get, *d.flank); }>;
 
 template <Interface i>
-constexpr auto threads_of = of<[](const DirectionLife& d) {
+constexpr auto threads_of = of<[](auto& d) {
   return InterfaceLife{&d.flank->threads[i], d.flank->peak_pressure[i]};
 }>;
 
 constexpr Quantity<DirectionLife> kDirectionLife[] = {
-    {"", of<[](const DirectionLife& d) { return in_use(*d.life, d.flank->life); }>},
-    {"share_of_revolutions",
-     of<[](const DirectionLife& d) { return d.flank->revolutions / d.life->revolutions; }>,
+    {"", of<[](auto& d) { return in_use(*d.life, d.flank->life); }>},
+    {"share_of_revolutions", of<[](auto& d) { return d.flank->revolutions / d.life->revolutions; }>,
      "under loads of this direction"},
     {"mean_load_N", of_flank<&FlankLife::mean_load>,
      "cubic mean over the revolutions of both directions", kPalmgrenMean},
@@ -152,7 +151,7 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
      "load at the edge of a flank, real thread loads"},
     {"static_safety", of_flank<&FlankLife::static_safety>,
      "force at which the first thread reaches a limit over the largest force", "ISO 76"},
-    {"static_safety_limit", of<[](const DirectionLife& d) {
+    {"static_safety_limit", of<[](auto& d) {
        const auto& rating = d.flank->static_rating;
        return rating ? std::optional(rating->limit) : std::nullopt;
      }>,
@@ -166,42 +165,40 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
 };
 
 constexpr Quantity<WeakestLife> kWeakestLife[] = {
-    {"", of<[](const WeakestLife& w) { return in_use(*w.life, w.life->weakest->life); }>},
-    {"direction", of<[](const WeakestLife& w) { return w.life->weakest->direction; }>,
-     "tension | compression"},
-    {"interface", of<[](const WeakestLife& w) { return w.life->weakest->interface; }>,
-     "screw | nut"},
-    {"thread", of<[](const WeakestLife& w) { return w.life->weakest->thread + 1; }>,
+    {"", of<[](auto& w) { return in_use(*w.life, w.life->weakest->life); }>},
+    {"direction", of<[](auto& w) { return w.life->weakest->direction; }>, "tension | compression"},
+    {"interface", of<[](auto& w) { return w.life->weakest->interface; }>, "screw | nut"},
+    {"thread", of<[](auto& w) { return w.life->weakest->thread + 1; }>,
      "from 1, next to the loaded end of the screw"},
-    {"part", of<[](const WeakestLife& w) { return w.life->weakest->part; }>,
+    {"part", of<[](auto& w) { return w.life->weakest->part; }>,
      "screw | roller | nut: whose thread; of a full mechanism"},
-    {"roller", of<[](const WeakestLife& w) {
+    {"roller", of<[](auto& w) {
        const auto& roller = w.life->weakest->roller;
        return roller ? std::optional(*roller + 1) : std::nullopt;
      }>,
      "from 1; of a roller of a full mechanism"},
-    {"equivalent_load_N", of<[](const WeakestLife& w) { return w.life->weakest->equivalent_load; }>,
+    {"equivalent_load_N", of<[](auto& w) { return w.life->weakest->equivalent_load; }>,
      "axial, cubic mean over all revolutions", kPalmgrenMean},
 };
 
 constexpr Quantity<LifeAtRest> kLifeAtRest[] = {
-    {"system", of<[](const LifeAtRest& l) { return in_use(*l.life, *l.life->life_at_rest); }>,
+    {"system", of<[](auto& l) { return in_use(*l.life, *l.life->life_at_rest); }>,
      "of the mechanism", "", "life of the mechanism on static loads"},
 };
 
 template <auto get>
-constexpr auto of_lemor = of<[](const Capacity& c) {
+constexpr auto of_lemor = of<[](auto& c) {
   return c.life->lemor ? std::optional(std::invoke(get, *c.life->lemor)) : std::nullopt;
 }>;
 
 constexpr Quantity<Capacity> kCapacity[] = {
-    {"dynamic_capacity_N", of<[](const Capacity& c) { return c.life->dynamic_capacity; }>,
+    {"dynamic_capacity_N", of<[](auto& c) { return c.life->dynamic_capacity; }>,
      "C_a; life.dynamic_capacity where stated", kLemorCapacity},
     {"dynamic_capacity_range_N",
-     of<[](const Capacity& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
+     of<[](auto& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
      "docs/life.md"},
-    {"source", of<[](const Capacity& c) { return c.life->lemor ? "lemor" : "given"; }>,
-     "lemor | given", "", "where the dynamic capacity comes from"},
+    {"source", of<[](auto& c) { return c.life->lemor ? "lemor" : "given"; }>, "lemor | given", "",
+     "where the dynamic capacity comes from"},
     {"geometry_factor", of_lemor<&LemorCapacity::factor>, "f_c", kLemorCapacity},
     {"geometry_factor_range",
      of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>, kFactorRange,
@@ -209,48 +206,47 @@ constexpr Quantity<Capacity> kCapacity[] = {
     {"diameter_ratio", of_lemor<&LemorCapacity::ratio>, "d_r cos(alpha)/d_n", kLemorCapacity},
     {"element_diameter_mm", of_lemor<&LemorCapacity::element_diameter>,
      "diameter of the equivalent ball", kLemorCapacity},
-    {"failure_share", of<[](const Capacity& c) { return c.life->failure_shares; }>,
+    {"failure_share", of<[](auto& c) { return c.life->failure_shares; }>,
      "share of each interface in the failures under equal loads"},
-    {"roller_failure_share", of<[](const Capacity& c) { return c.life->roller_shares; }>,
+    {"roller_failure_share", of<[](auto& c) { return c.life->roller_shares; }>,
      "part of the rollers in the failures of each interface; of a full mechanism",
      "Lundberg and Palmgren"},
     {"static_capacity_equal_shares_N",
-     of<[](const Capacity& c) { return c.life->equal_shares_static_capacity; }>,
+     of<[](auto& c) { return c.life->equal_shares_static_capacity; }>,
      "force at which equal thread loads have a peak pressure of 4.0 GPa", "ISO 76:2006",
      "static capacity, equal thread loads"},
     {"flank_edge_load_equal_shares_N",
-     of<[](const Capacity& c) { return c.life->equal_shares_flank_edge_load; }>,
+     of<[](auto& c) { return c.life->equal_shares_flank_edge_load; }>,
      "force at which ellipses of equal loads reach a crest or root", source::kHertz,
      "load at the edge of a flank, equal thread loads"},
-    {"static_capacity_given_N", of<[](const Capacity& c) { return c.life->life.static_capacity; }>,
+    {"static_capacity_given_N", of<[](auto& c) { return c.life->life.static_capacity; }>,
      "life.static_capacity"},
 };
 
 template <auto get>
 constexpr auto where_revolutions_are_known =
-    of<[](const Loads& l) { return std::invoke(get, *l.life); },
+    of<[](auto& l) { return std::invoke(get, *l.life); },
        [](const Loads& l) { return l.life->revolutions_known; }>;
 
 constexpr Quantity<Loads> kLoads[] = {
-    {"samples", of<[](const Loads& l) { return l.life->steps.size(); }>,
-     "of the history or the spectrum", "", "load steps of one pass"},
+    {"samples", of<[](auto& l) { return l.life->steps.size(); }>, "of the history or the spectrum",
+     "", "load steps of one pass"},
     {"revolutions", where_revolutions_are_known<&LifeResult::revolutions>, "of one pass"},
     {"travel_m", where_revolutions_are_known<[](const LifeResult& r) {
        return r.revolutions * std::abs(r.contacts.mechanism.lead);
      }>,
      "of one pass"},
-    {"duration_h", of<[](const Loads& l) { return l.life->duration; }>, "of one pass"},
-    {"mean_load_N", of<[](const Loads& l) { return l.life->mean_load; }>,
+    {"duration_h", of<[](auto& l) { return l.life->duration; }>, "of one pass"},
+    {"mean_load_N", of<[](auto& l) { return l.life->mean_load; }>,
      "cubic mean over the revolutions", kPalmgrenMean},
-    {"largest_force_N", of<[](const Loads& l) { return l.life->largest_force; }>,
-     "of either direction"},
+    {"largest_force_N", of<[](auto& l) { return l.life->largest_force; }>, "of either direction"},
 };
 
 constexpr Quantity<CycleMatrix> kCycleMatrix[] = {
     {"range_to_N", of<&CycleMatrix::range_to>, "end of the last class of ranges, from 0"},
     {"mean_from_N", of<&CycleMatrix::mean_from>, "start of the first class of means"},
     {"mean_to_N", of<&CycleMatrix::mean_to>, "end of the last class of means"},
-    {"count", of<[](const CycleMatrix& matrix) {
+    {"count", of<[](auto& matrix) {
        std::vector<std::vector<double>> rows(static_cast<std::size_t>(matrix.bins));
        for (int i = 0; i < matrix.bins; ++i)
          for (int k = 0; k < matrix.bins; ++k)
@@ -261,26 +257,23 @@ constexpr Quantity<CycleMatrix> kCycleMatrix[] = {
 };
 
 constexpr Quantity<Cycles> kCycles[] = {
-    {"count", of<[](const Cycles& c) { return count(c.life->cycles->cycles); }>,
-     "half cycles as halves", "ASTM E1049-85"},
-    {"fatigue_slope", of<[](const Cycles& c) { return c.life->life.fatigue_slope; }>,
-     "of the S-N curve", "FKM"},
-    {"equivalent_range_N", of<[](const Cycles& c) { return c.life->cycles->equivalent_range; }>,
+    {"count", of<[](auto& c) { return count(c.life->cycles->cycles); }>, "half cycles as halves",
+     "ASTM E1049-85"},
+    {"fatigue_slope", of<[](auto& c) { return c.life->life.fatigue_slope; }>, "of the S-N curve",
+     "FKM"},
+    {"equivalent_range_N", of<[](auto& c) { return c.life->cycles->equivalent_range; }>,
      "constant range that does the same damage in as many cycles", kMiner},
-    {"largest_range_N", of<[](const Cycles& c) { return c.life->cycles->matrix.range_to; }>,
-     "of a cycle"},
-    {"matrix", of<[](const Cycles& c) { return c.life->cycles->matrix; }>,
-     "cycles by range and mean"},
+    {"largest_range_N", of<[](auto& c) { return c.life->cycles->matrix.range_to; }>, "of a cycle"},
+    {"matrix", of<[](auto& c) { return c.life->cycles->matrix; }>, "cycles by range and mean"},
 };
 
 bool converged(const LifeResult& r) { return r.converged(); }
 
 template <auto get>
-constexpr auto life_at =
-    of<[](const LifeResult& r) { return in_use(r, std::invoke(get, r)); }, converged>;
+constexpr auto life_at = of<[](auto& r) { return in_use(r, std::invoke(get, r)); }, converged>;
 
 template <Direction d>
-constexpr auto flank_of = of<[](const LifeResult& r) {
+constexpr auto flank_of = of<[](auto& r) {
   return r.flanks[d] ? std::optional(DirectionLife{&r, &*r.flanks[d]}) : std::nullopt;
 },
                              converged>;
@@ -288,14 +281,13 @@ constexpr auto flank_of = of<[](const LifeResult& r) {
 constexpr Quantity<LifeResult> kLife[] = {
     {"converged", of<converged>, "whether every load has an equilibrium"},
     {"status", of<&LifeResult::failure>, "why there are no lives"},
-    {"share", of<[](const LifeResult& r) {
-       return r.life.share == LoadCase::Share::equal ? "equal" : "solved";
-     }>,
+    {"share",
+     of<[](auto& r) { return r.life.share == LoadCase::Share::equal ? "equal" : "solved"; }>,
      "solved | equal: thread loads", "", "thread loads"},
     {"thread_loads", of<&LifeResult::loads>,
      "static | running: of a screw that turns, with friction; static safety is always static", "",
      "loads that fatigue stands on"},
-    {"temperature_degC", of<[](const LifeResult& r) {
+    {"temperature_degC", of<[](auto& r) {
        return r.temperature ? std::optional(celsius_of(*r.temperature)) : std::nullopt;
      }>,
      "of the parts under all loads: that at which the mean heat of the spectrum flows off, or the "
@@ -304,19 +296,16 @@ constexpr Quantity<LifeResult> kLife[] = {
      "converged | no_steady_state | iteration_limit; with heat"},
     {"reliability_factor", of<&LifeResult::reliability_factor>,
      "a1 of the reliability that is asked for", kReliability},
-    {"modification_factor", of<[](const LifeResult& r) { return r.life.modification_factor; }>,
+    {"modification_factor", of<[](auto& r) { return r.life.modification_factor; }>,
      "a_ISO as the case states it", "ISO 281:2007"},
-    {"capacity", of<[](const LifeResult& r) { return Capacity{&r}; }>, "of the mechanism"},
-    {"loads", of<[](const LifeResult& r) { return Loads{&r}; }>, "of the history or the spectrum"},
-    {"cycles",
-     of<[](const LifeResult& r) { return r.cycles ? std::optional(Cycles{&r}) : std::nullopt; }>,
+    {"capacity", of<[](auto& r) { return Capacity{&r}; }>, "of the mechanism"},
+    {"loads", of<[](auto& r) { return Loads{&r}; }>, "of the history or the spectrum"},
+    {"cycles", of<[](auto& r) { return r.cycles ? std::optional(Cycles{&r}) : std::nullopt; }>,
      "counted from a history (rainflow)"},
     {"system", life_at<&LifeResult::system_life>, "of the mechanism, real thread loads", "",
      "life of the mechanism"},
     {"static",
-     of<[](const LifeResult& r) {
-       return r.life_at_rest ? std::optional(LifeAtRest{&r}) : std::nullopt;
-     },
+     of<[](auto& r) { return r.life_at_rest ? std::optional(LifeAtRest{&r}) : std::nullopt; },
         converged>,
      "the same on the loads of a screw at rest; where thread_loads is running"},
     {"equal_shares", life_at<&LifeResult::equal_shares_life>,
@@ -328,9 +317,7 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>,
      "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
     {"weakest_thread",
-     of<[](const LifeResult& r) {
-       return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt;
-     },
+     of<[](auto& r) { return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt; },
         converged>,
      "that fails first"},
     {"tension", flank_of<Direction::tension>, "flanks that carry tension"},
@@ -355,53 +342,21 @@ LifeInUse in_use(const LifeResult& r, double revolutions) {
   return life;
 }
 
-Record<LifeInUse> record_of(Type<LifeInUse>) {
-  return {"LifeInUse", "A life L10 at the value of the dynamic capacity.", kLifeInUse};
-}
-
-Record<ThreadLives> record_of(Type<ThreadLives>) {
-  return {"ThreadLives", "Lives of the threads of one interface.", kThreadLives};
-}
-
-Record<RollerLives> record_of(Type<RollerLives>) {
-  return {"RollerLives", "Lives of the threads of the rollers at one interface.", kRollerLives};
-}
-
-Record<InterfaceLife> record_of(Type<InterfaceLife>) {
-  return {"InterfaceLife", "Lives of the threads of one interface.", kInterfaceLife};
-}
-
-Record<DirectionLife> record_of(Type<DirectionLife>) {
-  return {"DirectionLife", "Lives under the loads of one direction.", kDirectionLife};
-}
-
-Record<WeakestLife> record_of(Type<WeakestLife>) {
-  return {"WeakestThread", "The thread that fails first, of those that turn under load.",
-          kWeakestLife};
-}
-
-Record<LifeAtRest> record_of(Type<LifeAtRest>) {
-  return {"LifeAtRest", "Lives on the loads of a screw at rest.", kLifeAtRest};
-}
-
-Record<Capacity> record_of(Type<Capacity>) {
-  return {"Capacity", "What the mechanism can carry.", kCapacity};
-}
-
-Record<Loads> record_of(Type<Loads>) {
-  return {"LifeLoads", "The history or the spectrum.", kLoads};
-}
-
-Record<Cycles> record_of(Type<Cycles>) {
-  return {"Cycles", "Load cycles of a history: rainflow, ASTM E1049-85.", kCycles};
-}
-
-Record<CycleMatrix> record_of(Type<CycleMatrix>) {
-  return {"CycleMatrix", "Load cycles by range and mean.", kCycleMatrix};
-}
-
-Record<LifeResult> record_of(Type<LifeResult>) {
-  return {"Life", "Lives of mechanism and threads.", kLife};
-}
+PRS_RECORD(LifeInUse, "LifeInUse", "A life L10 at the value of the dynamic capacity.", kLifeInUse);
+PRS_RECORD(ThreadLives, "ThreadLives", "Lives of the threads of one interface.", kThreadLives);
+PRS_RECORD(RollerLives, "RollerLives", "Lives of the threads of the rollers at one interface.",
+           kRollerLives);
+PRS_RECORD(InterfaceLife, "InterfaceLife", "Lives of the threads of one interface.",
+           kInterfaceLife);
+PRS_RECORD(DirectionLife, "DirectionLife", "Lives under the loads of one direction.",
+           kDirectionLife);
+PRS_RECORD(WeakestLife, "WeakestThread",
+           "The thread that fails first, of those that turn under load.", kWeakestLife);
+PRS_RECORD(LifeAtRest, "LifeAtRest", "Lives on the loads of a screw at rest.", kLifeAtRest);
+PRS_RECORD(Capacity, "Capacity", "What the mechanism can carry.", kCapacity);
+PRS_RECORD(Loads, "LifeLoads", "The history or the spectrum.", kLoads);
+PRS_RECORD(Cycles, "Cycles", "Load cycles of a history: rainflow, ASTM E1049-85.", kCycles);
+PRS_RECORD(CycleMatrix, "CycleMatrix", "Load cycles by range and mean.", kCycleMatrix);
+PRS_RECORD(LifeResult, "Life", "Lives of mechanism and threads.", kLife);
 
 }  // namespace prs

@@ -16,10 +16,6 @@ void keep_smaller(std::optional<StaticRating>& least, std::optional<double> forc
 
 }  // namespace
 
-double permanent_deformation(double load, double diameter, double kappa_1, double kappa_2) {
-  return kPalmgren * load * load / diameter * kappa_1 * kappa_2;
-}
-
 double load_at_permanent_deformation(double diameter, double kappa_1, double kappa_2,
                                      double share) {
   return diameter * std::sqrt(share / (kPalmgren * kappa_1 * kappa_2));

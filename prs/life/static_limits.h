@@ -19,23 +19,17 @@ namespace prs {
 /// a bearing may have at its most loaded contact without harm to its running (ISO 76).
 inline constexpr double kPermanentDeformation = 1e-4;
 
-/// Total permanent deformation [m] of both bodies in the middle of a point contact, after Palmgren:
+/// Normal load N [N] under which the total permanent deformation of both bodies in the middle of a
+/// point contact, after Palmgren, is `share` of the rolling element's diameter D [m]:
 ///
-///     delta_p = 1.3e-7 N^2/D kappa_1 kappa_2     [mm, N]
+///     delta_p = 1.3e-7 N^2/D kappa_1 kappa_2, N = D sqrt(share/(1.3e-7 kappa_1 kappa_2))  [mm, N]
 ///
-/// `normal_load` N [N]; `element_diameter` D of the rolling element [m]; kappa_1, kappa_2 relative
-/// principal curvatures [1/m], their product being that of the sums of both bodies' curvatures in
-/// the two principal planes. A fit to tests with balls and raceways of bearing steel of 63.5 to
-/// 65.5 HRC, for small deformations; softer flanks deform more. Palmgren, Grundlagen der
-/// Waelzlagertechnik; Harris, Rolling Bearing Analysis, chapter on permanent deformation, where
-/// D kappa_1 kappa_2 is worked out for ball bearings to 5.25e-7 N^2/D^3 (1 +- gamma/(1 -+ gamma))
-/// (1 - 1/(2 f)).
-double permanent_deformation(double normal_load, double element_diameter, double kappa_1,
-                             double kappa_2);
-
-/// Normal load [N] under which that deformation is `share` of the element's diameter:
-///
-///     N = D sqrt(share/(1.3e-7 kappa_1 kappa_2))     [mm, N]
+/// kappa_1, kappa_2 are relative principal curvatures [1/m], their product being that of the sums
+/// of both bodies' curvatures in the two principal planes. A fit to tests with balls and raceways
+/// of bearing steel of 63.5 to 65.5 HRC, for small deformations; softer flanks deform more.
+/// Palmgren, Grundlagen der Waelzlagertechnik; Harris, Rolling Bearing Analysis, chapter on
+/// permanent deformation, where D kappa_1 kappa_2 is worked out for ball bearings to 5.25e-7
+/// N^2/D^3 (1 +- gamma/(1 -+ gamma)) (1 - 1/(2 f)).
 double load_at_permanent_deformation(double element_diameter, double kappa_1, double kappa_2,
                                      double share = kPermanentDeformation);
 

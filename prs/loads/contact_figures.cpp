@@ -203,9 +203,8 @@ void add_backlash(Panel& panel, const InterfaceCut& cut, double backlash) {
 Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface i,
                     const std::vector<Series>& lines) {
   const double half = 0.45 * cut.roller.thread.pitch;
-  Panel panel;
-  panel.title = fmt::format("{} at {}, y = {} mm", interface_title(i), letter(i),
-                            number(cut.body.plane * per_si::millimetre, 3));
+  Panel panel{fmt::format("{} at {}, y = {} mm", interface_title(i), letter(i),
+                          number(cut.body.plane * per_si::millimetre, 3))};
   panel.series = lines;
   panel.labels.push_back({letter(i), (cut.contact_z + 0.12 * half) * per_si::millimetre,
                           cut.contact_x * per_si::millimetre});
@@ -229,8 +228,7 @@ Figures contact_axial_section(const Contacts& contacts) {
   figure.to_scale = true;
   const std::vector<Series> lines = section_lines(figure, section);
   const double half = 0.5 * (section.outside - section.inside);
-  Panel& whole = figure.panels.emplace_back();
-  whole.title = "Section stepped at the roller axis";
+  Panel& whole = figure.panels.emplace_back(Panel{"Section stepped at the roller axis"});
   whole.series = lines;
   whole.x = axis_about("z", 0.0, 0.1 * half);
   whole.y = axis_about("x from the screw axis", section.inside + half, half);
@@ -312,8 +310,7 @@ Label mark_label(const Contacts& contacts, Interface i, double distance) {
 
 Panel mechanism_panel(const Contacts& contacts) {
   const contact::MechanismGeometry& threads = contacts.threads;
-  Panel panel;
-  panel.title = "Projection along the axis";
+  Panel panel{"Projection along the axis"};
   for (const Part part : {Part::screw, Part::nut})
     panel.series.push_back({style_of(part), {whole(body_circle(threads, part))}});
   Series rollers{kRollerCircle, {}};
@@ -346,10 +343,9 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
   const double half = std::max(0.75 * std::hypot(dx, dy), 0.04 * roller.radius);
   const double reach = 8.0 * half;
 
-  Panel panel;
-  panel.title = fmt::format("{}: {}° {}, {}° roller", letter(i),
-                            number(point.angle_on_body * per_si::degree, 2), title(body.part),
-                            number(point.angle_on_roller * per_si::degree, 2));
+  Panel panel{fmt::format("{}: {}° {}, {}° roller", letter(i),
+                          number(point.angle_on_body * per_si::degree, 2), title(body.part),
+                          number(point.angle_on_roller * per_si::degree, 2))};
   panel.series.push_back({style_of(body.part), {near_line_of_centres(body, 1.0, reach)}});
   panel.series.push_back(
       {kRollerCircle, {near_line_of_centres(roller, i == Interface::screw ? -1.0 : 1.0, reach)}});
@@ -477,8 +473,7 @@ Panel ellipse_panel(const contact::InterfaceGeometry& geometry, const DrawnEllip
   const double a = ellipse.semi_major, b = ellipse.semi_minor;
   const double major = geometry.relative.angle;
   const Polyline ellipse_line = prs::ellipse(0.0, 0.0, a, b, major);
-  Panel panel;
-  panel.title = fmt::format("{}: {}", interface_title(i), ellipse.state);
+  Panel panel{fmt::format("{}: {}", interface_title(i), ellipse.state)};
   panel.series.push_back({kInside, {ellipse_line}});
   add_directions(panel, i == Interface::screw ? kScrew : kNut, geometry.body.angle, 1.35 * a);
   add_directions(panel, kRoller, geometry.roller.angle, 1.2 * a);

@@ -99,8 +99,7 @@ std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result
        {std::optional(Direction::tension), std::optional(Direction::compression), {}}) {
     if (std::ranges::none_of(all, [&](const auto& c) { return c.group(direction); })) continue;
     for (const Interface i : kInterfaces) {
-      Panel& panel = figure.panels.emplace_back();
-      panel.title = interface_title(i);
+      Panel& panel = figure.panels.emplace_back(Panel{interface_title(i)});
       if (direction) panel.title += fmt::format(", {}", name(*direction));
       for (std::size_t c = 0; c < all.size(); ++c) {
         const CaseGroup* group = all[c].group(direction);
@@ -203,8 +202,8 @@ Figures over_load_figure(Figure figure, std::vector<LoadedConfiguration> sweeps,
   for (const Direction d : {Direction::tension, Direction::compression})
     if (const double largest = largest_force_kN(sweeps, d); largest > 0.0) {
       figure.x.to = std::max(figure.x.to, largest);
-      Panel& panel = figure.panels.emplace_back();
-      panel.title = d == Direction::tension ? "Tension" : "Compression";
+      Panel& panel =
+          figure.panels.emplace_back(Panel{d == Direction::tension ? "Tension" : "Compression"});
       for (std::size_t c = 0; c < sweeps.size(); ++c)
         if (const CaseGroup* group = sweeps[c].group(d)) draw(panel, *group, c);
     }
@@ -242,8 +241,7 @@ std::size_t thread_count(const LoadedConfiguration& sweep) {
 }
 
 Panel butterfly_panel(const LoadedConfiguration& sweep, Interface i) {
-  Panel panel;
-  panel.title = fmt::format("{}, {}", interface_title(i), sweep.name);
+  Panel panel{fmt::format("{}, {}", interface_title(i), sweep.name)};
   const std::size_t count = thread_count(sweep);
   for (std::size_t role = 0; role < std::size(kThreadRoles); ++role) {
     Series series{role};
@@ -526,13 +524,16 @@ Pictures solve_pictures(const Result& r) {
 
 bool has_rollers(const LoadCaseResult& result) { return result.full && result.threads; }
 
-Figure map_of_rollers(Figure figure, const Result& result, const LoadCaseResult& shown,
-                      ColourScale colours, const OfThreads& of) {
+Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options,
+                       ColourScale colours, const OfThreads& of) {
+  const LoadCaseResult* chosen = chosen_case(result, options, of.has);
+  if (!chosen) return {};
+  const LoadCaseResult& shown = *chosen;
+  figure.title += ", " + shown_name(shown.load_case.name);
   const int threads = shown.threads->screw.threads_per_roller;
   const Range range = range_of(result, of);
   for (const Interface i : kInterfaces) {
-    Panel& panel = figure.panels.emplace_back();
-    panel.title = interface_title(i);
+    Panel& panel = figure.panels.emplace_back(Panel{interface_title(i)});
     panel.map = {unrolled(of.values(shown, i), threads), true};
     without_missing(panel, *shown.full);
   }
@@ -542,22 +543,16 @@ Figure map_of_rollers(Figure figure, const Result& result, const LoadCaseResult&
   colours.from = std::min(range.from, 0.0);
   colours.to = range.to;
   figure.colours = std::move(colours);
-  return figure;
+  return {std::move(figure)};
 }
 
 namespace {
 
 /// Normal load of every thread of every roller, at both interfaces.
 Figures roller_loads(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_rollers);
-  if (!shown) return {};
-  constexpr OfThreads kNormalLoads{
-      has_rollers, [](const LoadCaseResult& r, Interface i) -> const std::vector<double>& {
-        return (*r.threads)[i].normal_load;
-      }};
-  return {map_of_rollers(
-      {"roller_loads", fmt::format("Loads of all rollers, {}", shown_name(shown->load_case.name))},
-      result, *shown, {"Normal load", "N"}, kNormalLoads)};
+  return map_of_rollers({"roller_loads", "Loads of all rollers"}, result, options,
+                        {"Normal load", "N"},
+                        {has_rollers, loads_of<&InterfaceLoads::normal_load>});
 }
 
 /// Share of each roller in % of equal shares, at its place around the axis, between screw and nut.

@@ -67,9 +67,9 @@ struct OfThreads {
   const std::vector<double>& (*values)(const LoadCaseResult&, Interface);
 };
 
-/// A map of all rollers for each interface.
-Figure map_of_rollers(Figure figure, const Result& result, const LoadCaseResult& shown,
-                      ColourScale colours, const OfThreads& of);
+/// A map of all rollers for each interface, of the load case that the options choose.
+Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options,
+                       ColourScale colours, const OfThreads& of);
 
 // What each command can show. The result must outlive the list.
 Pictures contact_pictures(const Result& result);

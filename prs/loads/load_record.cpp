@@ -221,51 +221,27 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
 
 }  // namespace
 
-Record<FlankSide> record_of(Type<FlankSide>) {
-  return {"FlankThreads", "Threads of a flank of one roller at an interface.", kFlankSide};
-}
-
-Record<FlankOf> record_of(Type<FlankOf>) {
-  return {"Flank", "A flank of a nut under preload.", kFlank};
-}
-
-Record<BothFlanks> record_of(Type<BothFlanks>) {
-  return {"Flanks", "Both flanks of a nut under preload.", kFlanks};
-}
-
-Record<FrictionForces> record_of(Type<FrictionForces>) {
-  return {"FrictionForces", "Friction of each thread on the roller.", kFrictionForces};
-}
-
-Record<RunningLoads> record_of(Type<RunningLoads>) {
-  return {"Running", "How loads of a running screw and their friction were found.", kRunning};
-}
-
-Record<LargestAtRest> record_of(Type<LargestAtRest>) {
-  return {"LargestAtRest", "Threads of an interface of a screw at rest.", kLargestAtRest};
-}
-
-Record<RunningLoads::AtRest> record_of(Type<RunningLoads::AtRest>) {
-  return {"AtRest", "What a running load case is at rest.", kAtRest};
-}
-
-Record<InterfaceLoads> record_of(Type<InterfaceLoads>) {
-  return {
-      "InterfaceLoads",
-      "Threads of one interface of one roller; thread 1 is next to the loaded end of the screw.",
-      kInterfaceLoads};
-}
-
-Record<NewtonIteration> record_of(Type<NewtonIteration>) {
-  return {"NewtonIteration", "One linear solve of the load distribution.", kNewtonIteration};
-}
-
-Record<LoadCaseResult> record_of(Type<LoadCaseResult>) {
-  return {
-      "LoadCase",
-      "The answer to one load case; one that did not converge has its status and residual alone.",
-      kLoadCase};
-}
+PRS_RECORD(FlankSide, "FlankThreads", "Threads of a flank of one roller at an interface.",
+           kFlankSide);
+PRS_RECORD(FlankOf, "Flank", "A flank of a nut under preload.", kFlank);
+PRS_RECORD(BothFlanks, "Flanks", "Both flanks of a nut under preload.", kFlanks);
+PRS_RECORD(FrictionForces, "FrictionForces", "Friction of each thread on the roller.",
+           kFrictionForces);
+PRS_RECORD(RunningLoads, "Running", "How loads of a running screw and their friction were found.",
+           kRunning);
+PRS_RECORD(LargestAtRest, "LargestAtRest", "Threads of an interface of a screw at rest.",
+           kLargestAtRest);
+PRS_RECORD(RunningLoads::AtRest, "AtRest", "What a running load case is at rest.", kAtRest);
+PRS_RECORD(
+    InterfaceLoads, "InterfaceLoads",
+    "Threads of one interface of one roller; thread 1 is next to the loaded end of the screw.",
+    kInterfaceLoads);
+PRS_RECORD(NewtonIteration, "NewtonIteration", "One linear solve of the load distribution.",
+           kNewtonIteration);
+PRS_RECORD(
+    LoadCaseResult, "LoadCase",
+    "The answer to one load case; one that did not converge has its status and residual alone.",
+    kLoadCase);
 
 namespace {
 
@@ -350,9 +326,7 @@ constexpr Quantity<ModelSummary> kModelSummary[] = {
 
 }  // namespace
 
-Record<ModelSummary> record_of(Type<ModelSummary>) {
-  return {"Model", "How the loads were solved.", kModelSummary};
-}
+PRS_RECORD(ModelSummary, "Model", "How the loads were solved.", kModelSummary);
 
 std::string model_line(const Result& result) {
   const ModelOptions& m = result.model;
@@ -455,28 +429,15 @@ InterfaceNumbers celsius_of(const PerInterface<double>& k) {
   return {k.screw - kZeroCelsius, k.nut - kZeroCelsius};
 }
 
-Record<PartNumbers> record_of(Type<PartNumbers>) {
-  return {"PartNumbers", "A number of each part.", kPartNumbers};
-}
-
-Record<PartSeries> record_of(Type<PartSeries>) {
-  return {"PartSeries", "Numbers of each part over time.", kPartSeries};
-}
-
-Record<InterfaceNumbers> record_of(Type<InterfaceNumbers>) {
-  return {"InterfaceNumbers", "A number of each interface.", kInterfaceNumbers};
-}
-
-Record<HeatResult> record_of(Type<HeatResult>) {
-  return {"Heat",
-          "Steady temperatures: what friction puts into the parts flows off through the "
-          "conductances.",
-          kHeat};
-}
-
-Record<HeatCycle> record_of(Type<HeatCycle>) {
-  return {"HeatCycle", "The state of a duty that repeats itself from cycle to cycle.", kHeatCycle};
-}
+PRS_RECORD(PartNumbers, "PartNumbers", "A number of each part.", kPartNumbers);
+PRS_RECORD(PartSeries, "PartSeries", "Numbers of each part over time.", kPartSeries);
+PRS_RECORD(InterfaceNumbers, "InterfaceNumbers", "A number of each interface.", kInterfaceNumbers);
+PRS_RECORD(HeatResult, "Heat",
+           "Steady temperatures: what friction puts into the parts flows off through the "
+           "conductances.",
+           kHeat);
+PRS_RECORD(HeatCycle, "HeatCycle", "The state of a duty that repeats itself from cycle to cycle.",
+           kHeatCycle);
 
 namespace {
 
@@ -659,45 +620,22 @@ constexpr Quantity<MechanismGeometry> kThreads[] = {
 
 }  // namespace
 
-Record<PerPart<double>> record_of(Type<PerPart<double>>) {
-  return {"PerPart", "One number each of screw, roller and nut.", kPerPart<double>};
-}
-
-Record<PerPart<TwoValues>> record_of(Type<PerPart<TwoValues>>) {
-  return {"PerPartRange", "Smallest and largest value each of screw, roller and nut.",
-          kPerPart<TwoValues>};
-}
-
-Record<PerInterface<double>> record_of(Type<PerInterface<double>>) {
-  return {"PerInterface", "One number each of the roller's contacts with screw and nut.",
-          kPerInterface};
-}
-
-Record<PerDirection<double>> record_of(Type<PerDirection<double>>) {
-  return {"PerDirection", "One number for each sense of the load.", kPerDirection<double>};
-}
-
-Record<PerDirection<std::optional<double>>> record_of(Type<PerDirection<std::optional<double>>>) {
-  return {"PerDirection", "One number for each sense of the load.",
-          kPerDirection<std::optional<double>>};
-}
-
-Record<ContactAt> record_of(Type<ContactAt>) {
-  return {"InterfaceContact",
-          "Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.",
-          kInterfaceContact};
-}
-
-Record<Contacts> record_of(Type<Contacts>) {
-  return {"Contacts", "Mechanism and contacts of both interfaces.", kContacts};
-}
-
-Record<ThreadWidths> record_of(Type<ThreadWidths>) {
-  return {"ThreadWidths", "Axial widths of a truncated thread.", kThreadWidths};
-}
-
-Record<MechanismGeometry> record_of(Type<MechanismGeometry>) {
-  return {"Threads", "Threads of the parts by themselves; needs their heights.", kThreads};
-}
+PRS_RECORD(PerPart<double>, "PerPart", "One number each of screw, roller and nut.",
+           kPerPart<double>);
+PRS_RECORD(PerPart<TwoValues>, "PerPartRange",
+           "Smallest and largest value each of screw, roller and nut.", kPerPart<TwoValues>);
+PRS_RECORD(PerInterface<double>, "PerInterface",
+           "One number each of the roller's contacts with screw and nut.", kPerInterface);
+PRS_RECORD(PerDirection<double>, "PerDirection", "One number for each sense of the load.",
+           kPerDirection<double>);
+PRS_RECORD(PerDirection<std::optional<double>>, "PerDirection",
+           "One number for each sense of the load.", kPerDirection<std::optional<double>>);
+PRS_RECORD(ContactAt, "InterfaceContact",
+           "Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.",
+           kInterfaceContact);
+PRS_RECORD(Contacts, "Contacts", "Mechanism and contacts of both interfaces.", kContacts);
+PRS_RECORD(ThreadWidths, "ThreadWidths", "Axial widths of a truncated thread.", kThreadWidths);
+PRS_RECORD(MechanismGeometry, "Threads", "Threads of the parts by themselves; needs their heights.",
+           kThreads);
 
 }  // namespace prs

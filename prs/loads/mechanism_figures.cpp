@@ -481,8 +481,7 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
       of_minor.add(x, s.along_minor * peak);
       of_shear.add(x, s.largest_shear() * peak);
     }
-    Panel& panel = figure.panels.emplace_back();
-    panel.title = interface_title(i);
+    Panel& panel = figure.panels.emplace_back(Panel{interface_title(i)});
     panel.series = {of_normal, of_major, of_minor, of_shear};
     panel.references.push_back({zero, 0.0});
     if (!loads.max_shear_depth.empty())

@@ -201,11 +201,12 @@ std::string lives_csv(const LifeResult& r, const CsvStyle& style,
   return csv.take();
 }
 
+/// With the estimates by equal thread loads.
+std::string full_life_table(const LifeResult& r) { return table_with(r, true); }
+
 }  // namespace
 
 std::string life_table(const LifeResult& r) { return table_with(r, false); }
-std::string full_life_table(const LifeResult& r) { return table_with(r, true); }
-
 std::string life_threads_csv(const LifeResult& r, const CsvStyle& style) {
   return lives_csv<ThreadLives>(r, style,
                                 [](const ThreadLives& t) -> const ThreadLives& { return t; });

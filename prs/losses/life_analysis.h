@@ -11,8 +11,6 @@ inline constexpr std::string_view kStatedCapacityNote =
 
 /// How long the mechanism lasts, what decides it and the static safety, within 100 columns.
 std::string life_table(const LifeResult& result);
-/// With the estimates by equal thread loads.
-std::string full_life_table(const LifeResult& result);
 
 /// `life_threads.csv`: one row per thread, interface and sense of the load.
 std::string life_threads_csv(const LifeResult& result, const CsvStyle& style = {});

@@ -153,8 +153,8 @@ std::string row(const PreloadResult& r, std::size_t k) {
                     cells(point, r.without_preload ? &r.without_preload->points[k] : nullptr));
 }
 
-}  // namespace
-
+/// The preload and the curve through zero, within 100 columns. Of many loads, an evenly spaced few
+/// are shown.
 std::string preload_table(const PreloadResult& r) {
   if (!r.at_rest.solve.converged())
     return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n",
@@ -173,6 +173,8 @@ std::string preload_table(const PreloadResult& r) {
   if (step > 1) text += fmt::format("  … of {} loads; {}\n", count, all_in("preload.csv"));
   return text + warning_section(r.warnings);
 }
+
+}  // namespace
 
 namespace {
 

@@ -5,10 +5,6 @@
 
 namespace prs {
 
-/// The preload and the curve through zero, within 100 columns. Of many loads, an evenly spaced few
-/// are shown.
-std::string preload_table(const PreloadResult& result);
-
 /// `preload.csv`: one row per load, with the curve without preload in further columns.
 std::string preload_csv(const PreloadResult& result, const CsvStyle& style = {});
 

@@ -353,49 +353,27 @@ std::optional<HottestThread> hottest_thread(const SlipResult& slip) {
                        entry(threads.power, thread), *density};
 }
 
-Record<InterfaceSlip> record_of(Type<InterfaceSlip>) {
-  return {"InterfaceSlip",
-          "Threads of one interface of one roller: slip, friction, film and power; Sandu 2018, "
-          "chapter 3.",
-          kInterfaceSlip};
-}
-
-Record<PowerBySource> record_of(Type<PowerBySource>) {
-  return {"PowerShares", "Where power is lost.", kPowerShares};
-}
-
-Record<RollerMoments> record_of(Type<RollerMoments>) {
-  return {"RollerMoments",
-          "Moments on one roller about its axis; they add up to zero in equilibrium. Sandu 2018, "
-          "(3.39) to (3.42).",
-          kRollerMoments};
-}
-
-Record<RollerForces> record_of(Type<RollerForces>) {
-  return {"RollerForces",
-          "Forces on one roller across its axis, x away from the screw's axis, y along the orbit.",
-          kRollerForces};
-}
-
-Record<RollerHeads> record_of(Type<RollerHeads>) {
-  return {"RollerHeads", "The heads of a roller in the carrier, or of each roller.", kRollerHeads};
-}
-
-Record<SlipEstimates> record_of(Type<SlipEstimates>) {
-  return {"SlipRatioEstimates", "Slip ratios by formulas of geometry alone.", kSlipEstimates};
-}
-
-Record<HottestThread> record_of(Type<HottestThread>) {
-  return {"HottestThread", "The thread of the largest power density.", kHottestThread};
-}
-
-Record<EqualShareSlip> record_of(Type<EqualShareSlip>) {
-  return {"EqualShareSlip", "Slip if all threads carried the same load.", kEqualShares};
-}
-
-Record<SecondNut> record_of(Type<SecondNut>) {
-  return {"SecondNut", "Slip of the rollers of a second nut.", kSlipOf<SecondNut>};
-}
+PRS_RECORD(InterfaceSlip, "InterfaceSlip",
+           "Threads of one interface of one roller: slip, friction, film and power; Sandu 2018, "
+           "chapter 3.",
+           kInterfaceSlip);
+PRS_RECORD(PowerBySource, "PowerShares", "Where power is lost.", kPowerShares);
+PRS_RECORD(RollerMoments, "RollerMoments",
+           "Moments on one roller about its axis; they add up to zero in equilibrium. Sandu 2018, "
+           "(3.39) to (3.42).",
+           kRollerMoments);
+PRS_RECORD(RollerForces, "RollerForces",
+           "Forces on one roller across its axis, x away from the screw's axis, y along the orbit.",
+           kRollerForces);
+PRS_RECORD(RollerHeads, "RollerHeads", "The heads of a roller in the carrier, or of each roller.",
+           kRollerHeads);
+PRS_RECORD(SlipEstimates, "SlipRatioEstimates", "Slip ratios by formulas of geometry alone.",
+           kSlipEstimates);
+PRS_RECORD(HottestThread, "HottestThread", "The thread of the largest power density.",
+           kHottestThread);
+PRS_RECORD(EqualShareSlip, "EqualShareSlip", "Slip if all threads carried the same load.",
+           kEqualShares);
+PRS_RECORD(SecondNut, "SecondNut", "Slip of the rollers of a second nut.", kSlipOf<SecondNut>);
 
 Record<SlipResult> record_of(Type<SlipResult>) {
   static const std::vector<Quantity<SlipResult>> all = [] {

@@ -56,8 +56,7 @@ Figures friction(const Result& result, const FigureOptions& options) {
   for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
     figure.add(interface_title(kInterfaces[k]), marked_line(k));
   for (const Shown& s : kShown) {
-    Panel& panel = figure.panels.emplace_back();
-    panel.title = s.title;
+    Panel& panel = figure.panels.emplace_back(Panel{s.title});
     for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
       panel.series.push_back(
           {k, {over_threads(shown->slip->threads[kInterfaces[k]].*s.values, s.factor)}});
@@ -69,28 +68,16 @@ Figures friction(const Result& result, const FigureOptions& options) {
 
 /// Power lost at every thread of every roller, at both interfaces.
 Figures roller_power(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_power_of_rollers);
-  if (!shown) return {};
-  constexpr OfThreads kPowers{
-      has_power_of_rollers, [](const LoadCaseResult& r, Interface i) -> const std::vector<double>& {
-        return r.slip->threads[i].power;
-      }};
-  return {map_of_rollers({"roller_power", fmt::format("Power lost at all rollers, {}",
-                                                      shown_name(shown->load_case.name))},
-                         result, *shown, {"Power lost", "W"}, kPowers)};
+  return map_of_rollers({"roller_power", "Power lost at all rollers"}, result, options,
+                        {"Power lost", "W"},
+                        {has_power_of_rollers, slip_of<&InterfaceSlip::power>});
 }
 
 /// Friction coefficient at every thread of every roller, at both interfaces.
 Figures roller_friction(const Result& result, const FigureOptions& options) {
-  const LoadCaseResult* shown = chosen_case(result, options, has_power_of_rollers);
-  if (!shown) return {};
-  constexpr OfThreads kCoefficients{
-      has_power_of_rollers, [](const LoadCaseResult& r, Interface i) -> const std::vector<double>& {
-        return r.slip->threads[i].friction_coefficient;
-      }};
-  return {map_of_rollers({"roller_friction", fmt::format("Friction at all rollers, {}",
-                                                         shown_name(shown->load_case.name))},
-                         result, *shown, {"Friction coefficient"}, kCoefficients)};
+  return map_of_rollers({"roller_friction", "Friction at all rollers"}, result, options,
+                        {"Friction coefficient"},
+                        {has_power_of_rollers, slip_of<&InterfaceSlip::friction_coefficient>});
 }
 
 /// Friction coefficient and sliding velocity at both contacts of a thread.
@@ -181,8 +168,7 @@ std::string thread_title(const LoadCaseResult& result, Interface i,
 
 Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interface i,
                   std::optional<std::size_t> thread) {
-  Panel panel;
-  panel.title = thread_title(result, i, thread);
+  Panel panel{thread_title(result, i, thread)};
   panel.map = friction_map(field);
   panel.series = {{kOutline,
                    {ellipse(0.0, 0.0, field.semi_major * per_si::millimetre,
@@ -225,23 +211,6 @@ Figure patch_figure(std::string name, const LoadCaseResult& result,
   figure.y = {"along the minor axis", "mm", -half, half};
   return figure;
 }
-
-}  // namespace
-
-/// Friction coefficient and sliding velocity over the patch of the most loaded thread at both
-/// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
-/// of each patch is as long as two of them lie apart.
-Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
-  return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
-}
-
-/// The same of one thread of one load case.
-Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
-                              std::size_t thread) {
-  return patch_figure("thread_friction", result, fields, thread);
-}
-
-namespace {
 
 /// A curve of the figure, in the order of drawing: the sum lies on top.
 struct MomentCurve {
@@ -316,8 +285,7 @@ Axis slip_ratio_axis(const ResidueCurve& residue, const SlipAxis& shown, double 
 
 Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipResult& slip,
                     const SlipAxis& shown, double margin) {
-  Panel panel;
-  panel.title = std::move(title);
+  Panel panel{std::move(title)};
   for (std::size_t k = 0; k < std::size(kCurves); ++k)
     panel.series.push_back({k, {curve(residue, kCurves[k], shown)}});
   panel.references = {{kZero, 0.0},
@@ -329,6 +297,19 @@ Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipRe
 }
 
 }  // namespace
+
+/// Friction coefficient and sliding velocity over the patch of the most loaded thread at both
+/// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
+/// of each patch is as long as two of them lie apart.
+Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
+  return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
+}
+
+/// The same of one thread of one load case.
+Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
+                              std::size_t thread) {
+  return patch_figure("thread_friction", result, fields, thread);
+}
 
 /// Moment on a roller about its axis against the slip ratio: its contributions and their sum over
 /// the whole range and, against the distance from the ideal slip ratio, around the root (Sandu
@@ -639,30 +620,26 @@ Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve)
   const std::size_t whole = figure.add("whole mechanism", line_of(Colour::ink));
   const std::size_t speed = figure.add("speed of the case", line_of(Colour::muted));
 
-  Panel& friction = figure.panels.emplace_back();
-  friction.title = "Friction, most loaded threads";
+  Panel& friction = figure.panels.emplace_back(Panel{"Friction, most loaded threads"});
   for (const Interface i : kInterfaces)
     friction.series.push_back(over_speed(
         style[i], curve, [&](std::size_t k) { return std::optional(curve.friction[i][k]); }));
   friction.y = fitted({"Friction coefficient"}, range_of_y(friction.series), true);
 
-  Panel& efficiency = figure.panels.emplace_back();
-  efficiency.title = "Efficiency";
+  Panel& efficiency = figure.panels.emplace_back(Panel{"Efficiency"});
   efficiency.series.push_back(over_speed(whole, curve, [&](std::size_t k) {
     return curve.efficiency[k] ? std::optional(*curve.efficiency[k] * per_si::percent)
                                : std::nullopt;
   }));
   efficiency.y = fitted({"Efficiency", "%"}, range_of_y(efficiency.series));
 
-  Panel& power = figure.panels.emplace_back();
-  power.title = "Power lost";
+  Panel& power = figure.panels.emplace_back(Panel{"Power lost"});
   power.series.push_back(
       over_speed(whole, curve, [&](std::size_t k) { return std::optional(curve.power[k]); }));
   power.y = decades("Power lost", "W");
 
   if (!curve.film_ratio.screw.empty()) {
-    Panel& film = figure.panels.emplace_back();
-    film.title = "Film over roughness";
+    Panel& film = figure.panels.emplace_back(Panel{"Film over roughness"});
     for (const Interface i : kInterfaces)
       film.series.push_back(over_speed(
           style[i], curve, [&](std::size_t k) { return std::optional(curve.film_ratio[i][k]); }));

@@ -28,7 +28,7 @@ inline RootStress root_stress(const ToothSection& tooth, double axial_load, doub
 
 /// Design measures of a mechanism that no load case changes. SI units; absent where the case does
 /// not state what a measure needs. Formulas, validity and sources stand with the keys under which
-/// documents show them, see prs/measures/measures_record.cpp.
+/// documents show them, see prs/measures/measures.yaml.
 struct Measures {
   // Transmission
   std::optional<double> velocity_ratio;  ///< Travel per angle of the screw against the nut [m/rad].

@@ -164,8 +164,7 @@ std::string table_without(const MeasuresResult& result, const Keys& hidden) {
   return text + warning_section(all_warnings(result.analysis));
 }
 
-}  // namespace
-
+/// Keys of estimates of what the result or another command computes.
 std::vector<std::string> estimates_in(const MeasuresResult& result) {
   const auto known = [&](auto member) {
     return std::ranges::any_of(result.load_measures,
@@ -178,11 +177,14 @@ std::vector<std::string> estimates_in(const MeasuresResult& result) {
                            solved || known(&LoadMeasures::thread_static_safety), loaded});
 }
 
+/// With the estimates of what is computed.
+std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }
+
+}  // namespace
+
 std::string measures_table(const MeasuresResult& result) {
   return table_without(result, estimates_in(result));
 }
-
-std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }
 
 std::string measure_explanations() {
   return "Measures of the mechanism: `measures` in documents\n\n" + explanations<Measures>() +
@@ -283,8 +285,7 @@ Figures yang(const MeasuresResult& result) {
     const std::vector<double>& rate = result.load_measures[k]->yang_load_rate;
     if (rate.empty() || figure.panels.size() == kMostYangPanels) continue;
     threads = std::max(threads, rate.size());
-    Panel& panel = figure.panels.emplace_back();
-    panel.title = shown_name(load_case.load_case.name);
+    Panel& panel = figure.panels.emplace_back(Panel{shown_name(load_case.load_case.name)});
     panel.series = {{0, {over_threads(load_case.threads->screw.load_rate, per_si::percent)}},
                     {1, {over_threads(load_case.threads->nut.load_rate, per_si::percent)}},
                     {2, {over_threads(rate, per_si::percent)}}};

@@ -5,13 +5,8 @@
 
 namespace prs {
 
-/// Keys of estimates of what the result or another command computes.
-std::vector<std::string> estimates_in(const MeasuresResult& result);
-
 /// The measures of the mechanism, then those of each load case side by side.
 std::string measures_table(const MeasuresResult& result);
-/// With the estimates of what is computed.
-std::string full_measures_table(const MeasuresResult& result);
 
 /// Formula, validity and source of every measure.
 std::string measure_explanations();

@@ -396,9 +396,8 @@ std::string failures(const OptimizationResult& result) {
 
 }  // namespace
 
-Record<OptimizationResult> record_of(Type<OptimizationResult>) {
-  return {"Optimization", "What was asked for, and the best designs.", kResultRows};
-}
+PRS_RECORD(OptimizationResult, "Optimization", "What was asked for, and the best designs.",
+           kResultRows);
 
 nlohmann::ordered_json optimize_json(const OptimizationResult& result, const DocumentInfo& info) {
   nlohmann::ordered_json document = document_head(info, {});

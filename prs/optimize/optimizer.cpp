@@ -79,6 +79,24 @@ std::vector<Draw> draws_at(const Optimization& optimization, const std::vector<d
   return draws;
 }
 
+/// Position of the file's own value, such that `draw_at` gives it back; absent where the variable
+/// does not have it.
+std::optional<double> place_of_base(const Factor& variable) {
+  if (!variable.base) return std::nullopt;
+  const auto& [kind, from, to] = variable.distribution;
+  const std::optional<double>& number = variable.base->number;
+  if (kind != Distribution::Kind::levels) {
+    if (!number || *number < from || *number > to) return std::nullopt;
+    return (*number - from) / (to - from);
+  }
+  for (std::size_t k = 0; k < variable.levels.size(); ++k) {
+    const Level& level = variable.levels[k];
+    if (level.text == variable.base->text || (level.number && level.number == number))
+      return (static_cast<double>(k) + 0.5) / static_cast<double>(variable.levels.size());
+  }
+  return std::nullopt;
+}
+
 /// A Latin hypercube in the unit cube. The first design is that of the file, where the variables
 /// have it.
 Points first_population(const Optimization& optimization, std::uint64_t seed) {
@@ -92,6 +110,21 @@ Points first_population(const Optimization& optimization, std::uint64_t seed) {
     if (const std::optional<double> x = place_of_base(variable)) base.push_back(*x);
   if (base.size() == variables.size()) points[0] = base;
   return points;
+}
+
+/// The front of the feasible designs.
+std::vector<std::size_t> front_of(const Optimization& optimization,
+                                  const std::vector<EvaluatedDesign>& designs) {
+  std::vector<std::size_t> feasible;
+  Points points;
+  for (std::size_t k = 0; k < designs.size(); ++k) {
+    if (!designs[k].is_feasible()) continue;
+    feasible.push_back(k);
+    points.push_back(costs(optimization, designs[k]));
+  }
+  std::vector<std::size_t> front = non_dominated(points);
+  for (std::size_t& k : front) k = feasible[k];
+  return front;
 }
 
 Search search(const Optimization& optimization, Algorithm algorithm, std::uint64_t seed,
@@ -181,22 +214,6 @@ Draw draw_at(const Factor& variable, double x) {
   }
   const double value = rounded(from + (to - from) * x, to - from);
   return {.kind = Draw::Kind::number, .number = std::clamp(value, from, to)};
-}
-
-std::optional<double> place_of_base(const Factor& variable) {
-  if (!variable.base) return std::nullopt;
-  const auto& [kind, from, to] = variable.distribution;
-  const std::optional<double>& number = variable.base->number;
-  if (kind != Distribution::Kind::levels) {
-    if (!number || *number < from || *number > to) return std::nullopt;
-    return (*number - from) / (to - from);
-  }
-  for (std::size_t k = 0; k < variable.levels.size(); ++k) {
-    const Level& level = variable.levels[k];
-    if (level.text == variable.base->text || (level.number && level.number == number))
-      return (static_cast<double>(k) + 0.5) / static_cast<double>(variable.levels.size());
-  }
-  return std::nullopt;
 }
 
 std::optional<OptimizationResult> optimize(const Optimization& optimization,
@@ -448,20 +465,6 @@ std::vector<std::size_t> non_dominated(const Points& points) {
     const bool dominated = planar ? covers_k(front.back()) : std::ranges::any_of(front, covers_k);
     if (!dominated) front.push_back(k);
   }
-  return front;
-}
-
-std::vector<std::size_t> front_of(const Optimization& optimization,
-                                  const std::vector<EvaluatedDesign>& designs) {
-  std::vector<std::size_t> feasible;
-  Points points;
-  for (std::size_t k = 0; k < designs.size(); ++k) {
-    if (!designs[k].is_feasible()) continue;
-    feasible.push_back(k);
-    points.push_back(costs(optimization, designs[k]));
-  }
-  std::vector<std::size_t> front = non_dominated(points);
-  for (std::size_t& k : front) k = feasible[k];
   return front;
 }
 

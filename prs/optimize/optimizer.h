@@ -119,10 +119,6 @@ std::vector<double> costs(const Optimization& optimization, const EvaluatedDesig
 /// first coordinate. Less is better. O(n log n) for two coordinates, else O(n x front).
 std::vector<std::size_t> non_dominated(const std::vector<std::vector<double>>& points);
 
-/// The front of the feasible designs.
-std::vector<std::size_t> front_of(const Optimization& optimization,
-                                  const std::vector<EvaluatedDesign>& designs);
-
 /// The front of the designs of both searches, from their own fronts.
 std::vector<std::size_t> joint_front(const OptimizationResult& result);
 
@@ -155,10 +151,6 @@ std::optional<OptimizationResult> optimize(const Optimization& optimization,
 /// of their range, so that they are the same wherever they are written down; levels share the
 /// interval equally.
 Draw draw_at(const Factor& variable, double x);
-
-/// Position of the file's own value, such that `draw_at` gives it back; absent where the variable
-/// does not have it.
-std::optional<double> place_of_base(const Factor& variable);
 
 /// A function that evaluates designs with the engine on `threads` threads. The engine must outlive
 /// it.

@@ -412,27 +412,21 @@ FigureOptions figure_options(const std::string& text) {
   };
   try {
     const Json given = Json::parse(text);
-    for (const auto& [key, value] : given.items()) {
-      if (key == "load_cases")
-        take(value, options.load_cases);
-      else if (key == "load_case")
-        take(value, options.load_case);
-      else if (key == "thread")
-        take(value, options.thread);
-      else if (key == "panel")
-        take(value, options.panel);
-      else if (key == "one_panel")
-        take(value, options.one_panel);
-      else if (key == "response")
-        take(value, options.response);
-      else if (key == "x")
-        take(value, options.x);
-      else if (key == "y")
-        take(value, options.y);
-      else if (key == "interface" && (value == "screw" || value == "nut"))
-        options.interface = value == "screw" ? Interface::screw : Interface::nut;
-      else
+    for (const auto& entry : given.items()) {
+      const std::string& key = entry.key();
+      const Json& value = entry.value();
+      const auto is = [&](const char* name, auto& option) {
+        if (key == name) take(value, option);
+        return key == name;
+      };
+      if (is("load_cases", options.load_cases) || is("load_case", options.load_case) ||
+          is("thread", options.thread) || is("panel", options.panel) ||
+          is("one_panel", options.one_panel) || is("response", options.response) ||
+          is("x", options.x) || is("y", options.y))
+        continue;
+      if (key != "interface" || (value != "screw" && value != "nut"))
         throw NoFigure("options of a picture: got " + key + ": " + value.dump());
+      options.interface = value == "screw" ? Interface::screw : Interface::nut;
     }
   } catch (const Json::exception& error) {
     throw NoFigure(std::string("options of a picture: ") + error.what());

@@ -121,7 +121,7 @@ template <class Owner>
 struct Quantity;
 struct RecordInfo;
 
-/// The list of a result type: `Record<T> record_of(Type<T>)` stands once for each.
+/// The list of a result type: `Record<T> record_of(Type<T>)` stands once for each, see PRS_RECORD.
 template <class Owner>
 struct Record {
   std::string_view name;     ///< In Python and in the reference.
@@ -131,6 +131,11 @@ struct Record {
 
 template <class Owner>
 struct Type {};
+
+/// Defines it: PRS_RECORD(T, name, meaning, quantities);
+#define PRS_RECORD(T, ...)                                        \
+  Record<T> record_of(Type<T>) { return Record<T>{__VA_ARGS__}; } \
+  static_assert(true)
 
 template <class Owner>
 Record<Owner> record_of() {

@@ -61,12 +61,6 @@ ResponseTitle response_title(std::string_view path) {
   return title;
 }
 
-std::string axis_title(std::string_view path) {
-  const ResponseTitle title = response_title(path);
-  const std::string name = capitalised(title.name);
-  return title.unit.empty() ? name : fmt::format("{} ({})", name, title.unit);
-}
-
 namespace {
 
 thread_local UnitSystem system_of_tables = UnitSystem::si;

@@ -15,10 +15,6 @@ struct ResponseTitle {
 /// mechanism starts with its name, `slip`, `contact` and `measures` are left out.
 ResponseTitle response_title(std::string_view path);
 
-/// Title of an axis along which a quantity runs: `peak_pressure_GPa` -> `Peak pressure (GPa)`. Any
-/// unit of `kShownUnits` does, `unit_of` has its factor.
-std::string axis_title(std::string_view path);
-
 /// In what tables for people show quantities. Documents and CSV are always `si`: their names carry
 /// the units.
 enum class UnitSystem { si, us };

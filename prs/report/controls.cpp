@@ -365,8 +365,7 @@ void add_thread_rows(const RecordInfo& info, const Json& json, std::size_t threa
   }
 }
 
-}  // namespace
-
+/// Loads, pressures, friction of one thread, with its pictures.
 std::string thread_html(Findings& all, const ThreadChoice& choice) {
   const CommandAnswer* slip = all.answer(Command::slip);
   const CommandAnswer* loads = all.most_complete();
@@ -394,6 +393,8 @@ std::string thread_html(Findings& all, const ThreadChoice& choice) {
   add(slip, "thread_friction");
   return text + plain_table({"", "Roller-screw", "Roller-nut", "Unit"}, rows, true);
 }
+
+}  // namespace
 
 Json thread_choices(const Findings& all) {
   const CommandAnswer* loads = all.most_complete();

@@ -94,9 +94,6 @@ std::string warning_list(const Findings& all);
 /// nothing that a page could move.
 std::string controls_html(const Findings& all);
 
-/// Loads, pressures, friction of one thread, with its pictures.
-std::string thread_html(Findings& all, const ThreadChoice& choice);
-
 /// Name of the case, and its mechanism in a sentence.
 std::string head_html(const Findings& all);
 
@@ -119,8 +116,5 @@ struct SectionRow {
 std::span<const SectionRow> section_rows();
 
 ReportSection section_of(Findings& all, const SectionRow& row);
-
-/// Every document, by its command under `results`.
-Json documents_of(const Findings& all);
 
 }  // namespace prs

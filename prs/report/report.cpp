@@ -26,15 +26,6 @@ std::string data_url(std::string_view type, std::string_view content) {
   return url;
 }
 
-}  // namespace
-
-std::string download_link(std::string_view name, std::string_view type, std::string_view content) {
-  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", html(name),
-                     data_url(type, content));
-}
-
-namespace {
-
 constexpr std::size_t kMostColumns = 6;  ///< Load cases side by side in a table.
 
 // Load cases
@@ -146,6 +137,12 @@ std::string mark_of_sheets(const Findings& all) {
     if (const std::string text = told(all, key); !text.empty())
       mark += fmt::format(" · {}{}", before, text);
   return mark + " · " + all.date;
+}
+
+/// A link by which the browser saves a text as a file.
+std::string download_link(std::string_view name, std::string_view type, std::string_view content) {
+  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", html(name),
+                     data_url(type, content));
 }
 
 }  // namespace
@@ -620,6 +617,9 @@ Json data_of(const Findings& all, std::optional<std::size_t> room) {
   return data;
 }
 
+/// Every document, by its command under `results`.
+Json documents_of(const Findings& all) { return data_of(all, {}); }
+
 }  // namespace
 
 /// Those of the analyses, in their places.
@@ -663,8 +663,6 @@ ReportSection section_of(Findings& all, const SectionRow& row) {
   all.places.clear();
   return {std::string(row.id), std::string(row.title), row.make(all)};
 }
-
-Json documents_of(const Findings& all) { return data_of(all, {}); }
 
 ReportParts report_parts(const input::Source& source, const ReportOptions& options) {
   if (other_file(source)) return requirement_parts(source, options);

@@ -51,9 +51,6 @@ ReportParts report_parts(const input::Source& source, const ReportOptions& optio
 /// The same of a requirement: `prs size`.
 ReportParts requirement_parts(const input::Source& source, const ReportOptions& options);
 
-/// A link by which the browser saves a text as a file.
-std::string download_link(std::string_view name, std::string_view type, std::string_view content);
-
 /// A thread of a load case; both count from 0, threads over all rollers.
 struct ThreadChoice {
   std::size_t load_case = 0;

@@ -217,14 +217,6 @@ std::string head(const CheckResult& result) {
          warning_section(result.geometry.warnings);
 }
 
-}  // namespace
-
-Record<CheckResult> record_of(Type<CheckResult>) {
-  return {"Check", "What a case is ready for, and what follows from it.", kCheck};
-}
-
-namespace {
-
 /// Readiness by command and what to add, warnings, derived values.
 std::string check_table(const CheckResult& result) {
   return head(result) + derived(result.geometry.contacts);
@@ -423,6 +415,8 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
 }
 
 }  // namespace
+
+PRS_RECORD(CheckResult, "Check", "What a case is ready for, and what follows from it.", kCheck);
 
 const Analysis<CheckResult>& check_analysis() {
   static const std::vector<Place> places =

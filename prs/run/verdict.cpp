@@ -545,13 +545,8 @@ constexpr Quantity<CaseVerdict> kVerdict[] = {
 
 }  // namespace
 
-Record<CaseVerdict> record_of(Type<CaseVerdict>) {
-  return {"Verdict", "Whether the case meets its limits.", kVerdict};
-}
-
-Record<Criterion> record_of(Type<Criterion>) {
-  return {"Criterion", "A value, the limit that it is held against, and how it stands to it.",
-          kCriterion};
-}
+PRS_RECORD(CaseVerdict, "Verdict", "Whether the case meets its limits.", kVerdict);
+PRS_RECORD(Criterion, "Criterion",
+           "A value, the limit that it is held against, and how it stands to it.", kCriterion);
 
 }  // namespace prs

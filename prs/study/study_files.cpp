@@ -435,9 +435,7 @@ Figures elasticities(const CaseDerivatives& result, const FigureOptions& options
 
 }  // namespace
 
-Record<CaseDerivatives> record_of(Type<CaseDerivatives>) {
-  return {"Derivatives", "What each factor does to each response.", kDerivatives};
-}
+PRS_RECORD(CaseDerivatives, "Derivatives", "What each factor does to each response.", kDerivatives);
 
 Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
   Json document = document_head(info, result.warnings);

@@ -1,8 +1,6 @@
 #include "prs/study/study_files.h"
 
 namespace prs {
-namespace {}  // namespace
-
 namespace study_document {
 
 template <class T>
@@ -321,17 +319,10 @@ constexpr Quantity<StudyDocument> kDocument[] = {
 
 }  // namespace study_document
 
-Record<Level> record_of(Type<Level>) {
-  return {"Level", "As in the file; the number in the unit of the factor.", study_document::kLevel};
-}
-
-Record<study_document::FactorOf> record_of(Type<study_document::FactorOf>) {
-  return {"Factor", "An input that varies.", study_document::kFactor};
-}
-
-Record<StudyDocument> record_of(Type<StudyDocument>) {
-  return {"Study", "What a study finds.", study_document::kDocument};
-}
+PRS_RECORD(Level, "Level", "As in the file; the number in the unit of the factor.",
+           study_document::kLevel);
+PRS_RECORD(study_document::FactorOf, "Factor", "An input that varies.", study_document::kFactor);
+PRS_RECORD(StudyDocument, "Study", "What a study finds.", study_document::kDocument);
 
 std::string_view name(Plan plan) {
   constexpr std::array kNames{"one_at_a_time", "grid",          "latin_hypercube", "sobol",

@@ -20,6 +20,17 @@ std::string shown_unit(const std::string& unit) {
   return shown;
 }
 
+/// `03_flank_angle`
+std::string study_figure_name(std::size_t index, const std::string& label) {
+  std::string name = fmt::format("{:02}_", index + 1);
+  for (const char c : label.substr(0, kMostOfName)) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z');
+    if (plain || name.back() != '_') name += plain ? c : '_';
+  }
+  while (name.back() == '_') name.pop_back();
+  return name;
+}
+
 }  // namespace
 
 std::string level_text(const Level& level, const std::string& unit) {
@@ -31,16 +42,6 @@ std::string level_text(const Level& level, const std::string& unit) {
 std::string factor_title(const Factor& factor) {
   const std::string text = shortened(printable(factor.label), kMaxTitle);
   return factor.label == factor.path ? text : capitalised(text);
-}
-
-std::string study_figure_name(std::size_t index, const std::string& label) {
-  std::string name = fmt::format("{:02}_", index + 1);
-  for (const char c : label.substr(0, kMostOfName)) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z');
-    if (plain || name.back() != '_') name += plain ? c : '_';
-  }
-  while (name.back() == '_') name.pop_back();
-  return name;
 }
 
 std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses,

@@ -25,9 +25,6 @@ inline bool varies_one_at_a_time(const Study& study) {
          (study.plan == Plan::grid && study.factors.size() == 1);
 }
 
-/// `03_flank_angle`
-std::string study_figure_name(std::size_t index, const std::string& label);
-
 /// Indices of those that the options choose, else of the first. Throws NoFigure.
 std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses,
                                           const FigureOptions& options);

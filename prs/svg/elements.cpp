@@ -251,6 +251,21 @@ std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_hori
   return ticks;
 }
 
+/// Pixels of the longest tick.
+double longest_tick(const Axis& axis, int pixels, bool is_horizontal) {
+  if (axis.hidden) return 0.0;
+  double longest = longest_text(axis);
+  if (!axis.ticks.empty()) {
+    for (const Tick& tick : axis.ticks)
+      if (tick.text.empty()) longest = std::max(longest, text_width(tick_text(tick.at, 0.0)));
+  } else {
+    const double step = axis.logarithmic ? 0.0 : tick_step(axis, pixels, is_horizontal);
+    for (const double tick : ticks_of(axis, pixels, is_horizontal))
+      longest = std::max(longest, text_width(tick_text(tick, step)));
+  }
+  return longest;
+}
+
 /// What ticks and label take beside a panel.
 int room_left(const Figure& figure, const Panel& panel, int height, bool labelled) {
   const Axis& axis = y_axis(figure, panel);
@@ -280,9 +295,9 @@ void widen(Axis& axis, double length) {
   axis.to += margin;
 }
 
-}  // namespace
-
 bool has_range(const Axis& axis) { return std::isfinite(axis.from) && std::isfinite(axis.to); }
+
+}  // namespace
 
 double tick_step(const Axis& axis, int pixels, bool is_horizontal) {
   const double length = std::abs(axis.to - axis.from);
@@ -327,20 +342,6 @@ double longest_text(const Axis& axis) {
 bool is_crowded(const Axis& axis, int pixels) {
   const auto count = static_cast<double>(axis.ticks.size());
   return longest_text(axis) > 0.0 && count * (longest_text(axis) + 8.0) > pixels;
-}
-
-double longest_tick(const Axis& axis, int pixels, bool is_horizontal) {
-  if (axis.hidden) return 0.0;
-  double longest = longest_text(axis);
-  if (!axis.ticks.empty()) {
-    for (const Tick& tick : axis.ticks)
-      if (tick.text.empty()) longest = std::max(longest, text_width(tick_text(tick.at, 0.0)));
-  } else {
-    const double step = axis.logarithmic ? 0.0 : tick_step(axis, pixels, is_horizontal);
-    for (const double tick : ticks_of(axis, pixels, is_horizontal))
-      longest = std::max(longest, text_width(tick_text(tick, step)));
-  }
-  return longest;
 }
 
 const Axis& x_axis(const Figure& figure, const Panel& panel) {

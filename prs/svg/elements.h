@@ -107,8 +107,6 @@ inline constexpr double kSlope = 0.6;  ///< Slope of slanted texts below an axis
 /// A text in at most two lines that fit in so many pixels; what is too long loses its middle.
 std::vector<std::string> fitted_lines(std::string_view text, int pixels);
 
-bool has_range(const Axis& axis);
-
 /// Distance of the ticks of an axis that is not logarithmic, as `ticks_of` has them.
 double tick_step(const Axis& axis, int pixels, bool is_horizontal);
 
@@ -118,9 +116,6 @@ std::vector<double> ticks_of(const Axis& axis, int pixels, bool is_horizontal);
 
 /// Pixels of the longest text of a tick; 0 where all are numbers.
 double longest_text(const Axis& axis);
-
-/// Pixels of the longest tick.
-double longest_tick(const Axis& axis, int pixels, bool is_horizontal);
 
 /// Whether the texts of ticks along x do not fit side by side.
 bool is_crowded(const Axis& axis, int pixels);

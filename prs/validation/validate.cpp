@@ -22,8 +22,9 @@ std::optional<double> number_at(const Json& document, std::string path) {
   return document.at(place).get<double>();
 }
 
-Json document_of(const ReferenceCase& reference, const SourceExtension& code) {
-  if (reference.file.empty()) return code.formulas ? code.formulas() : Json::object();
+Json document_of(const ReferenceCase& reference, const Reference& source,
+                 const SourceExtension& code) {
+  if (reference.file.empty()) return code.formulas ? code.formulas(source) : Json::object();
   const Delivery found =
       run(analysis_of(reference.command), input::load_source(reference.file.string(), {}));
   Json document = found.document({});
@@ -31,8 +32,9 @@ Json document_of(const ReferenceCase& reference, const SourceExtension& code) {
   return document;
 }
 
-std::vector<Comparison> compare(const ReferenceCase& reference, const SourceExtension& code) {
-  const Json document = document_of(reference, code);
+std::vector<Comparison> compare(const ReferenceCase& reference, const Reference& source,
+                                const SourceExtension& code) {
+  const Json document = document_of(reference, source, code);
   const std::string name =
       reference.file.empty() ? reference.formulas : reference.file.stem().string();
   return each(reference.values, [&](const PrintedValue& value) {
@@ -61,8 +63,9 @@ SourceReport report_on(const std::filesystem::path& folder,
   SourceExtension code;
   for (const SourceExtension& c : extensions)
     if (c.folder == report.name) code = c;
-  for (const ReferenceCase& c : reference.cases) append(report.comparisons, compare(c, code));
-  if (code.tables) report.tables = code.tables();
+  for (const ReferenceCase& c : reference.cases)
+    append(report.comparisons, compare(c, reference, code));
+  if (code.tables) report.tables = code.tables(reference);
   if (!code.supplement) return report;
   // Left out where the reference does not hold the case that the code is about.
   const auto subject = std::ranges::find_if(reference.cases, [&](const ReferenceCase& c) {

@@ -225,8 +225,8 @@ struct SourceExtension {
   /// `derived` there.
   std::function<nlohmann::ordered_json(const Result&)> derived = {};
   /// What the source's formulas give without a case, by key.
-  std::function<nlohmann::ordered_json()> formulas = {};
-  std::function<std::vector<ValidationTable>()> tables = {};
+  std::function<nlohmann::ordered_json(const Reference&)> formulas = {};
+  std::function<std::vector<ValidationTable>(const Reference&)> tables = {};
   /// On the case `subject`.
   std::function<Supplement(const Case&, const Reference&)> supplement = {};
   /// File of that case; empty for the first one of the reference.

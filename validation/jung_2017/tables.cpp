@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "contact/hertz_formulas.h"
+#include "prs/input/described_file.h"
 #include "prs/life/rating_life.h"
 #include "validation/extensions.h"
 
@@ -70,6 +71,30 @@ ThreadCompliance yamamoto(const Diameters& d, const ToothSection& tooth, double 
   c.screw_radial = screw.radial / screw_width;
   c.nut_radial = nut.radial / nut_width;
   return c;
+}
+
+/// Printed numbers over exact ones, less 1, in ppm, and the part of it that the rounding of F(rho)
+/// and of the number itself explains.
+ValidationTable deviations_of_table_a1(const Reference& thesis) {
+  ValidationTable table{
+      "Table A1: printed over exact, less 1, and what of it no rounding explains, in ppm",
+      {"F(rho)", "a*", "b*", "delta*", "beyond, a*", "b*", "delta*"},
+      {},
+      0};
+  for (const PrintedParameters& line : table_a1(thesis)) {
+    const ContactParameters exact = contact_parameters(line.curvature_difference.value());
+    ValidationTable::Row row{line.curvature_difference.text, {}};
+    row.values = {
+        line.semi_major.value() / exact.semi_major - 1.0,
+        line.semi_minor.value() / exact.semi_minor - 1.0,
+        line.approach.value() / exact.approach - 1.0,
+        unexplained(line.semi_major, line.curvature_difference, &ContactParameters::semi_major),
+        unexplained(line.semi_minor, line.curvature_difference, &ContactParameters::semi_minor),
+        unexplained(line.approach, line.curvature_difference, &ContactParameters::approach)};
+    for (double& value : row.values) value *= 1e6;
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 }  // namespace
@@ -157,32 +182,19 @@ ContactParameters contact_parameters(double f) {
   return p;
 }
 
-const std::array<PrintedParameters, 21>& table_a1() {
-  const auto line = [](const char* f, const char* a, const char* b, const char* delta) {
-    return PrintedParameters{{f, {}}, {a, {}}, {b, {}}, {delta, {}}};
-  };
-  static const std::array<PrintedParameters, 21> lines = {
-      line("0.1075", "1.0760", "0.9318", "0.9974"),
-      line("0.3204", "1.2623", "0.8114", "0.9761"),
-      line("0.4795", "1.4556", "0.7278", "0.9429"),
-      line("0.5916", "1.6440", "0.6687", "0.9077"),
-      line("0.6716", "1.8258", "0.6245", "0.8733"),
-      line("0.7332", "2.011", "0.5881", "0.8394"),
-      line("0.7948", "2.265", "0.5480", "0.7961"),
-      line("0.83495", "2.494", "0.5186", "0.7602"),
-      line("0.87366", "2.800", "0.4863", "0.7169"),
-      line("0.90999", "3.233", "0.4499", "0.6636"),
-      line("0.93657", "3.738", "0.4166", "0.6112"),
-      line("0.95738", "4.395", "0.3830", "0.5551"),
-      line("0.97290", "5.267", "0.3490", "0.4960"),
-      line("0.983797", "6.448", "0.3150", "0.4352"),
-      line("0.990902", "8.062", "0.2814", "0.3745"),
-      line("0.995112", "10.222", "0.2497", "0.3176"),
-      line("0.997300", "12.789", "0.2232", "0.2705"),
-      line("0.9981847", "14.839", "0.2072", "0.2427"),
-      line("0.9989156", "17.974", "0.18822", "0.2106"),
-      line("0.9994785", "23.55", "0.16442", "0.17167"),
-      line("0.9998527", "37.38", "0.13050", "0.11995")};
+std::vector<PrintedParameters> table_a1(const Reference& thesis) {
+  std::vector<PrintedParameters> lines;
+  for (const ReferenceCase& c : thesis.cases)
+    for (const PrintedValue& v : c.values) {
+      if (!v.where.starts_with("table A1")) continue;
+      const std::string f = v.where.substr(v.where.rfind(' ') + 1);  // Of `F = 0.1075`.
+      if (lines.empty() || lines.back().curvature_difference.text != f)
+        lines.push_back({{f, {}}, {}, {}, {}});
+      PrintedParameters& line = lines.back();
+      (v.quantity.ends_with("semi_major")   ? line.semi_major
+       : v.quantity.ends_with("semi_minor") ? line.semi_minor
+                                            : line.approach) = v.printed;
+    }
   return lines;
 }
 
@@ -193,28 +205,6 @@ double unexplained(const PrintedNumber& printed, const PrintedNumber& f,
   const auto [least, greatest] = std::minmax(one, other);
   const double beyond = std::max(least - printed.value(), printed.value() - greatest);
   return std::max(beyond - printed.half_unit(), 0.0) / printed.value();
-}
-
-ValidationTable deviations_of_table_a1() {
-  ValidationTable table{
-      "Table A1: printed over exact, less 1, and what of it no rounding explains, in ppm",
-      {"F(rho)", "a*", "b*", "delta*", "beyond, a*", "b*", "delta*"},
-      {},
-      0};
-  for (const PrintedParameters& line : table_a1()) {
-    const ContactParameters exact = contact_parameters(line.curvature_difference.value());
-    ValidationTable::Row row{line.curvature_difference.text, {}};
-    row.values = {
-        line.semi_major.value() / exact.semi_major - 1.0,
-        line.semi_minor.value() / exact.semi_minor - 1.0,
-        line.approach.value() / exact.approach - 1.0,
-        unexplained(line.semi_major, line.curvature_difference, &ContactParameters::semi_major),
-        unexplained(line.semi_minor, line.curvature_difference, &ContactParameters::semi_minor),
-        unexplained(line.approach, line.curvature_difference, &ContactParameters::approach)};
-    for (double& value : row.values) value *= 1e6;
-    table.rows.push_back(std::move(row));
-  }
-  return table;
 }
 
 std::array<ScaleLine, 10> scale_chart() {
@@ -263,44 +253,22 @@ double VolumeFit::at(double x) const {
   return y;
 }
 
-const std::vector<VolumeFit>& volume_fits() {
-  constexpr const char *kStiffness = "stiffness, N/mm", *kCapacity = "load capacity, kN",
-                       *kWeight = "weight, kg";
-  const auto stiffness = [](const Measures& m) { return m.stiffness / per_si::millimetre; };
-  const auto capacity = [](const Measures& m) { return m.load_capacity * per_si::kilonewton; };
-  const auto weight = [](const Measures& m) { return m.weight; };
-  static const std::vector<VolumeFit> fits = {
-      {"(7.8)",
-       kStiffness,
-       false,
-       stiffness,
-       {-1669.084733, 13080.12347, -42831.63605, 75804.59582, -77647.75201, 40816.78204}},
-      {"(7.9)",
-       kCapacity,
-       false,
-       capacity,
-       {8.803919974, -67.96418356, 220.2269572, -397.9952443, 530.2832892, -84.9710269}},
-      {"(7.10)",
-       kWeight,
-       false,
-       weight,
-       {2.901147059e-2, -2.262064181e-1, 7.453980657e-1, -1.394046858, 2.747646594,
-        -4.936226644e-2}},
-      {"(7.11)",
-       kStiffness,
-       true,
-       stiffness,
-       {-37.50696641, 748.1918886, -4059.119313, 10326.7345, -14885.44204, 17577.19917}},
-      {"(7.12)",
-       kCapacity,
-       true,
-       capacity,
-       {-5.762218356, 34.06775475, -71.12572861, 43.03709984, 103.9963808, 82.20940208}},
-      {"(7.13)",
-       kWeight,
-       true,
-       weight,
-       {-2.310565803e-1, 1.470807143, -3.669795483, 4.476872057, -7.035043836e-1, 6.196821555e-1}}};
+std::vector<VolumeFit> volume_fits(const Reference& thesis) {
+  const std::map<std::string, double (*)(const Measures&), std::less<>> values{
+      {"stiffness, N/mm", [](const Measures& m) { return m.stiffness / per_si::millimetre; }},
+      {"load capacity, kN", [](const Measures& m) { return m.load_capacity * per_si::kilonewton; }},
+      {"weight, kg", [](const Measures& m) { return m.weight; }}};
+  const CsvTable table(thesis.folder / "fits.csv");
+  std::vector<VolumeFit> fits;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    VolumeFit& fit = fits.emplace_back();
+    fit.equation = table.text(row, 0);
+    fit.measure = table.text(row, 1);
+    fit.of_case_2 = table.number(row, 2) == 2.0;
+    fit.value = values.at(fit.measure);
+    for (std::size_t k = 0; k < fit.coefficients.size(); ++k)
+      fit.coefficients[k] = table.number(row, 3 + k);
+  }
   return fits;
 }
 
@@ -325,7 +293,7 @@ std::array<double, 6> refitted(const VolumeFit& fit) {
   return coefficients;
 }
 
-std::vector<ValidationTable> fit_tables() {
+std::vector<ValidationTable> fit_tables(const Reference& thesis) {
   ValidationTable deviations{
       "(7.8) to (7.13): largest difference between the printed polynomial and the recipe's values, "
       "with volumes unrounded and as printed",
@@ -336,7 +304,7 @@ std::vector<ValidationTable> fit_tables() {
       "values, less 1, in ppm",
       {"fit", "x^5", "x^4", "x^3", "x^2", "x", "1"},
       {}};
-  for (const VolumeFit& fit : volume_fits()) {
+  for (const VolumeFit& fit : volume_fits(thesis)) {
     deviations.rows.push_back(deviation(fit));
     const std::array<double, 6> again = refitted(fit);
     ValidationTable::Row row{fit.equation, {}};
@@ -345,6 +313,14 @@ std::vector<ValidationTable> fit_tables() {
     coefficients.rows.push_back(std::move(row));
   }
   return {deviations, coefficients};
+}
+
+/// Keys of a row, found by the type.
+static void fields(const input::Fields& io, Diameters& d) {
+  const input::Quantity length{input::unit::length, {}, "54 mm"};
+  io("nut_outer", d.nut_outer, length, input::required, "D_n");
+  io("screw", d.screw, length, input::required, "d_s");
+  io("roller", d.roller, length, input::required, "d_r");
 }
 
 namespace {
@@ -363,11 +339,11 @@ Json lines_by_rollers() {
   return lines;
 }
 
-Json formulas() {
+Json formulas(const Reference& thesis) {
   Json json{{"table_7_1", Json::array()}, {"table_a1", Json::array()}};
   for (const Diameters& d : case_1())
     json["table_7_1"].push_back(row_json(*find_recipe("jung-as-printed"), d));
-  for (const PrintedParameters& line : table_a1()) {
+  for (const PrintedParameters& line : table_a1(thesis)) {
     const ContactParameters p = contact_parameters(line.curvature_difference.value());
     json["table_a1"].push_back(
         {{"semi_major", p.semi_major}, {"semi_minor", p.semi_minor}, {"approach", p.approach}});
@@ -407,14 +383,14 @@ ValidationTable compliance_table() {
   return table;
 }
 
-std::vector<ValidationTable> tables() {
+std::vector<ValidationTable> tables(const Reference& thesis) {
   std::vector<ValidationTable> all{
       measures_table("Table 7.1, case 1, by the right formulas", case_1(), corrected),
       measures_table("Table 7.2, case 2, by the recipe of table 7.1", case_2(), as_printed),
       measures_table("Table 7.2, case 2, by the right formulas", case_2(), corrected),
       compliance_table()};
-  for (ValidationTable& table : fit_tables()) all.push_back(std::move(table));
-  all.push_back(deviations_of_table_a1());
+  for (ValidationTable& table : fit_tables(thesis)) all.push_back(std::move(table));
+  all.push_back(deviations_of_table_a1(thesis));
   return all;
 }
 
@@ -469,18 +445,6 @@ std::optional<Problem> problem_of(const Diameters& d) {
                      std::floor(roller_at(kFactorRatios.greatest)) * 1e-3)};
 }
 
-/// A length, or a message what is wrong with its text.
-struct ParsedLength {
-  double value = 0.0;
-  std::string message = {};
-};
-ParsedLength parse_length(std::string_view text) {
-  const input::ParsedQuantity parsed = input::parse_quantity(text, input::unit::length);
-  if (parsed.value) return {*parsed.value};
-  return {0.0, fmt::format("got {}; expected a length; {}", input::shown(text),
-                           parsed.hint.empty() ? "write for example 54 mm" : parsed.hint)};
-}
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -505,72 +469,38 @@ Diameters read_text(const std::string& text) {
                     fields.size(), kExample));
   Diameters d;
   for (std::size_t k = 0; k < kGivenCount; ++k) {
-    const ParsedLength length = parse_length(fields[k]);
-    if (!length.message.empty()) fail(fmt::format("{}: {}", kGiven[k].key, length.message));
-    d.*kGiven[k].diameter = length.value;
+    const input::ParsedQuantity length = input::parse_quantity(fields[k], input::unit::length);
+    if (!length.value)
+      fail(fmt::format("{}: got {}; expected a length; {}", kGiven[k].key, input::shown(fields[k]),
+                       length.hint.empty() ? "write for example 54 mm" : length.hint));
+    d.*kGiven[k].diameter = *length.value;
   }
   if (const std::optional<Problem> problem = problem_of(d))
     fail(fmt::format("{}: {}", kGiven[problem->given].key, problem->message));
   return d;
 }
 
-std::string key_list() {
-  return fmt::format("{}, {} and {}", kGiven[0].key, kGiven[1].key, kGiven[2].key);
-}
+struct Rows {
+  std::vector<Diameters> diameters;
+};
 
-std::optional<Diameters> read_row(const Node& row, ErrorList& errors) {
-  if (row.kind != Node::Kind::map) {
-    errors.add(row.place, row.key,
-               fmt::format("expected a map of {}; write for example - {{nut_outer: 54 mm, screw: "
-                           "27 mm, roller: 9 mm}}",
-                           key_list()));
-    return {};
-  }
-  for (const Node& child : row.children)
-    if (std::ranges::find(kGiven, child.key, &Given::key) == std::end(kGiven))
-      errors.add(child.key_place, child.key,
-                 fmt::format("unknown key; expected one of {}", key_list()));
-  Diameters d;
-  std::array<const Node*, kGivenCount> nodes{};
-  bool complete = true;
-  for (std::size_t k = 0; k < kGivenCount; ++k) {
-    nodes[k] = input::find(row, kGiven[k].key);
-    std::string message = "missing; expected a length; write for example 54 mm";
-    if (nodes[k] != nullptr) {
-      const bool scalar = nodes[k]->kind == Node::Kind::scalar;
-      ParsedLength length = parse_length(scalar ? nodes[k]->text : "");
-      d.*kGiven[k].diameter = length.value;
-      message = std::move(length.message);
-    }
-    if (message.empty()) continue;
-    errors.add(nodes[k] != nullptr ? nodes[k]->place : row.place, kGiven[k].key, message);
-    complete = false;
-  }
-  if (!complete) return {};
-  if (const std::optional<Problem> problem = problem_of(d))
-    errors.add(nodes[problem->given]->place, kGiven[problem->given].key, problem->message);
-  return d;
+void fields(const input::Fields& io, Rows& rows) {
+  io("diameters", rows.diameters, input::List{input::Block{}, 1}, input::required, "Rows");
 }
 
 std::vector<Diameters> read_yaml(const std::string& file) {
   const input::Source source = input::load_source(file, {});
   ErrorList errors(source);
   const Node root = input::read_document(source, errors);
-  std::vector<Diameters> rows;
-  const Node* list = input::find(root, "diameters");
-  for (const Node& child : root.children)
-    if (&child != list)
-      errors.add(child.key_place, child.key, "unknown key; expected diameters and nothing else");
-  if (list == nullptr || list->kind != Node::Kind::sequence || list->children.empty())
-    errors.add(list != nullptr ? list->place : root.place, "diameters",
-               fmt::format("expected a list of {}; write for example - {{nut_outer: 54 mm, screw: "
-                           "27 mm, roller: 9 mm}}",
-                           key_list()));
-  else
-    for (const Node& row : list->children)
-      if (const std::optional<Diameters> d = read_row(row, errors)) rows.push_back(*d);
+  Rows rows;
+  input::read_described(root, input::value_of(rows, input::Block{}), errors);
   errors.throw_if_any();
-  return rows;
+  for (std::size_t row = 0; row < rows.diameters.size(); ++row)
+    if (const std::optional<Problem> problem = problem_of(rows.diameters[row]))
+      input::refuse(root, fmt::format("diameters[{}].{}", row, kGiven[problem->given].key),
+                    problem->message, errors);
+  errors.throw_if_any();
+  return rows.diameters;
 }
 
 std::vector<Diameters> read_csv(const std::string& file) {

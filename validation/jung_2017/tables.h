@@ -92,11 +92,7 @@ ContactParameters contact_parameters(double curvature_difference);
 struct PrintedParameters {
   PrintedNumber curvature_difference, semi_major, semi_minor, approach;
 };
-const std::array<PrintedParameters, 21>& table_a1();
-
-/// Printed numbers over exact ones, less 1, in ppm, and the part of it that the rounding of F(rho)
-/// and of the number itself explains.
-ValidationTable deviations_of_table_a1();
+std::vector<PrintedParameters> table_a1(const Reference& thesis);
 
 /// How far a printed number lies beyond what the rounding of F(rho) and its own allow, relative to
 /// it; 0 for a number that may be right.
@@ -119,18 +115,18 @@ std::array<ScaleLine, 10> scale_chart();
 
 /// A measure as a polynomial of the volume x, in the 1e-3 m^3 that the tables call m^3.
 struct VolumeFit {
-  const char* equation;
-  const char* measure;  ///< With its unit.
+  std::string equation;
+  std::string measure;  ///< With its unit.
   bool of_case_2 = false;
-  double (*value)(const Measures&);    ///< Value of the measure, in that unit.
-  std::array<double, 6> coefficients;  ///< Factors of x^5, x^4 .. 1, as printed.
+  double (*value)(const Measures&) = nullptr;  ///< Value of the measure, in that unit.
+  std::array<double, 6> coefficients{};        ///< Factors of x^5, x^4 .. 1, as printed.
 
   double at(double x) const;
 };
 
 /// (7.8) to (7.13). Below (7.11) to (7.13) y is said to be the load capacity; figures 7.4 to 7.6
 /// and the numbers have stiffness, load capacity and weight.
-const std::vector<VolumeFit>& volume_fits();
+std::vector<VolumeFit> volume_fits(const Reference& thesis);
 
 /// Least-squares polynomial through the ten rows of its case by the recipe `as_printed`, case 1
 /// with unrounded values. Case 2 takes volumes, capacities and weights to three decimals as the
@@ -139,7 +135,7 @@ std::array<double, 6> refitted(const VolumeFit& fit);
 
 /// The printed polynomials at the volumes of their rows, unrounded and to three decimals, less the
 /// recipe's values; and the printed coefficients next to `refitted`.
-std::vector<ValidationTable> fit_tables();
+std::vector<ValidationTable> fit_tables(const Reference& thesis);
 
 /// How the columns of tables 7.1 and 7.2 are computed from three diameters.
 struct Recipe {

@@ -148,19 +148,6 @@ class Reader {
   PerInterface<std::vector<std::size_t>> rates_;
 };
 
-}  // namespace
-
-std::array<std::string, 4> words(const Setup& setup) {
-  return {fmt::to_string(setup.config), std::string(prs::name(setup.direction)),
-          word(kGuidances, setup.guidance), word(kContacts, setup.contacts)};
-}
-
-std::string name(const Setup& setup) { return fmt::format("{}", fmt::join(words(setup), " ")); }
-
-std::vector<Curve> read_curves(const std::filesystem::path& file) { return Reader(file).curves(); }
-
-namespace {
-
 double position_of(const Case& screw, const Setup& setup) {
   const std::string name = fmt::format("config{}-{}", setup.config, prs::name(setup.direction));
   const auto found = std::ranges::find(screw.load_cases, name, &LoadCase::name);
@@ -264,6 +251,15 @@ class Gathering {
 };
 
 }  // namespace
+
+std::array<std::string, 4> words(const Setup& setup) {
+  return {fmt::to_string(setup.config), std::string(prs::name(setup.direction)),
+          word(kGuidances, setup.guidance), word(kContacts, setup.contacts)};
+}
+
+std::string name(const Setup& setup) { return fmt::format("{}", fmt::join(words(setup), " ")); }
+
+std::vector<Curve> read_curves(const std::filesystem::path& file) { return Reader(file).curves(); }
 
 std::vector<Curve> computed_curves(const Case& screw, ModelOptions::Bodies bodies,
                                    const std::vector<Curve>& reference) {

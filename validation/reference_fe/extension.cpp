@@ -314,23 +314,6 @@ std::string load_rates_markdown(const std::vector<Model>& models,
   return text;
 }
 
-}  // namespace
-
-std::vector<ValidationTable> tables(const std::vector<Model>& models,
-                                    const std::vector<Curve>& reference) {
-  return {stiffness_table(models, reference), load_table(models, reference, Interface::screw),
-          load_table(models, reference, Interface::nut), summary_table(models, reference)};
-}
-
-std::vector<OutputFile> files(const std::vector<Model>& models,
-                              const std::vector<Curve>& reference) {
-  return {{"comparison.csv", comparison_csv(models, reference)},
-          {"load_rates.csv", load_rates_csv(models, reference)},
-          {"load_rates.md", load_rates_markdown(models, reference)}};
-}
-
-namespace {
-
 /// Told apart by dash in grey print; the thinner ones lie on top.
 constexpr Style kModelStyles[] = {line_of(Colour::orange, Dash::dash_dotted, Weight::strong),
                                   line_of(Colour::vermillion, Dash::dashed, Weight::strong),
@@ -464,6 +447,19 @@ Panel displacement_panel(const std::vector<Model>& models, std::size_t curve,
 }
 
 }  // namespace
+
+std::vector<ValidationTable> tables(const std::vector<Model>& models,
+                                    const std::vector<Curve>& reference) {
+  return {stiffness_table(models, reference), load_table(models, reference, Interface::screw),
+          load_table(models, reference, Interface::nut), summary_table(models, reference)};
+}
+
+std::vector<OutputFile> files(const std::vector<Model>& models,
+                              const std::vector<Curve>& reference) {
+  return {{"comparison.csv", comparison_csv(models, reference)},
+          {"load_rates.csv", load_rates_csv(models, reference)},
+          {"load_rates.md", load_rates_markdown(models, reference)}};
+}
 
 std::vector<Figure> load_rate_figures(const std::vector<Model>& models,
                                       const std::vector<Curve>& reference, const ErrorBar& error) {

@@ -115,8 +115,9 @@ double printed_rolling_speed(const contact::Vector3<double>& u,
   return u.norm() - u_n * u_n / u.norm();
 }
 
-}  // namespace
-
+/// Film thicknesses and largest sliding speed of figs. 2.8 and 2.9: printed, as the thesis' own
+/// formulas give them, and with the signs of the curvatures kept. `reference` is the case of table
+/// 3.2.
 ValidationTable printed_ellipses(const Case& reference) {
   const Result result = analyze_contacts(reference);
   const LoadCaseResult& loaded = result.load_cases.front();
@@ -154,6 +155,8 @@ ValidationTable printed_ellipses(const Case& reference) {
       {"", "h_cI in nm", "v_I in mm/s", "h_cJ in nm", "v_J in mm/s"},
       {{"printed", {438, 107, 495, 9.3}}, {"thesis", thesis}, {"here", here}}};
 }
+
+}  // namespace
 
 namespace {
 
@@ -223,7 +226,7 @@ ValidationTable ellipticity_approximations() {
 SourceExtension extension() {
   return {.folder = "sandu_2018",
           .derived = derived,
-          .tables = [] { return std::vector{ellipticity_approximations()}; },
+          .tables = [](auto&) { return std::vector{ellipticity_approximations()}; },
           .supplement =
               [](const Case& reference, const Reference& thesis) {
                 return Supplement{

@@ -34,11 +34,6 @@ ValidationTable efficiency_fits(const Case& reference);
 /// Power at one contact of each interface for more and more points (fig. 3.8).
 ValidationTable patch_convergence(const Case& reference);
 
-/// Film thicknesses and largest sliding speed of figs. 2.8 and 2.9: printed, as the thesis' own
-/// formulas give them, and with the signs of the curvatures kept. `reference` is the case of table
-/// 3.2.
-ValidationTable printed_ellipses(const Case& reference);
-
 /// Statements that chapters 2 and 3 of Sandu 2018 make in words, judged on the reference example of
 /// table 3.2 and around it, with Jacod's friction and with Coulomb's. Ranges that the text does not
 /// give stand in the evidence.

@@ -41,6 +41,27 @@ Ratios ratios(const CatalogueScrew& printed, Flanks flanks, int most_rollers) {
   return r;
 }
 
+/// Exponent x of a capacity that goes with lead^x: least squares of logarithms over screws that
+/// differ in nothing that is printed but the lead, one constant for each such group.
+double lead_exponent(const std::vector<Ratios>& rows, double (*capacity)(const Ratios&)) {
+  std::map<Envelope, std::vector<const Ratios*>> alike;
+  for (const Ratios& r : rows) alike[envelope(r.printed.screw)].push_back(&r);
+  double covariance = 0.0, variance = 0.0;
+  for (const auto& [key, group] : alike) {
+    double lead = 0.0, size = 0.0;
+    for (const Ratios* r : group) {
+      lead += std::log(r->printed.screw.lead) / static_cast<double>(group.size());
+      size += std::log(capacity(*r)) / static_cast<double>(group.size());
+    }
+    for (const Ratios* r : group) {
+      const double off = std::log(r->printed.screw.lead) - lead;
+      covariance += off * (std::log(capacity(*r)) - size);
+      variance += off * off;
+    }
+  }
+  return covariance / variance;
+}
+
 }  // namespace
 
 std::vector<CatalogueScrew> read_catalogue(const std::filesystem::path& file) {
@@ -93,25 +114,6 @@ Interval range(const std::vector<Ratios>& rows, double Ratios::*ratio,
   return range;
 }
 
-double lead_exponent(const std::vector<Ratios>& rows, double (*capacity)(const Ratios&)) {
-  std::map<Envelope, std::vector<const Ratios*>> alike;
-  for (const Ratios& r : rows) alike[envelope(r.printed.screw)].push_back(&r);
-  double covariance = 0.0, variance = 0.0;
-  for (const auto& [key, group] : alike) {
-    double lead = 0.0, size = 0.0;
-    for (const Ratios* r : group) {
-      lead += std::log(r->printed.screw.lead) / static_cast<double>(group.size());
-      size += std::log(capacity(*r)) / static_cast<double>(group.size());
-    }
-    for (const Ratios* r : group) {
-      const double off = std::log(r->printed.screw.lead) - lead;
-      covariance += off * (std::log(capacity(*r)) - size);
-      variance += off * off;
-    }
-  }
-  return covariance / variance;
-}
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -121,7 +123,7 @@ constexpr double kDensity = 7800.0;    // kg/m^3
 constexpr int kLargestDiameter = 120;  // mm
 
 /// Cylinders of steel, one of each whole diameter in mm, per metre.
-Json cylinders() {
+Json cylinders(const Reference&) {
   Json json = Json::object();
   for (int d = 1; d <= kLargestDiameter; ++d) {
     const RoundBody body = tube(d * 1e-3, 0.0, 1.0);

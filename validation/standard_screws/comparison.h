@@ -52,8 +52,4 @@ Interval range(
     const std::vector<Ratios>& rows, double Ratios::*ratio,
     bool (*counts)(const Ratios&) = [](const Ratios&) { return true; });
 
-/// Exponent x of a capacity that goes with lead^x: least squares of logarithms over screws that
-/// differ in nothing that is printed but the lead, one constant for each such group.
-double lead_exponent(const std::vector<Ratios>& rows, double (*capacity)(const Ratios&));
-
 }  // namespace prs::standard_screws

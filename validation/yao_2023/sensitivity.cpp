@@ -335,18 +335,6 @@ ValidationTable stress_table(const Rankings& r) {
   return table;
 }
 
-}  // namespace
-
-Supplement sensitivity(const Case& initial, const Reference& paper) {
-  const Rankings r = rankings(initial);
-  const std::vector<Variant<Ranking>> variants{{"Q = F/|n_z|", r.equilibrium},
-                                               {"Q of (27)", r.printed}};
-  return {.statements = compare(paper.statements, kChecks, variants),
-          .tables = {curvature_table(r.equilibrium), stress_table(r)}};
-}
-
-namespace {
-
 using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -410,10 +398,18 @@ ValidationTable closure_of_printed_points() {
 
 }  // namespace
 
+Supplement sensitivity(const Case& initial, const Reference& paper) {
+  const Rankings r = rankings(initial);
+  const std::vector<Variant<Ranking>> variants{{"Q = F/|n_z|", r.equilibrium},
+                                               {"Q of (27)", r.printed}};
+  return {.statements = compare(paper.statements, kChecks, variants),
+          .tables = {curvature_table(r.equilibrium), stress_table(r)}};
+}
+
 SourceExtension extension() {
   return {.folder = "yao_2023",
           .derived = derived,
-          .tables = [] { return std::vector{closure_of_printed_points()}; },
+          .tables = [](auto&) { return std::vector{closure_of_printed_points()}; },
           .supplement = sensitivity};
 }
 

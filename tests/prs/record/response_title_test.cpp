@@ -26,11 +26,5 @@ TEST(ResponseTitle, StartsWithThePartAndEndsInTheUnit) {
   EXPECT_EQ(response_title("slip.viscosity_mPas").unit, "mPa s");
 }
 
-TEST(AxisTitle, HasTheUnitInBrackets) {
-  EXPECT_EQ(axis_title("peak_pressure_GPa"), "Peak pressure (GPa)");
-  EXPECT_EQ(axis_title("axial_displacement_um"), "Axial displacement (µm)");
-  EXPECT_EQ(axis_title("slip.efficiency"), "Efficiency");
-}
-
 }  // namespace
 }  // namespace prs

@@ -218,7 +218,7 @@ TEST(Validation, ASourcesCodeFindsTheFilesBesideItsCase) {
   const SourceReport report =
       report_with({.folder = "here",
                    .tables =
-                       [] {
+                       [](const Reference&) {
                          return std::vector{ValidationTable{"first", {"a"}, {}}};
                        },
                    .supplement =
