@@ -104,7 +104,7 @@ def picture(compared, path):
     """Deviation over uncertainty of every number, a row each case, as SVG."""
     width, left, right, line, top = 760, 230, 20, 22, 30
     height = top + line * len(compared) + 34
-    low, high = -8.0, 3.0  # powers of ten
+    low, high = -3.0, 3.0  # powers of ten; what is below stands at the edge
     x = lambda ratio: left + (min(max(math.log10(max(ratio, 1e-300)), low), high) - low) / (high - low) * (
         width - left - right)
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" '

@@ -9,7 +9,6 @@ from math import atan, cos, log10, pi, radians, sqrt, tan
 from pathlib import Path
 
 import numpy as np
-
 import running
 from hertz import Contact, effective_modulus
 from mechanism import Mechanism

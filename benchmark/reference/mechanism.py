@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from math import cos, pi, sin
 
 import numpy as np
-
 from frame import Frame
 from sector import ring_area
 

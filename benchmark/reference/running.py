@@ -6,14 +6,13 @@ sector finds its normal forces; T_x of the sector is T_z of the slip model, T_y 
 from dataclasses import replace
 
 import numpy as np
-
 from slip import Slip
 
 
 def solve(sector, slip_inputs):
-    """Sector's result and slip's, in balance with each other; the forces of the guides (near, far)."""
+    """Sector's result and slip's, in balance with each other."""
     state = sector.solve()
-    for round_ in range(60):
+    for _ in range(60):
         slip = Slip(**slip_inputs, normal=tuple(list(n) for n in state["normal"])).solve()
         push = tuple([(at["traction"][2], at["traction"][0]) if at else (0.0, 0.0) for at in patches]
                      for patches in slip["patch"])

@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from math import cos, pi, sin
 
 import numpy as np
-
 from frame import Frame
 
 

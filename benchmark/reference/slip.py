@@ -5,10 +5,9 @@ nut, > 0 anticlockwise about z. The nut is pulled towards +z by the screw (faces
 along v = v_body - v_roller.
 """
 from dataclasses import dataclass, field
-from math import asinh, exp, log, pi, sqrt
+from math import exp, log, pi, sqrt
 
 import numpy as np
-
 from hertz import Contact
 
 

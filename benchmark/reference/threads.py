@@ -4,8 +4,9 @@ z along the axis of screw and nut, x from there to the roller's axis. A flank is
 two flanks touch where their axial clearance C(x, y) has a minimum, and the relative curvatures there follow
 from its Hessian: the second form is C''/sqrt(1 + |grad z|^2), the first form 1 + grad z grad z'.
 """
+from math import atan, cos, pi, sin, sqrt
+
 import numpy as np
-from math import atan, cos, pi, sin, tan, sqrt
 
 
 class Flank:
