@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Order of rooms, shipped engine, width of documents, format, Python's style and types, by the tools on the
-# PATH and those that scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
+# Order of rooms, shipped engine, width of documents, format, Python's style and types, validation records and
+# the benchmark's page against the program of build/release, by the tools on the PATH and those that scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
 # --strict: a missing tool is an error.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -37,6 +37,11 @@ if has clang-format; then
   check format xargs -a <(git ls-files '*.h' '*.cpp') -P "$(nproc)" -n 50 clang-format --dry-run --Werror
 fi
 if has ruff; then check ruff ruff check -q; fi
+prs=build/release/prs/cli/prs
+if has "$prs"; then
+  check records python3 scripts/validation_records.py "$prs" --check
+  check benchmark python3 benchmark/results_page.py "$prs" --check
+fi
 if has mypy; then check mypy mypy; fi
 if ((${#tidy[@]})) && has clang-tidy; then
   cmake --preset folders >/dev/null

@@ -1,0 +1,310 @@
+#!/usr/bin/env python3
+"""Writes docs/validation/, a validation record of each model: validation_records.py PRS [--check]
+
+A record is made from its form (docs/validation/forms/MODEL.yaml), from `prs validate --json`, from
+the benchmark and from the names of the tests, so that it cannot drift. With --check nothing is
+written; the status is 1 where a record is not what PRS gives. The line with date and commit changes
+only when the rest does.
+"""
+
+import argparse
+import json
+import math
+import re
+import subprocess
+import sys
+import textwrap
+from datetime import date
+from pathlib import Path
+
+import yaml
+
+ROOT = Path(__file__).resolve().parent.parent
+RECORDS = ROOT / "docs" / "validation"
+sys.path.insert(0, str(ROOT / "benchmark"))
+
+import check
+import run_prs
+
+MOST_DIGITS = 8  # Beyond, rounding differs between machines.
+MARK = "Computed on "
+
+
+def fill(text: str, indent: str = "") -> str:
+    return textwrap.fill(
+        text, 119, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
+    )
+
+
+def items(texts: list[str]) -> str:
+    return "\n".join(fill(f"- {text}", "  ") for text in texts) + "\n"
+
+
+def cell(text: object) -> str:
+    return str(text).replace("|", "\\|").replace("\n", " ")
+
+
+def number(value: float) -> str:
+    return f"{value:.6g}"
+
+
+def matches(pattern: str | None, text: str) -> bool:
+    return pattern is None or re.fullmatch(pattern, text) is not None
+
+
+def sources(validation: dict, name: str) -> dict:
+    return next(s for s in validation["sources"] if s["name"] == name)
+
+
+def printed_values(form: dict, validation: dict) -> tuple[str, list[dict]]:
+    """The table of printed numbers, and those that differ."""
+    lines, differing = "", []
+    for wanted in form["examples"].get("values", []):
+        source = sources(validation, wanted["source"])
+        groups: dict[str, list[dict]] = {}
+        for value in source["values"]:
+            if matches(wanted.get("case"), value["case"]) and matches(
+                wanted.get("quantity"), value["quantity"]
+            ):
+                groups.setdefault(value["case"], []).append(value)
+        if not groups:
+            raise SystemExit(f"{form['title']}: {wanted} matches nothing in `prs validate`")
+        for case, values in groups.items():
+            good = [v for v in values if v["verdict"] == "reproduces"]
+            digits = [v["printed_digits"] for v in values]
+            span = f"{min(digits)}" if min(digits) == max(digits) else f"{min(digits)} to {max(digits)}"
+            lines += (
+                f"| [{wanted['source']}](../../validation/{wanted['source']}/SOURCE.md), {cell(case)} "
+                f"| {len(values)} | {span} | {len(good)} |\n"
+            )
+            differing += [{"source": wanted["source"], **v} for v in values if v not in good]
+    if lines:
+        lines = (
+            "| printed numbers | compared | digits printed | all digits agree |\n"
+            "| --- | --- | --- | --- |\n" + lines + "\n"
+        )
+    return lines, differing
+
+
+def statements(form: dict, validation: dict) -> tuple[str, list[str]]:
+    lines, failing = "", []
+    for wanted in form["examples"].get("statements", []):
+        found = [
+            s
+            for s in sources(validation, wanted["source"])["statements"]
+            if matches(wanted.get("section"), s["section"])
+        ]
+        if not found:
+            raise SystemExit(f"{form['title']}: {wanted} matches nothing in `prs validate`")
+        count = {
+            verdict: sum(s["verdict"] == verdict for s in found)
+            for verdict in ("holds", "holds only with", "does not hold")
+        }
+        of = f", {wanted['section']}" if "section" in wanted else ""
+        lines += (
+            f"| {wanted['source']}{of} | {len(found)} | {count['holds']} "
+            f"| {count['holds only with']} | {count['does not hold']} |\n"
+        )
+        for s in found:
+            if s["verdict"] == "does not hold":
+                why = s["why"] or s["evidence"]
+                failing.append(f'{wanted["source"]}, {s["section"]}, does not hold: "{s["text"]}". {why}')
+    if lines:
+        lines = (
+            "| statements in words | compared | hold | only with | do not |\n"
+            "| --- | --- | --- | --- | --- |\n" + lines + "\n"
+        )
+    return lines, failing
+
+
+def digits_of(row: dict, value: float) -> int:
+    expected = float(row["value"])
+    scale = abs(expected) or float(row["uncertainty"])
+    part = abs(value - expected) / scale
+    return MOST_DIGITS if part == 0.0 else min(MOST_DIGITS, max(0, math.floor(-math.log10(part))))
+
+
+def benchmark_row(number_: str, case: dict) -> str:
+    """One case: how many numbers are within, and how many digits agree of the larger half of them. What symmetry makes
+    zero has no digits."""
+    rows = check.counted(case)
+    within = sum(ratio <= 1.0 for _, _, ratio in rows)
+    digits = sorted(digits_of(row, value) for row, value, _ in rows if abs(float(row["value"])) > 1e-6)
+    least = "8 or more" if digits[0] == MOST_DIGITS else str(digits[0])
+    middle = digits[len(digits) // 2]
+    folder = next(check.BENCHMARK.glob(number_ + "_*")).name
+    truth = ", ".join(sorted({row["source"].split(":")[0] for row, _, _ in rows}))
+    return (
+        f"| [{number_} {case['name']}](../../benchmark/{folder}/README.md) | {truth} "
+        f"| {within} of {len(rows)} | {least} | {'8 or more' if middle == MOST_DIGITS else middle} |\n"
+    )
+
+
+def of_benchmark(form: dict, results: dict, refined: dict) -> str:
+    named = [(n, results[n]) for n in form["examples"].get("benchmark", [])]
+    if (n := form["examples"].get("benchmark_refined")) is not None:
+        named.append((n, refined[n]))
+    if not named:
+        return ""
+    return (
+        "| benchmark | truth | within | digits, least | digits, median |\n"
+        "| --- | --- | --- | --- | --- |\n" + "".join(benchmark_row(*each) for each in named) + "\n"
+    )
+
+
+def in_words(name: str) -> str:
+    """A test's name as words: AThinRingIsStiff, a thin ring is stiff."""
+    parts = re.findall(r"\d+[a-z]*[A-Z](?![a-z])|[A-Z]?[a-z]+|[A-Z](?=[A-Z][a-z]|$)|[A-Z]+|\d+", name)
+    return " ".join(part if part[0].isdigit() else part.lower() for part in parts)
+
+
+def of_tests(form: dict) -> str:
+    text = ""
+    for name in form["examples"].get("tests", []):
+        path = ROOT / name
+        found = re.findall(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)", path.read_text(), re.MULTILINE)
+        if not found:
+            raise SystemExit(f"{name}: no tests found")
+        sentences = [in_words(name_) for _, name_ in found]
+        text += fill(f"- [{path.name}](../../{name}), {len(found)} tests: {'; '.join(sentences)}.", "  ") + "\n"
+    return text
+
+
+def beyond(form: dict, results: dict, refined: dict) -> list[str]:
+    """What of the benchmark is not within."""
+    cases = [(n, results[n]) for n in form["examples"].get("benchmark", [])]
+    if (n := form["examples"].get("benchmark_refined")) is not None:
+        cases.append((n, refined[n]))
+    found = []
+    for n, case in cases:
+        out = sum(ratio > 1.0 for _, _, ratio in check.counted(case))
+        if out:
+            row, value, ratio = check.worst(case)
+            found.append(
+                f"Benchmark {n}: {out} of {len(check.counted(case))} numbers are beyond the error bars; the worst is "
+                f"`{row['quantity']}`, {number(value)} in place of {number(float(row['value']))} {row['unit']}, "
+                f"{ratio:.2g} error bars away."
+            )
+    return found
+
+
+def deviations(form: dict, differing: list[dict], failing: list[str], results: dict) -> str:
+    text = ""
+    if differing:
+        text += "| where | quantity | printed | computed | right | why |\n| --- | --- | --- | --- | --- | --- |\n"
+        for v in differing:
+            right = number(v["corrected"]) if isinstance(v.get("corrected"), (int, float)) else "-"
+            text += (
+                f"| {v['source']}, {cell(v['where'])} | `{v['quantity']}` | {cell(v['printed'])} "
+                f"| {number(v['computed'])} | {right} | {cell(v.get('reason', ''))} |\n"
+            )
+        text += "\n"
+    rows = ""
+    for n in form["examples"].get("information", []):
+        for row, value, _ in results[n]["rows"]:
+            if row["counts"] == "no":
+                real = float(row["value"])
+                rows += (
+                    f"| {n} {results[n]['name']} | `{row['quantity']}` | {number(real)} | {number(value)} "
+                    f"| {round(100 * (value / real - 1), 1) + 0.0:+.1f} % |\n"
+                )
+    if rows:
+        text += (
+            "Beams against elastic bodies (CalculiX):\n\n"
+            "| case | quantity | finite elements | here | difference |\n| --- | --- | --- | --- | --- |\n"
+            + rows + "\n"
+        )
+    if failing:
+        text += items(failing) + "\n"
+    return text or "None is known among the examples above.\n\n"
+
+
+def record(form: dict, validation: dict, results: dict, refined: dict) -> str:
+    page = form["page"]
+    table, differing = printed_values(form, validation)
+    said, failing = statements(form, validation)
+    failing += beyond(form, results, refined)
+    examples = table + said + of_benchmark(form, results, refined)
+    return (
+        f"# Validation record: {form['title'][0].lower() + form['title'][1:]}\n\n"
+        f"Written by `scripts/validation_records.py`; the form is [forms](forms/{form['name']}.yaml).\n\n"
+        f"## Purpose\n{fill(form['purpose'])}\n\n"
+        f"## Equations\nIn full in [{page}](../{page}).\n\n{items(form['equations'])}\n"
+        f"## Range\n{items(form['range'])}\n"
+        f"## Reference examples\n{examples or 'No published numbers and no case of the benchmark.' + chr(10) * 2}"
+        f"## Tests\nWhat is held by tests, whose names are properties:\n\n{of_tests(form)}\n"
+        f"## Deviations\n{deviations(form, differing, failing, results)}"
+        f"## Limits of use\n{items(form['limits'])}\n"
+    )
+
+
+def compared(rows: list) -> dict:
+    found: dict = {}
+    for case, quantity, value, unit in rows:
+        found.setdefault(case, {})[quantity] = (value, unit)
+    return check.compare(found)
+
+
+def index(forms: list[dict]) -> str:
+    lines = (
+        "# Validation records\n\n"
+        "One page for each model: purpose, equations, range, reference examples with digits of agreement, tests,\n"
+        "deviations, limits of use, date and commit. `scripts/validation_records.py` writes them from forms, from\n"
+        "`prs validate`, from the [benchmark](../../benchmark/README.md) and from the tests; `scripts/lint.sh` checks that\n"
+        "they are what the program gives.\n\n| record | page | purpose |\n| --- | --- | --- |\n"
+    )
+    for form in forms:
+        lines += (
+            f"| [{form['title']}]({form['name']}.md) | [{form['page']}](../{form['page']}) "
+            f"| {form['purpose']} |\n"
+        )
+    return lines
+
+
+def without_mark(text: str) -> str:
+    return "\n".join(line for line in text.splitlines() if not line.startswith(MARK))
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("prs")
+    parser.add_argument("--check", action="store_true")
+    given = parser.parse_args()
+    done = subprocess.run([given.prs, "validate", "--json", "--quiet"], capture_output=True, text=True)
+    validation = json.loads(done.stdout)
+    results = compared(run_prs.results(given.prs))
+    refined = compared(run_prs.results(given.prs, ["06"], "refined"))
+    commit = subprocess.run(
+        ["git", "rev-parse", "--short=10", "HEAD"], cwd=ROOT, capture_output=True, text=True
+    ).stdout.strip()
+
+    forms = [
+        {**yaml.safe_load(path.read_text()), "name": path.stem}
+        for path in sorted((RECORDS / "forms").glob("*.yaml"))
+    ]
+    pages = {form["name"]: record(form, validation, results, refined) for form in forms}
+    pages["README"] = index(forms)
+    stale = [path for path in RECORDS.glob("*.md") if path.stem not in pages]
+    for name, text in pages.items():
+        path = RECORDS / f"{name}.md"
+        kept = path.read_text() if path.is_file() else ""
+        if name != "README":
+            text += f"\n{MARK}{date.today()} with `prs` {validation['prs_version']}, commit {commit}.\n"
+            text = text.replace("\n\n\n", "\n\n")
+        if without_mark(kept).rstrip() == without_mark(text).rstrip():
+            continue
+        if given.check:
+            stale.append(path)
+        else:
+            path.write_text(text)
+    for path in stale:
+        print(f"{path.relative_to(ROOT)} is not what the program gives", file=sys.stderr)
+    if stale:
+        print("scripts/validation_records.py PRS writes the records; delete what has no form", file=sys.stderr)
+    return 1 if stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
