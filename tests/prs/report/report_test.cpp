@@ -47,7 +47,7 @@ std::string malformed(const std::string& page) {
       at = end;
       continue;
     }
-    if (text.starts_with("<script ")) {  // Its text is none of HTML's.
+    if (text.starts_with("<script")) {  // Its text is none of HTML's.
       at = page.find("</script>", at) + 8;
       continue;
     }
