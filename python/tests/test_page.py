@@ -415,7 +415,10 @@ def test_mechanism_in_three_dimensions_tells_its_threads(
         return roller, thread
 
     drawing.open(page(24))
-    drawing.driver.execute_script("document.getElementById('mechanism').scrollIntoView()")
+    drawing.driver.execute_script(
+        "document.documentElement.style.scrollBehavior = 'auto';"
+        "document.getElementById('mechanism').scrollIntoView()"
+    )
     drawing.wait("document.querySelector('.mechanism-view canvas')?.getAttribute('aria-label')")
     canvas = drawing.find(".mechanism-view canvas")
     label = canvas.get_attribute("aria-label") or ""
@@ -441,6 +444,7 @@ def test_mechanism_in_three_dimensions_tells_its_threads(
     paper = pypdf.PdfReader(io.BytesIO(base64.b64decode(printed)))
     assert "Reset view" not in " ".join(sheet.extract_text() for sheet in paper.pages)
     # What is hidden is not drawn.
+    drawing.driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
     whole = canvas.screenshot_as_png
     drawing.find(".mechanism-view input[type=checkbox]").click()
     WebDriverWait(drawing.driver, PATIENCE).until(

@@ -101,32 +101,47 @@ export const threadAt = (d, x) => Math.max(0, Math.min(d.contacts - 1, Math.roun
 
 // Meshes -----------------------------------------------------------------------------------------
 
-/** Triangles with normals of their own on each side of an edge. */
+/**
+ * Triangles of strips about the axis, each between two circles or helices, with normals of their own on
+ * each side of an edge. `start` and `end` are azimuths.
+ */
 class Mesh {
-  positions = [];
-  normals = [];
-  index = [];
+  constructor(strips, { start = 0, end = turn, segments, flipped = false }) {
+    const points = 2 * (segments + 1) * strips;
+    this.positions = new Float32Array(3 * points);
+    this.normals = new Float32Array(3 * points);
+    this.index = new Uint32Array(6 * segments * strips);
+    this.azimuths = Array.from({ length: segments + 1 }, (_, j) => start + ((end - start) * j) / segments);
+    this.cos = this.azimuths.map(Math.cos);
+    this.sin = this.azimuths.map(Math.sin);
+    this.flipped = flipped;
+    this.point = 0;
+    this.corner = 0;
+  }
 
-  /** A strip between two rows of points and normals, which lie side by side. */
-  strip(rows, normalAt, count, flipped) {
-    const base = this.positions.length / 3;
-    for (const row of rows)
-      for (let j = 0; j <= count; j++) {
-        this.positions.push(...row(j));
-        this.normals.push(...normalAt(j));
+  /** From (x, r) to (x, r), by `place(x, j)` on the helix; the normal: along the axis, outwards, around. */
+  strip(rows, [nx, nr, nt], place = (x) => x) {
+    const { cos, sin, positions, normals, index } = this;
+    const count = cos.length;
+    const first = this.point;
+    for (const [x, r] of rows)
+      for (let j = 0; j < count; j++) {
+        const at = 3 * this.point++;
+        positions[at] = place(x, j);
+        positions[at + 1] = r * cos[j];
+        positions[at + 2] = r * sin[j];
+        normals[at] = nx;
+        normals[at + 1] = nr * cos[j] - nt * sin[j];
+        normals[at + 2] = nr * sin[j] + nt * cos[j];
       }
-    for (let j = 0; j < count; j++) {
-      const [a, b, c, d] = [base + j, base + j + 1, base + count + 1 + j, base + count + 2 + j];
-      this.index.push(...(flipped ? [a, c, b, b, c, d] : [a, b, c, b, d, c]));
+    for (let j = 0; j + 1 < count; j++) {
+      const [a, b, c, d] = [first + j, first + j + 1, first + count + j, first + count + j + 1];
+      for (const corner of this.flipped ? [a, c, b, b, c, d] : [a, b, c, b, d, c]) index[this.corner++] = corner;
     }
   }
 
   arrays() {
-    return {
-      positions: new Float32Array(this.positions),
-      normals: new Float32Array(this.normals),
-      index: new Uint32Array(this.index),
-    };
+    return { positions: this.positions, normals: this.normals, index: this.index };
   }
 }
 
@@ -156,39 +171,30 @@ function teeth(tooth, pitch, from, to) {
  */
 export function threadMesh(thread, { tooth, from, to, start = 0, end = turn, segments, narrow, inward = false }) {
   const { pitch, lead } = thread;
-  const mesh = new Mesh();
   const [a, b, c, d] = toothProfile(thread, narrow);
   const edges = [[a, b], [b, c], [c, d], [d, [a[0] + pitch, a[1]]]].filter(([p, q]) => Math.hypot(q[0] - p[0], q[1] - p[1]) > 1e-6 * pitch);
-  const phi = (j) => start + ((end - start) * j) / segments;
   const shifts = [(lead * start) / turn, (lead * end) / turn].sort((p, q) => p - q);
-  for (const middle of teeth(tooth, pitch, from - shifts[1], to - shifts[0]))
+  const middles = teeth(tooth, pitch, from - shifts[1], to - shifts[0]);
+  const mesh = new Mesh(middles.length * edges.length, { start, end, segments, flipped: inward });
+  const along = mesh.azimuths.map((phi) => (lead * phi) / turn);
+  const place = (x, j) => Math.max(from, Math.min(to, x + along[j]));
+  for (const middle of middles)
     for (const [p, q] of edges) {
-      const row = ([x, r]) => (j) => {
-        const at = middle + x + (lead * phi(j)) / turn;
-        return [Math.max(from, Math.min(to, at)), r * Math.cos(phi(j)), r * Math.sin(phi(j))];
-      };
       const [dx, dr] = [q[0] - p[0], q[1] - p[1]];
-      const r = (p[1] + q[1]) / 2;
-      const normal = [-dr, dx, (dr * lead) / (turn * r)];
+      const normal = [-dr, dx, (dr * lead) / (Math.PI * (p[1] + q[1]))];
       const size = Math.hypot(...normal) * (inward ? -1 : 1);
-      const [nx, nr, nt] = normal.map((n) => n / size);
-      const normalAt = (j) => [nx, nr * Math.cos(phi(j)) - nt * Math.sin(phi(j)), nr * Math.sin(phi(j)) + nt * Math.cos(phi(j))];
-      mesh.strip([row(p), row(q)], normalAt, segments, inward);
+      mesh.strip([[middle + p[0], p[1]], [middle + q[0], q[1]]], normal.map((n) => n / size), place);
     }
   return mesh.arrays();
 }
 
 /** The surface of revolution of a line (x, radius), whose outside is to the left of its direction. */
-export function revolvedMesh(line, { start = 0, end = turn, segments }) {
-  const mesh = new Mesh();
-  const phi = (j) => start + ((end - start) * j) / segments;
+export function revolvedMesh(line, { start, end, segments }) {
+  const mesh = new Mesh(line.length - 1, { start, end, segments });
   for (let k = 1; k < line.length; k++) {
     const [p, q] = [line[k - 1], line[k]];
-    const size = Math.hypot(q[0] - p[0], q[1] - p[1]);
-    if (size === 0) continue;
-    const [nx, nr] = [-(q[1] - p[1]) / size, (q[0] - p[0]) / size];
-    const row = ([x, r]) => (j) => [x, r * Math.cos(phi(j)), r * Math.sin(phi(j))];
-    mesh.strip([row(p), row(q)], (j) => [nx, nr * Math.cos(phi(j)), nr * Math.sin(phi(j))], segments, false);
+    const size = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1;
+    mesh.strip([p, q], [-(q[1] - p[1]) / size, (q[0] - p[0]) / size, 0]);
   }
   return mesh.arrays();
 }

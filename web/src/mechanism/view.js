@@ -17,7 +17,7 @@ const degree = Math.PI / 180;
 /** The nut is left out between these azimuths, where the picture is first looked at from. */
 const cut = { from: -25 * degree, to: 115 * degree };
 /** Segments of a turn, and those where software draws or pictures take long. */
-const segments = { roller: [28, 9], body: [96, 36], contact: [[6, 4], [4, 2]] };
+const segments = { roller: [28, 8], body: [96, 36], contact: [[6, 4], [4, 2]] };
 /** Share of the pixels across while a coarse view turns. */
 const turning = 0.6;
 /** Milliseconds of a picture while the view turns, above which it is drawn coarser. */
@@ -366,9 +366,11 @@ export class View {
   move() {
     if (this.level) {
       this.setSharpness(turning);
+      this.contacts.visible = !this.rollers.visible; // Rollers show the colours, too.
       clearTimeout(this.resting);
       this.resting = setTimeout(() => {
         this.setSharpness(1);
+        this.contacts.visible = true;
         this.draw();
       }, 250);
     }
