@@ -1,9 +1,19 @@
 // The section "Mechanism" of the report: the view in three dimensions above the picture that stands there.
 import { loadMechanism } from '../page/mechanism.js';
 
-/** The document of the command that says most about the case; null where none can. */
+const commands = ['slip', 'solve', 'contact']; // The first says most.
+
+/** What the page carries of the case as it was written. */
+function carried() {
+  const { results, resolved_input: input } = JSON.parse(document.getElementById('data').textContent);
+  // A document that was too long is not there; one that says less is no answer then.
+  const command = document.querySelector('#slip:not([hidden])') ? 'slip' : 'solve';
+  return results[command] ? { ...results[command], resolved_input: input } : null;
+}
+
+/** The document of the case with the values as they are now; null where no command answers. */
 async function documentOf(ask) {
-  for (const command of ['slip', 'solve', 'contact']) {
+  for (const command of commands) {
     const { status, document } = await ask({ command });
     if (document && (status === 0 || status === 3)) return document;
   }
@@ -29,7 +39,8 @@ export function showMechanism({ ask, thread }) {
   }
 
   async function start() {
-    const [found, mount] = await Promise.all([documentOf(ask), loadMechanism()]);
+    const own = isStale ? null : carried();
+    const [found, mount] = await Promise.all([own ?? documentOf(ask), loadMechanism()]);
     if (!found?.contact) return;
     const place = document.createElement('div');
     section.querySelector('.body').before(place);
