@@ -122,6 +122,15 @@ export function withBlock(text, key, node) {
   return `${text.replace(/\s*$/, '\n\n')}${lines.join('\n')}\n`;
 }
 
+/** The text with an input in a block that it lacks, at its end; null where that is not to be done. */
+export function withNew(text, path, value) {
+  const way = steps(path);
+  const stands = keysAt(text, '');
+  if (!stands || parsed(text).contents.flow || stands.includes(way[0]) || way.some((step) => typeof step === 'number')) return null;
+  const lines = way.map((key, k) => `${'  '.repeat(k)}${key}:${k === way.length - 1 ? ` ${writable(value)}` : ''}`);
+  return `${text.replace(/\s*$/, '\n\n')}${lines.join('\n')}\n`;
+}
+
 /** The text without an input, all else as it stands. */
 export function without(text, path) {
   const document = parseDocument(text, options);

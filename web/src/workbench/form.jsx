@@ -40,7 +40,7 @@ function Field({ input, schema }) {
   const other = inSystem(text, state.units);
   const commit = (value) => {
     const typed = withUnit(path, value.trim());
-    if (typed === '') return undefined; // The value stays, in grey, until another is written.
+    if (typed === '') return setDraft(''); // The value stays, in grey, until another is written.
     if (typed === text) return setDraft(null);
     set(path, typed, `field ${path}`).then(({ status, messages }) => {
       if (valueAt(current().text, path) !== typed) setDraft(null);

@@ -1,6 +1,6 @@
 // The workbench: the program as one page. Scripts and the browser's console drive it by `prs`.
 import { h, render } from 'preact';
-import { App } from './app.jsx';
+import { App, saveCase } from './app.jsx';
 import {
   addVariant, ask, current, onChange, open, page, redo, set, setLanguage, setUnits, state, undo, warm,
 } from './store.js';
@@ -39,6 +39,10 @@ globalThis.prs = {
 document.addEventListener('keydown', (event) => {
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
   const key = event.key.toLowerCase();
+  if (key === 's' && current()) {
+    event.preventDefault();
+    saveCase();
+  }
   // Fields have an undo of their own while somebody types.
   if (key === 'z' && !/^(INPUT|TEXTAREA)$/.test(event.target.tagName) && !event.target.shadowRoot) {
     event.preventDefault();

@@ -2,7 +2,7 @@
 // reader. Views are drawn anew after each `changed()`.
 import { Engine } from '../page/engine.js';
 import { unpacked } from '../page/packed.js';
-import { statedInputs, valueAt, withValue } from './case_text.js';
+import { statedInputs, valueAt, withNew, withValue } from './case_text.js';
 import { nodeAt } from './schema.js';
 
 export const mostVariants = 4;
@@ -204,10 +204,13 @@ export const redo = () => turn('undone', 'done');
 /** The text with an input, as `--set` has it: {text}, or {messages} where that cannot be. */
 async function textWith(path, value) {
   const v = current();
-  const inPlace = valueAt(v.text, path) === undefined ? null : withValue(v.text, path, value);
+  const inPlace = valueAt(v.text, path) === undefined ? withNew(v.text, path, value) : withValue(v.text, path, value);
   if (inPlace !== null) return { text: inPlace };
-  const answer = await ask({ command: 'write', set: [[path, value]] }, v);
-  return answer.document ? { text: answer.document.yaml } : answer;
+  for (const written of [value, JSON.stringify(value)]) {
+    const answer = await ask({ command: 'write', set: [[path, written]] }, v);
+    if (answer.document) return { text: answer.document.yaml };
+    if (written !== value || answer.messages.some((line) => !/cannot be written/.test(line))) return answer;
+  }
 }
 
 /** A number alone has the unit of the value that stands there. */
