@@ -1,6 +1,7 @@
 """Case 12 from its README alone: contacts, ellipses, friction by cells, one root."""
 import csv
 import sys
+
 import numpy as np
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
