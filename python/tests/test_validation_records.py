@@ -71,3 +71,14 @@ def test_record_without_its_date_is_compared() -> None:
     other = "a\n\nComputed on 2027-02-02 with `prs` 2, commit 1111111111.\n"
     assert records.without_mark(one) == records.without_mark(other)
     assert records.without_mark(one) != records.without_mark(one.replace("a", "b"))
+
+
+def test_tolerance_is_the_loosest_that_is_compared_with() -> None:
+    body = """{
+  const double step = 1e-4;
+  EXPECT_NEAR(a, max(b, 3e-6), 1e-12 * scale) << "at " << i;
+  EXPECT_LT(std::abs(c - d), 3e-10);
+  EXPECT_GT(e, 1e-5);
+}"""
+    assert records.tolerance(body) == " [3e-10]"
+    assert records.tolerance("EXPECT_EQ(a, 1e-5);") == ""
