@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Order of rooms, shipped engine, width of documents, format, Python's style and types, validation records and
-# the benchmark's page against the program of build/release, by the tools on the PATH and those that scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
+# Order of rooms, shipped engine, width of documents, format, Python's style and types, and whether validation
+# records and the benchmark's page are what the program of build/release gives, by the tools on the PATH and those
+# that scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
 # --strict: a missing tool is an error.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -79,4 +79,4 @@ fi
 export ASAN_OPTIONS=detect_leaks=0:alloc_dealloc_mismatch=0
 pytest_on debug "$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libubsan.so)" \
   -n "$(nproc)" --deselect python/tests/test_notebooks.py \
-  --deselect python/tests/test_plots.py --deselect python/tests/test_program.py -k "not (fork and threads)" "$@"
+  --deselect python/tests/test_benchmark.py --deselect python/tests/test_plots.py --deselect python/tests/test_program.py -k "not (fork and threads)" "$@"

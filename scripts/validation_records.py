@@ -158,14 +158,39 @@ def in_words(name: str) -> str:
     return " ".join(part if part[0].isdigit() else part.lower() for part in parts)
 
 
+def last_argument(arguments: str) -> str:
+    depth, start = 0, 0
+    for i, c in enumerate(arguments):
+        depth += (c in "([{") - (c in ")]}")
+        if c == "," and depth == 0:
+            start = i + 1
+    return arguments[start:]
+
+
+def tolerance(body: str) -> str:
+    """The loosest tolerance that a test's comparisons state, 1e-3 or less."""
+    compared_ = re.findall(r"(?:EXPECT|ASSERT)_(?:NEAR|LT|LE)\(([^;]*)\)[^;)]*;", body)
+    stated = [
+        text
+        for c in compared_
+        for text in re.findall(r"(?<![\w.])\d(?:\.\d+)?e-\d+", last_argument(c))
+    ]
+    small = [text for text in stated if float(text) <= 1e-3]
+    return f" [{max(small, key=float)}]" if small else ""
+
+
 def of_tests(form: dict) -> str:
     text = ""
     for name in form["examples"].get("tests", []):
         path = ROOT / name
-        found = re.findall(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)", path.read_text(), re.MULTILINE)
+        found = list(re.finditer(r"^TEST(?:_F|_P)?\(\s*\w+,\s*(\w+)\)", path.read_text(), re.MULTILINE))
         if not found:
             raise SystemExit(f"{name}: no tests found")
-        sentences = [in_words(name_) for _, name_ in found]
+        ends = [test.start() for test in found[1:]] + [len(path.read_text())]
+        sentences = [
+            in_words(test[1]) + tolerance(test.string[test.end() : end])
+            for test, end in zip(found, ends)
+        ]
         text += fill(f"- [{path.name}](../../{name}), {len(found)} tests: {'; '.join(sentences)}.", "  ") + "\n"
     return text
 
@@ -232,7 +257,8 @@ def record(form: dict, validation: dict, results: dict, refined: dict) -> str:
         f"## Equations\nIn full in [{page}](../{page}).\n\n{items(form['equations'])}\n"
         f"## Range\n{items(form['range'])}\n"
         f"## Reference examples\n{examples or 'No published numbers and no case of the benchmark.' + chr(10) * 2}"
-        f"## Tests\nWhat is held by tests, whose names are properties:\n\n{of_tests(form)}\n"
+        "## Tests\nWhat is held by tests, whose names are properties; in brackets the loosest tolerance that a\n"
+        f"test states, of the quantity that it compares:\n\n{of_tests(form)}\n"
         f"## Deviations\n{deviations(form, differing, failing, results)}"
         f"## Limits of use\n{items(form['limits'])}\n"
     )
