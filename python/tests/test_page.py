@@ -460,7 +460,7 @@ def test_mechanism_has_its_picture_without_webgl(
     browser.open(page(4))
     browser.driver.execute_script("document.getElementById('mechanism').scrollIntoView()")
     assert browser.ask({"command": "check"})["status"] == 0  # After what the view has asked.
-    browser.wait("document.querySelectorAll('body > script[type=module]').length === 2")
+    browser.wait("document.querySelectorAll('body > script[type=module]').length === 3")
     assert browser.driver.find_elements(By.CSS_SELECTOR, ".mechanism-view") == []
     assert browser.find("#mechanism svg").is_displayed()
     assert browser.complaints() == []
