@@ -5,7 +5,7 @@ const commands = ['slip', 'solve', 'contact']; // The first says most.
 
 /** What the page carries of the case as it was written. */
 function carried() {
-  const { results, resolved_input: input } = JSON.parse(document.getElementById('data').textContent);
+  const { results, resolved_input: input } = JSON.parse(document.querySelector('script#data').textContent);
   // A document that was too long is not there; one that says less is no answer then.
   const command = document.querySelector('#slip:not([hidden])') ? 'slip' : 'solve';
   return results[command] ? { ...results[command], resolved_input: input } : null;
