@@ -115,7 +115,7 @@ export function Warnings() {
   return (
     <section aria-labelledby="warnings-title">
       <h2 id="warnings-title">{t('warnings')}</h2>
-      {html ? <Html html={html} /> : <p>{t('noWarnings')}</p>}
+      {html ? <Html html={html} /> : <p role="status">{t(html === undefined ? 'computing' : 'noWarnings')}</p>}
     </section>
   );
 }
