@@ -37,7 +37,7 @@ class Sector:
     angle: tuple = (0.0, 0.0)        # psi of screw and nut, rad
     apart: bool = False              # half a pitch between a tooth's two contacts
     rigid_bending: bool = False
-    gaps: tuple = None               # of screw and nut, one a thread
+    gaps: tuple = None               # of screw and nut, one for each thread
     push: tuple = None               # friction over the normal force on the roller (along x, y), of screw and nut
     result: dict = field(default_factory=dict)
 

@@ -197,9 +197,8 @@ void add_export_options(CLI::App& command, Options& options) {
 void add_size_options(CLI::App& command, Options& options) {
   add_case_options(command, options);
   command.get_option("file")->description(
-      "The requirement, a YAML file; `-` reads standard input. One to start from: `prs new "
-      "--lesson "
-      "32 press.yaml`, every key: `prs list requirement`");
+      "The requirement, a YAML file; `-` reads standard input. One to start from: "
+      "`prs new --lesson 32 press.yaml`, every key: `prs list requirement`");
   command.get_option("--set")->description(
       "Replace a value of the requirement, e.g. motor.gear_ratio=2; repeatable");
   add_threads(command, options);

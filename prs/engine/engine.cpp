@@ -105,6 +105,12 @@ NewOptions new_options(const Json& json) {
       {"lubricant", &NewOptions::lubricant},
       {"temperature", &NewOptions::temperature},
       {"mechanism", &NewOptions::mechanism}};
+  std::vector<std::string_view> known{"type", "starts", "rollers"};
+  for (const auto& [key, text] : kTexts) known.emplace_back(key);
+  for (const auto& item : json.items())
+    if (std::ranges::find(known, item.key()) == known.end())
+      throw QuestionError("new", input::shown(item.key()),
+                          fmt::format("the keys {}", fmt::join(known, ", ")));
   NewOptions options;
   options.type = value_of<std::string>(json, "type", "standard", "standard or inverted");
   for (const auto& [key, text] : kTexts)

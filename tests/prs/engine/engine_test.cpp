@@ -190,6 +190,21 @@ TEST(Engine, WritesTheCaseThatNewWrites) {
               StartsWith("prs: error: --screw-diameter: missing"));
 }
 
+TEST(Engine, RefusesAWrongNewCase) {
+  const auto message = [](const char* key, const Json& value) {
+    Json asked{{"screw_diameter", "30 mm"}, {"lead", "10 mm"}};
+    asked[key] = value;
+    return only_message({{"command", "new"}, {"new", asked}});
+  };
+  EXPECT_THAT(message("diameter", "30 mm"), HasSubstr("new: got diameter; expected the keys type"));
+  EXPECT_THAT(message("lead", 10), HasSubstr("lead: got 10; expected a text"));
+  EXPECT_THAT(message("starts", "five"),
+              HasSubstr("starts: got \"five\"; expected a whole number"));
+  EXPECT_THAT(message("type", "upright"), HasSubstr("upright"));
+  for (const char* lead : {"nan mm", "10", "10 kN", "inf mm", "0 mm", "1 km"})
+    EXPECT_THAT(message("lead", lead), HasSubstr("--lead: got")) << lead;
+}
+
 /// A requirement with the rows of a catalogue alone, which are few.
 Json question_on_catalogue(const std::string& command) {
   Json question = question_of(command, "32_press.yaml");

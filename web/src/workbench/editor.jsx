@@ -1,5 +1,5 @@
-// The text of the case beside the form, in step with it. It stands in a shadow root, where the page's
-// policy lets the editor bring its own style.
+// The text of the case: an edit here shows in the form, and one there here. It stands in a shadow
+// root, where the page's policy lets the editor bring its own style.
 import { defaultKeymap, indentWithTab } from '@codemirror/commands';
 import { yaml } from '@codemirror/lang-yaml';
 import { HighlightStyle, syntaxHighlighting, indentOnInput } from '@codemirror/language';
