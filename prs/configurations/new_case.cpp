@@ -124,11 +124,21 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   return l;
 }
 
+/// Refuses what is none of two names.
+void check_name(const char* option, const std::string& text, const char* first,
+                const char* second) {
+  if (text != first && text != second)
+    throw CaseError(option,
+                    fmt::format("got {}; expected {} or {}", input::shown(text), first, second));
+}
+
 ModelOptions::Mechanism mechanism_of(const NewOptions& o) {
+  if (o.mechanism) check_name("--mechanism", *o.mechanism, "sector", "full");
   return o.mechanism == "full" ? ModelOptions::Mechanism::full : ModelOptions::Mechanism::sector;
 }
 
 Mechanism::Type type_of(const NewOptions& o) {
+  if (!o.type.empty()) check_name("--type", o.type, "standard", "inverted");
   return o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
 }
 
