@@ -11,7 +11,6 @@ struct Bar {
 
   /// E A / L [N/m], the factor of [[1, -1], [-1, 1]] (Abevi 2015, (A1)).
   double stiffness() const { return axial_rigidity / length; }
-
 };
 
 /// Straight plane beam along x with the freedoms (u, v, theta) at each end: axial and transverse
