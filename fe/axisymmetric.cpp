@@ -187,22 +187,6 @@ void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmo
   }
 }
 
-Eigen::VectorXd nodal_forces(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
-                             const Eigen::VectorXd& displacement) {
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
-  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
-    Eigen::Matrix<double, 24, 1> u;
-    for (Eigen::Index k = 0; k < 8; ++k)
-      u.segment<3>(3 * k) =
-          displacement.segment<3>(kComponents * at(mesh.elements, e)[static_cast<std::size_t>(k)]);
-    const Eigen::Matrix<double, 24, 1> f = element_stiffness(mesh, e, material).at(harmonic) * u;
-    for (Eigen::Index k = 0; k < 8; ++k)
-      forces.segment<3>(kComponents * at(mesh.elements, e)[static_cast<std::size_t>(k)]) +=
-          f.segment<3>(3 * k);
-  }
-  return forces;
-}
-
 void add_support(std::vector<HarmonicSupport>& supports, const MeridianEdge& edge, Component c) {
   for (const int node : edge) supports.push_back({node, c});
 }

@@ -124,10 +124,6 @@ using Traction = std::function<Eigen::Vector3d(double r, double z)>;
 void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmonic,
                    const Traction& traction, Eigen::Ref<Eigen::VectorXd> loads);
 
-/// Internal forces K(n) u on the nodes [N]; at a support, less the loads there, its reaction.
-Eigen::VectorXd nodal_forces(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
-                             const Eigen::VectorXd& displacement);
-
 /// One component of one node is held.
 struct HarmonicSupport {
   int node = 0;

@@ -11,9 +11,6 @@ struct Bar {
 
   /// E A / L [N/m], the factor of [[1, -1], [-1, 1]] (Abevi 2015, (A1)).
   double stiffness() const { return axial_rigidity / length; }
-
-  /// Tension for the elongation u_2 - u_1 [N].
-  double tension(double u1, double u2) const { return stiffness() * (u2 - u1); }
 };
 
 /// Straight plane beam along x with the freedoms (u, v, theta) at each end: axial and transverse

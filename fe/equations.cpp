@@ -319,8 +319,6 @@ double Equations::Spring::net_approach(const State& q) const {
   return sum + lost;
 }
 
-double Equations::approach(const State& q, int k) const { return at(springs_, k).approach(q); }
-
 double Equations::net_approach(const State& q, int k) const {
   return at(springs_, k).net_approach(q);
 }
@@ -443,14 +441,6 @@ double Equations::largest_approach(const State& q) const {
   double largest = 0.0;
   for (const Spring& s : springs_) largest = std::max(largest, std::abs(s.approach(q)));
   return largest;
-}
-
-void Equations::tangent_stiffness(const State& q, SparseSymmetric& tangent, double least) const {
-  std::copy(linear_.value.begin(), linear_.value.end(), tangent.value.begin());
-  for (const Spring& s : springs_) {
-    const double k = std::max(evaluate(s.law, s.approach(q)).tangent, least);
-    s.for_each_tangent(k, [&](int slot, double value) { at(tangent.value, slot) += value; });
-  }
 }
 
 }  // namespace fe

@@ -102,8 +102,6 @@ class Equations {
   };
 
   const std::vector<Spring>& springs() const { return springs_; }
-  /// Approach w of spring k, without its gap [m].
-  double approach(const State& q, int k) const;
   /// Approach of spring k less its gap, to its own rounding [m].
   double net_approach(const State& q, int k) const;
   /// Force, tangent and energy of spring k.
@@ -134,11 +132,8 @@ class Equations {
   /// sum of |K_ij q_j| over the elements [N, N m].
   Eigen::VectorXd rounding_residual(const State& q) const;
 
-  /// Refills `tangent`, the Hessian of the energy, in place; a spring counts at least as `least`
-  /// [N/m]. Allocates nothing.
-  void tangent_stiffness(const State& q, SparseSymmetric& tangent, double least = 0.0) const;
-
-  /// The same with linear springs of these stiffnesses in place of the contacts [N/m].
+  /// Refills `matrix`, of the pattern of `linear_stiffness`, for linear springs of these
+  /// stiffnesses in place of the contacts [N/m]; with their tangents the Hessian of the energy.
   void secant_stiffness(const std::vector<double>& stiffness, SparseSymmetric& matrix) const;
   /// f less the forces of such springs and of the linear part where nothing is displaced.
   void secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f,

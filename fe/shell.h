@@ -6,21 +6,6 @@
 
 namespace fe {
 
-using ShellRigidity = ShellRigidityOf<double>;
-
-/// All rigidities times `share`, for a sector.
-ShellRigidity scaled(ShellRigidity r, double share);
-
-/// Full ring between the radii `inner` and `outer` with r_0 = `reference`, plane stress across the
-/// wall:
-///
-///     (A, S, B) = E' int (1, z, z^2) 2 pi r dr,   H = E' int 2 pi/r dr,
-///     (C, D) = nu E' int (1, z) 2 pi dr,   V = 5/6 G A/E',   E' = E/(1 - nu^2), z = r - r_0,
-///
-/// with Reissner's 5/6. SI units; `poisson` 0 uncouples axial and radial displacement.
-ShellRigidity tube_rigidity(double inner, double outer, double reference, double modulus,
-                            double poisson, double shear_modulus);
-
 /// Stiffness of a uniform length over what deforms it: (u_2 - u_1, v_2 - v_1, theta_2 - theta_1,
 /// (v_1 + v_2)/2, (theta_1 + theta_2)/2), in N/m, N and N m. Axial translation, the only rigid
 /// motion, does not appear.
@@ -29,14 +14,6 @@ using ShellMatrix = Eigen::Matrix<double, 5, 5>;
 ShellMatrix to_matrix(const ShellBlocks<double>& blocks);
 /// Blocks of a shell matrix whose halves mirror each other.
 ShellBlocks<double> to_blocks(const ShellMatrix& matrix);
-
-/// Exact to about 1e-10: polynomials of degree 7 on pieces no longer than the shortest wave of the
-/// wall, their inner freedoms and the nodes between pieces eliminated. Positive definite for
-/// positive rigidities with H A > C^2.
-ShellMatrix stiffness_matrix(const ShellRigidity& shell, double length);
-
-/// The matrix with u taken at the radius r_0 + `shift`.
-ShellMatrix about(const ShellMatrix& stiffness, double shift);
 
 /// 6 x 6 stiffness over (u_1, v_1, theta_1, u_2, v_2, theta_2).
 template <class Real = double>

@@ -52,10 +52,17 @@ Real tube_hoop(const Real& inner, const Real& outer, const Real& modulus, const 
   return modulus / (1.0 - poisson * poisson) * kTwoPi * log(outer / inner);
 }
 
+/// Full ring between the radii `inner` and `outer` with r_0 = `reference`, plane stress across the
+/// wall:
+///
+///     (A, S, B) = E' int (1, z, z^2) 2 pi r dr,   H = E' int 2 pi/r dr,
+///     (C, D) = nu E' int (1, z) 2 pi dr,   V = 5/6 G A/E',   E' = E/(1 - nu^2), z = r - r_0,
+///
+/// with Reissner's 5/6. SI units; `poisson` 0 uncouples axial and radial displacement.
 template <class Real>
-ShellRigidityOf<Real> tube_rigidity_of(const Real& inner, const Real& outer, const Real& reference,
-                                       const Real& modulus, const Real& poisson,
-                                       const Real& shear_modulus) {
+ShellRigidityOf<Real> tube_rigidity(const Real& inner, const Real& outer, const Real& reference,
+                                    const Real& modulus, const Real& poisson,
+                                    const Real& shear_modulus) {
   constexpr double kTwoPi = 2.0 * std::numbers::pi;
   const Real plane = modulus / (1.0 - poisson * poisson);
   // Moments of the wall about its middle, then about the reference.
@@ -182,7 +189,10 @@ ShellBlocks<Real> doubled(const ShellBlocks<Real>& k, bool radially_rigid) {
   return w;
 }
 
-/// Polynomials of degree 7 on pieces no longer than the shortest wave of the wall.
+/// Stiffness of a uniform length.
+/// Exact to about 1e-10: polynomials of degree 7 on pieces no longer than the shortest wave of the
+/// wall, their inner freedoms and the nodes between pieces eliminated. Positive definite for
+/// positive rigidities with H A > C^2.
 template <class Real>
 ShellBlocks<Real> shell_blocks(const ShellRigidityOf<Real>& s, const Real& length) {
   using simd::any, simd::max, simd::select, simd::sqrt;

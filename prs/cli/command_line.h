@@ -57,6 +57,8 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv);
 /// Says what is wrong with the command line, with the help to read; returns the exit status.
 int report_usage(const CLI::App& app, std::string_view message);
 
+/// `merge` of `prs study merge`.
+std::string last_word(const CommandText& command);
 /// `prs solve [OPTIONS] FILE`.
 std::string usage(const CommandText& command);
 

@@ -7,6 +7,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <utility>
 
+#include "prs/cli/commands.h"
 #include "prs/embed.h"
 
 PRS_EMBED(bash_script, PRS_COMPLETION_OF_BASH)
@@ -42,22 +43,10 @@ std::string own_name(const CommandText& command) {
   return blank == std::string::npos ? "" : command.name.substr(blank + 1);
 }
 
-std::string last_word(const CommandText& command) {
-  return command.name.substr(command.name.rfind(' ') + 1);
-}
-
 std::vector<std::string> command_words(const CommandText& command) {
   std::vector<std::string> words;
   for (const CommandText& c : command.commands) words.push_back(last_word(c));
   return words;
-}
-
-/// What `prs list` takes.
-std::vector<std::string> list_words(const CommandText& program) {
-  for (const CommandText& command : program.commands)
-    if (own_name(command) == "list" && !command.arguments.empty())
-      return command.arguments.front().words;
-  return {};
 }
 
 Offer offer(const CommandText& program, const OptionText& option) {
@@ -69,7 +58,7 @@ Offer offer(const CommandText& program, const OptionText& option) {
        {std::pair{"PATH=VALUE", settings}, {"DIR|FILE", files}, {"FILE", cases}, {"DIR", folders}})
     if (value == name) return {kind, {}};
   const std::string listed = boost::to_lower_copy(value + "s");
-  if (std::ranges::count(list_words(program), listed) > 0) return {list, {listed}};
+  if (std::ranges::count(list_words(), listed) > 0) return {list, {listed}};
   return {};
 }
 

@@ -34,11 +34,6 @@ struct Section {
   std::vector<Entry> entries;
 };
 
-std::string without_program(const CommandText& command) {
-  const std::size_t blank = command.name.rfind(' ');
-  return command.name.substr(blank == std::string::npos ? 0 : blank + 1);
-}
-
 std::string term(const OptionText& option) {
   std::string text = fmt::format("{}", fmt::join(option.names, ", "));
   if (option.value.empty()) return text;
@@ -65,7 +60,7 @@ std::vector<Section> sections(const CommandText& command) {
   for (const OptionText& argument : command.arguments)
     add("Arguments", {argument.value, text(argument)});
   for (const CommandText& c : command.commands)
-    if (!c.group.empty()) add(c.group, {without_program(c), c.help});
+    if (!c.group.empty()) add(c.group, {last_word(c), c.help});
   for (const OptionText& option : command.options) add("Options", {term(option), text(option)});
   return all;
 }
@@ -131,6 +126,10 @@ std::string page_name(const CommandText& command) {
 }
 
 }  // namespace
+
+std::string last_word(const CommandText& command) {
+  return command.name.substr(command.name.rfind(' ') + 1);
+}
 
 std::string usage(const CommandText& command) {
   std::string text = command.name;

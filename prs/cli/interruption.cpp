@@ -2,8 +2,6 @@
 
 #include <sys/time.h>
 
-#include <csignal>
-
 #include "prs/output/staged_file.h"
 
 namespace prs::cli {
@@ -40,29 +38,22 @@ void ask_to_stop(int signal) {
 
 }  // namespace
 
-/// How the signals were answered.
-struct Interruption::Before {
-  struct sigaction interrupt {};
-  struct sigaction terminate {};
-  struct sigaction alarm {};
-};
-
-Interruption::Interruption(Patience given) : before_(std::make_unique<Before>()) {
+Interruption::Interruption(Patience given) {
   patience = given;
   struct sigaction ask {};
   sigfillset(&ask.sa_mask);
   ask.sa_handler = end_late;
-  ::sigaction(SIGALRM, &ask, &before_->alarm);
+  ::sigaction(SIGALRM, &ask, &alarm_);
   ask.sa_handler = ask_to_stop;
-  ::sigaction(SIGINT, &ask, &before_->interrupt);
-  ::sigaction(SIGTERM, &ask, &before_->terminate);
+  ::sigaction(SIGINT, &ask, &interrupt_);
+  ::sigaction(SIGTERM, &ask, &terminate_);
 }
 
 Interruption::~Interruption() {
-  ::sigaction(SIGINT, &before_->interrupt, nullptr);
-  ::sigaction(SIGTERM, &before_->terminate, nullptr);
+  ::sigaction(SIGINT, &interrupt_, nullptr);
+  ::sigaction(SIGTERM, &terminate_, nullptr);
   call_end_late(std::chrono::milliseconds(0));
-  ::sigaction(SIGALRM, &before_->alarm, nullptr);
+  ::sigaction(SIGALRM, &alarm_, nullptr);
 }
 
 bool Interruption::asked() { return asked_by != 0; }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <chrono>
-#include <memory>
+#include <csignal>
 
 namespace prs::cli {
 
@@ -24,8 +24,8 @@ class Interruption {
   static int status();
 
  private:
-  struct Before;
-  std::unique_ptr<Before> before_;
+  struct sigaction interrupt_ {
+  }, terminate_{}, alarm_{};  ///< How the signals were answered.
 };
 
 /// For runs that keep what is computed: time for a design, and not for a long one. `is_kept` says

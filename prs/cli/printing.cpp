@@ -12,6 +12,11 @@
 namespace prs::cli {
 namespace {
 
+/// Returns what went wrong, 0 for nothing.
+int write_lines(int stream, std::string_view text) {
+  return is_plain_lines(text) ? write_all(stream, text) : write_all(stream, printable_lines(text));
+}
+
 [[noreturn]] void fail_to_print(int error) {
   if (error == EPIPE) throw ReaderGone();
   throw std::system_error(error, std::generic_category(), "cannot write to standard output");
@@ -65,9 +70,7 @@ bool reserve_standard_streams() {
 }
 
 void print(std::string_view text) {
-  const int error = is_plain_lines(text) ? write_all(STDOUT_FILENO, text)
-                                         : write_all(STDOUT_FILENO, printable_lines(text));
-  if (error != 0) fail_to_print(error);
+  if (const int error = write_lines(STDOUT_FILENO, text); error != 0) fail_to_print(error);
 }
 
 void close_output() {
@@ -78,10 +81,8 @@ void say(std::string_view text) noexcept try {
   const std::size_t columns = message_columns();
   if (columns > 0 && text.size() > columns)
     write_all(STDERR_FILENO, wrapped_lines(printable_lines(text), columns));
-  else if (is_plain_lines(text))
-    write_all(STDERR_FILENO, text);
   else
-    write_all(STDERR_FILENO, printable_lines(text));
+    write_lines(STDERR_FILENO, text);
 } catch (const std::bad_alloc&) {
   write_all(STDERR_FILENO, is_plain_lines(text) ? text : "(out of memory for a message)");
 }

@@ -175,12 +175,6 @@ BranchTable branch_from_rest(const Solve& solve, double stiffness, double larges
   return branch_table(std::move(nodes), 0.0, false, solve, errors);
 }
 
-void add_new(std::vector<Warning> found, std::vector<Warning>& warnings) {
-  for (Warning& warning : found)
-    if (std::ranges::find(warnings, warning) == warnings.end())
-      warnings.push_back(std::move(warning));
-}
-
 /// Loads of one load case at other forces.
 class LoadsOfCase {
  public:

@@ -10,57 +10,6 @@ namespace {
 /// Oils and hardened flanks of bearing steel last up to about 200 degC [K].
 constexpr double kHotParts = 473.15;
 
-/// Losses of loads that take turns.
-class MeanLosses {
- public:
-  MeanLosses(const Conditions& c, const Contacts& contacts, std::span<const TimedLoad> loads,
-             bool equal) {
-    for (const TimedLoad& l : loads)
-      if (l.share > 0.0)
-        parts_.push_back(
-            {l.share, std::make_unique<CaseLosses>(c, contacts, l.load,
-                                                   equal ? LoadCase::Share::equal : l.load.share)});
-  }
-
-  std::optional<OfParts> at(const OfParts& t) {
-    return sum([&](CaseLosses& losses) -> std::optional<OfParts> {
-      const std::optional<Losses> found = losses.at(t);
-      if (found) return found->heat;
-      failure_ = losses.failure();
-      return std::nullopt;
-    });
-  }
-  std::optional<OfParts> estimate(const PerInterface<double>& oil) const {
-    return sum([&](const CaseLosses& losses) { return losses.estimate(oil); });
-  }
-  std::optional<OfParts> rough_estimate(const PerInterface<double>& oil) const {
-    return sum([&](const CaseLosses& losses) { return losses.rough_estimate(oil); });
-  }
-  const std::string& failure() const { return failure_; }
-
- private:
-  template <class Heat>
-  std::optional<OfParts> sum(Heat heat_of) const {
-    OfParts all = OfParts::Zero();
-    for (const auto& [share, losses] : parts_) {
-      const std::optional<OfParts> heat = heat_of(*losses);
-      if (!heat) return std::nullopt;
-      all += share * *heat;
-    }
-    return all;
-  }
-
-  std::vector<std::pair<double, std::unique_ptr<CaseLosses>>> parts_;
-  std::string failure_;
-};
-
-HeatSource source_of(MeanLosses& exact, const MeanLosses& equal, bool may_grow) {
-  return {[&exact](const OfParts& t) { return exact.at(t); }, [&exact] { return exact.failure(); },
-          [&equal](const PerInterface<double>& oil) { return equal.estimate(oil); },
-          [&equal](const PerInterface<double>& oil) { return equal.rough_estimate(oil); },
-          may_grow};
-}
-
 HeatResult result_of(const SteadyHeat& found, bool has_oil) {
   HeatResult heat;
   heat.status = found.status;
@@ -90,12 +39,6 @@ void warn(const HeatResult& heat, std::vector<Warning>& warnings) {
                   fmt::format("{} at {:.0f} degC: above {} oils and hardened flanks do not last",
                               name(p), heat.temperature[p] - 273.15, celsius(kHotParts))}
               .with(heat.temperature[p], kHotParts, text_unit::kelvin));
-}
-
-/// Moves those over that are not there yet.
-void merge(std::vector<Warning> from, std::vector<Warning>& into) {
-  for (Warning& warning : from)
-    if (std::ranges::find(into, warning) == into.end()) into.push_back(std::move(warning));
 }
 
 /// Forces of one sense up to this number are solved one by one; of more, heat is interpolated over
@@ -179,113 +122,6 @@ Conditions warm(const Conditions& c, const PerPart<double>& temperature) {
   return at;
 }
 
-}  // namespace
-
-Warning no_steady_state(HeatStatus status, const std::string& reason) {
-  return {"heat", "no_steady_state", fmt::format("{}: {}", name(status), reason)};
-}
-
-SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts,
-                          std::span<const TimedLoad> loads) {
-  const ThermalNetwork network = thermal_network(*c.heat);
-  MeanLosses equal(c, contacts, loads, true);
-  SteadyHeat found = find_steady_heat(network, source_of(equal, equal, heat_may_grow(c)));
-  const bool solved = std::ranges::any_of(
-      loads, [](const TimedLoad& l) { return l.load.share == LoadCase::Share::solved; });
-  if (!solved || !found.converged()) return found;
-  const bool others = found.others;
-  const Conditions fitted =
-      has_both_flanks(c, LoadCase::Share::solved) ? with_interference(c, contacts) : c;
-  MeanLosses exact(fitted, contacts, loads, false);
-  found = find_steady_heat(network, source_of(exact, equal, false), found.temperature);
-  found.others = found.others || others;
-  return found;
-}
-
-Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions options) {
-  if (!c.heat) return analyze_slip(c, std::move(contacts), options);
-  require_rolling(c, contacts);
-  Result result;
-  result.model = c.model;
-  for (const LoadCase& load : c.load_cases) {
-    const TimedLoad all_the_time[] = {{load}};
-    const SteadyHeat found = steady_heat_of(c, contacts, all_the_time);
-    const OfParts temperature =
-        found.converged() ? found.temperature : OfParts::Constant(c.heat->ambient);
-    const Oils oils = warm_oils(c, oil_temperatures(temperature));
-    Result one = analyze_slip(at_temperatures(c, load, temperature), contacts, options, oils);
-    LoadCaseResult& loaded = one.load_cases.front();
-    loaded.heat = result_of(found, c.lubricant.has_value());
-    if (!found.converged()) loaded.slip.reset();
-    if (options.detail == Detail::complete) warn(*loaded.heat, loaded.warnings);
-    result.load_cases.push_back(std::move(loaded));
-    merge(std::move(one.warnings), result.warnings);
-  }
-  if (!c.heat->duty.empty()) {
-    result.heat_cycle = periodic_heat_cycle(c, contacts, result.warnings);
-    if (!result.heat_cycle->converged())
-      result.warnings.push_back(
-          {"heat.duty", "no_cycle",
-           fmt::format("{}: {}", name(result.heat_cycle->status), result.heat_cycle->reason)});
-  }
-  result.contacts = std::move(contacts);
-  return result;
-}
-
-PreloadResult analyze_warm_preload(const Conditions& c, Contacts contacts) {
-  if (!c.heat) return analyze_preload(c, std::move(contacts));
-  require_rolling(c, contacts);
-  const auto named = std::ranges::find_if(c.load_cases, [&](const LoadCase& load) {
-    return !c.preload->load_case || load.name == *c.preload->load_case;
-  });
-  const TimedLoad all_the_time[] = {{*named}};
-  const SteadyHeat heat = steady_heat_of(c, contacts, all_the_time);
-  PreloadResult result = analyze_preload(
-      warm(c, per_part(heat.converged() ? heat.temperature : OfParts::Constant(c.heat->ambient))),
-      std::move(contacts));
-  result.load_case = named->name;
-  result.heat_status = heat.status;
-  if (!heat.converged()) result.warnings.push_back(no_steady_state(heat.status, heat.reason));
-  return result;
-}
-
-LifeResult analyze_warm_life(const Conditions& c, Contacts contacts,
-                             std::optional<LoadHistory> history) {
-  if (!c.life->takes_heat(c.heat.has_value()))
-    return analyze_life(c, std::move(contacts), std::move(history));
-  require_rolling(c, contacts);
-  HeatStatus status = HeatStatus::converged;
-  std::string reason;
-  PerPart<double> temperature;
-  std::vector<Warning> warnings;
-  if (c.heat->duty.empty()) {
-    const SteadyHeat heat =
-        steady_heat_of(c, contacts, timed_loads(c, contacts.mechanism.lead, history));
-    status = heat.status, reason = heat.reason;
-    temperature = per_part(heat.temperature);
-  } else {
-    const HeatCycle cycle = periodic_heat_cycle(c, contacts, warnings);
-    status = cycle.status, reason = cycle.reason;
-    temperature = cycle.mean;
-  }
-  if (status != HeatStatus::converged) {
-    temperature = per_part(OfParts::Constant(c.heat->ambient));
-    warnings.push_back(no_steady_state(status, reason));
-  }
-  const Oils oils = warm_oils(c, oil_temperatures(of_parts(temperature)));
-  LifeResult result =
-      analyze_life(warm(c, temperature), std::move(contacts), std::move(history), oils);
-  result.temperature_status = status;
-  if (status == HeatStatus::converged)
-    result.temperature = temperature;
-  else if (!result.failure)
-    result.failure = std::string(name(status)) + ": " + reason;
-  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
-  return result;
-}
-
-namespace {
-
 Conditions with_coarse_patches(Conditions c) {
   c.model.patch_points = std::min(c.model.patch_points, kFewestPatchPoints);
   return c;
@@ -353,12 +189,158 @@ Eigen::Matrix3d coordinates_by_parts() {
   return m;
 }
 
-Losses with_flow(const OfParts& heat, const PowerFlow& flow) {
-  return {heat, std::max(flow.shaft, 0.0) + std::max(flow.load, 0.0),
-          std::max(-flow.shaft, 0.0) + std::max(-flow.load, 0.0)};
+}  // namespace
+
+void add_new(std::vector<Warning> found, std::vector<Warning>& warnings) {
+  for (Warning& warning : found)
+    if (std::ranges::find(warnings, warning) == warnings.end())
+      warnings.push_back(std::move(warning));
 }
 
-}  // namespace
+Warning no_steady_state(HeatStatus status, const std::string& reason) {
+  return {"heat", "no_steady_state", fmt::format("{}: {}", name(status), reason)};
+}
+
+HeatSource mean_heat(const std::vector<LossShare>& exact, const std::vector<LossShare>& equal,
+                     bool may_grow) {
+  const auto sum = [](const std::vector<LossShare>& parts, auto heat_of) -> std::optional<OfParts> {
+    OfParts all = OfParts::Zero();
+    for (const LossShare& part : parts) {
+      const std::optional<OfParts> heat = heat_of(part);
+      if (!heat) return std::nullopt;
+      all += part.share * *heat;
+    }
+    return all;
+  };
+  const auto failure = std::make_shared<std::string>();
+  return {[=](const OfParts& t) {
+            return sum(exact, [&](const LossShare& part) -> std::optional<OfParts> {
+              const std::optional<Losses> losses = part.losses->at(t);
+              if (losses) return losses->heat;
+              *failure = part.failure();
+              return std::nullopt;
+            });
+          },
+          [=] { return *failure; },
+          [=](const PerInterface<double>& oil) {
+            return sum(equal, [&](const LossShare& part) { return part.losses->estimate(oil); });
+          },
+          [=](const PerInterface<double>& oil) {
+            return sum(equal,
+                       [&](const LossShare& part) { return part.losses->rough_estimate(oil); });
+          },
+          may_grow};
+}
+
+SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts,
+                          std::span<const TimedLoad> loads) {
+  const ThermalNetwork network = thermal_network(*c.heat);
+  const auto shares_of = [&](const Conditions& conditions,
+                             std::optional<LoadCase::Share> in_place) {
+    std::vector<LossShare> shares;
+    for (const TimedLoad& l : loads)
+      if (l.share > 0.0)
+        shares.push_back({l.share,
+                          std::make_shared<CaseLosses>(conditions, contacts, l.load,
+                                                       in_place.value_or(l.load.share)),
+                          {}});
+    return shares;
+  };
+  const std::vector<LossShare> equal = shares_of(c, LoadCase::Share::equal);
+  SteadyHeat found = find_steady_heat(network, mean_heat(equal, equal, heat_may_grow(c)));
+  const bool solved = std::ranges::any_of(
+      loads, [](const TimedLoad& l) { return l.load.share == LoadCase::Share::solved; });
+  if (!solved || !found.converged()) return found;
+  const bool others = found.others;
+  const Conditions fitted =
+      has_both_flanks(c, LoadCase::Share::solved) ? with_interference(c, contacts) : c;
+  found =
+      find_steady_heat(network, mean_heat(shares_of(fitted, {}), equal, false), found.temperature);
+  found.others = found.others || others;
+  return found;
+}
+
+Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+  if (!c.heat) return analyze_slip(c, std::move(contacts), options);
+  require_rolling(c, contacts);
+  Result result;
+  result.model = c.model;
+  for (const LoadCase& load : c.load_cases) {
+    const TimedLoad all_the_time[] = {{load}};
+    const SteadyHeat found = steady_heat_of(c, contacts, all_the_time);
+    const OfParts temperature =
+        found.converged() ? found.temperature : OfParts::Constant(c.heat->ambient);
+    const Oils oils = warm_oils(c, oil_temperatures(temperature));
+    Result one = analyze_slip(at_temperatures(c, load, temperature), contacts, options, oils);
+    LoadCaseResult& loaded = one.load_cases.front();
+    loaded.heat = result_of(found, c.lubricant.has_value());
+    if (!found.converged()) loaded.slip.reset();
+    if (options.detail == Detail::complete) warn(*loaded.heat, loaded.warnings);
+    result.load_cases.push_back(std::move(loaded));
+    add_new(std::move(one.warnings), result.warnings);
+  }
+  if (!c.heat->duty.empty()) {
+    result.heat_cycle = periodic_heat_cycle(c, contacts, result.warnings);
+    if (!result.heat_cycle->converged())
+      result.warnings.push_back(
+          {"heat.duty", "no_cycle",
+           fmt::format("{}: {}", name(result.heat_cycle->status), result.heat_cycle->reason)});
+  }
+  result.contacts = std::move(contacts);
+  return result;
+}
+
+PreloadResult analyze_warm_preload(const Conditions& c, Contacts contacts) {
+  if (!c.heat) return analyze_preload(c, std::move(contacts));
+  require_rolling(c, contacts);
+  const auto named = std::ranges::find_if(c.load_cases, [&](const LoadCase& load) {
+    return !c.preload->load_case || load.name == *c.preload->load_case;
+  });
+  const TimedLoad all_the_time[] = {{*named}};
+  const SteadyHeat heat = steady_heat_of(c, contacts, all_the_time);
+  PreloadResult result = analyze_preload(
+      warm(c, per_part(heat.converged() ? heat.temperature : OfParts::Constant(c.heat->ambient))),
+      std::move(contacts));
+  result.load_case = named->name;
+  result.heat_status = heat.status;
+  if (!heat.converged()) result.warnings.push_back(no_steady_state(heat.status, heat.reason));
+  return result;
+}
+
+LifeResult analyze_warm_life(const Conditions& c, Contacts contacts,
+                             std::optional<LoadHistory> history) {
+  if (!c.life->takes_heat(c.heat.has_value()))
+    return analyze_life(c, std::move(contacts), std::move(history));
+  require_rolling(c, contacts);
+  HeatStatus status = HeatStatus::converged;
+  std::string reason;
+  PerPart<double> temperature;
+  std::vector<Warning> warnings;
+  if (c.heat->duty.empty()) {
+    const SteadyHeat heat =
+        steady_heat_of(c, contacts, timed_loads(c, contacts.mechanism.lead, history));
+    status = heat.status, reason = heat.reason;
+    temperature = per_part(heat.temperature);
+  } else {
+    const HeatCycle cycle = periodic_heat_cycle(c, contacts, warnings);
+    status = cycle.status, reason = cycle.reason;
+    temperature = cycle.mean;
+  }
+  if (status != HeatStatus::converged) {
+    temperature = per_part(OfParts::Constant(c.heat->ambient));
+    warnings.push_back(no_steady_state(status, reason));
+  }
+  const Oils oils = warm_oils(c, oil_temperatures(of_parts(temperature)));
+  LifeResult result =
+      analyze_life(warm(c, temperature), std::move(contacts), std::move(history), oils);
+  result.temperature_status = status;
+  if (status == HeatStatus::converged)
+    result.temperature = temperature;
+  else if (!result.failure)
+    result.failure = std::string(name(status)) + ": " + reason;
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  return result;
+}
 
 Conditions at_temperatures(const Conditions& c, const LoadCase& load, const OfParts& temperature) {
   Conditions warm = c;
@@ -387,7 +369,28 @@ CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const Load
 
 std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
   const Oils oils = warm_oils(conditions_, oil_temperatures(temperature));
-  if (load_.share == LoadCase::Share::equal) return of(models_.equal_shares(load_, oils));
+  OfParts heat = OfParts::Zero();
+  PowerFlow flow;
+  // Heat and power of the rollers of a nut; false where they have no slip.
+  const auto add = [&](const SlipModel& model, const std::optional<SlipEquilibrium>& known) {
+    const SlipEquilibrium found = known ? *known : find_slip_equilibrium(model);
+    if (!found.ok()) {
+      failure_ = fmt::format("slip ends as {}", name(found.status));
+      return false;
+    }
+    slip_ratio_ = found.balance.motion.slip_ratio;
+    const PowerFlow of_nut = power_flow(model, drive_torques(model, found.balance));
+    heat += heat_of(lost_power(model, found.balance));
+    flow.shaft += of_nut.shaft;
+    flow.load += of_nut.load;
+    return true;
+  };
+  const auto all = [&] {
+    return std::optional(Losses{heat, std::max(flow.shaft, 0.0) + std::max(flow.load, 0.0),
+                                std::max(-flow.shaft, 0.0) + std::max(-flow.load, 0.0)});
+  };
+  if (load_.share == LoadCase::Share::equal)
+    return add(models_.equal_shares(load_, &oils), {}) ? all() : std::nullopt;
   const Conditions warm = at_temperatures(conditions_, load_, temperature);
   const SlipModels models(warm, contacts_, oils);
   std::array<std::optional<SlipEquilibrium>, 2> known;
@@ -405,39 +408,16 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
     failure_ = found.warnings.empty() ? "the loads of the threads do not converge"
                                       : sentence(found.warnings.back());
   if (!found.threads) return std::nullopt;
-  Losses all;
-  PowerFlow flow;
   const std::vector<SlipModel> nuts = models.of_nuts(found);
   for (std::size_t n = 0; n < nuts.size(); ++n)
-    if (!add(nuts[n], known[n] ? *known[n] : find_slip_equilibrium(nuts[n]), all.heat, flow))
-      return std::nullopt;
-  return with_flow(all.heat, flow);
-}
-
-std::optional<Losses> CaseLosses::of(const SlipModel& model) {
-  OfParts heat = OfParts::Zero();
-  PowerFlow flow;
-  if (!add(model, find_slip_equilibrium(model), heat, flow)) return std::nullopt;
-  return with_flow(heat, flow);
-}
-
-bool CaseLosses::add(const SlipModel& model, const SlipEquilibrium& found, OfParts& heat,
-                     PowerFlow& flow) {
-  if (!found.ok()) {
-    failure_ = fmt::format("slip ends as {}", name(found.status));
-    return false;
-  }
-  slip_ratio_ = found.balance.motion.slip_ratio;
-  const PowerFlow of_nut = power_flow(model, drive_torques(model, found.balance));
-  heat += heat_of(lost_power(model, found.balance));
-  flow.shaft += of_nut.shaft;
-  flow.load += of_nut.load;
-  return true;
+    if (!add(nuts[n], known[n])) return std::nullopt;
+  return all();
 }
 
 std::optional<OfParts> CaseLosses::estimate(const SlipModels& models,
                                             const PerInterface<double>& oil) const {
-  const SlipModel model = models.equal_shares(load_, warm_oils(conditions_, oil));
+  const Oils oils = warm_oils(conditions_, oil);
+  const SlipModel model = models.equal_shares(load_, &oils);
   SlipBalance balance;
   if (!balance_at(model, slip_ratio_, balance)) return std::nullopt;
   return heat_of(lost_power(model, balance));

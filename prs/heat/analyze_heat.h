@@ -47,9 +47,6 @@ class CaseLosses {
   }
 
  private:
-  std::optional<Losses> of(const SlipModel& model);
-  /// Heat and power of the rollers of a nut; false where they have no slip.
-  bool add(const SlipModel& model, const SlipEquilibrium& found, OfParts& heat, PowerFlow& flow);
   std::optional<OfParts> estimate(const SlipModels& models, const PerInterface<double>& oil) const;
 
   const Conditions& conditions_;
@@ -60,6 +57,22 @@ class CaseLosses {
   double slip_ratio_ = 0.0;
   std::string failure_;
 };
+
+/// Losses of a load case for a share of the time.
+struct LossShare {
+  double share = 0.0;
+  std::shared_ptr<CaseLosses> losses;
+  std::string name;  ///< Where it is to be told apart.
+
+  /// Why it had no losses.
+  std::string failure() const {
+    return name.empty() ? losses->failure() : fmt::format("{} in `{}`", losses->failure(), name);
+  }
+};
+
+/// Mean heat of loads that take turns; `equal` gives the estimates of it.
+HeatSource mean_heat(const std::vector<LossShare>& exact, const std::vector<LossShare>& equal,
+                     bool may_grow);
 
 /// Least and greatest of the three coordinates of temperatures in a `LossTable` [K].
 struct TemperatureBox {
@@ -157,6 +170,9 @@ struct TimedLoad {
 /// and the requirements of `slip`.
 SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts,
                           std::span<const TimedLoad> loads);
+
+/// Moves those over that are not there yet.
+void add_new(std::vector<Warning> found, std::vector<Warning>& warnings);
 
 /// A warning that there is no steady state.
 Warning no_steady_state(HeatStatus status, const std::string& reason);

@@ -210,28 +210,13 @@ class RepeatedCycle {
 };
 
 /// A load case that the duty names.
-struct DutyCase {
-  std::string name;
-  std::unique_ptr<CaseLosses> losses;
+struct DutyCase : LossShare {
   std::unique_ptr<CaseLosses> equal;  ///< Shares, where the load case's follow the temperatures.
-  double weight = 0.0;                ///< Share of the period.
 };
 
 struct Duty {
   std::vector<DutyCase> cases;    ///< Each once.
   std::vector<Segment> segments;  ///< Table 0 is that of rests, 1 that of the first load case.
-
-  /// heat_of(case) on average; none where one has none.
-  template <class HeatOf>
-  std::optional<OfParts> average(HeatOf heat_of) const {
-    OfParts sum = OfParts::Zero();
-    for (const DutyCase& c : cases) {
-      const std::optional<OfParts> heat = heat_of(c);
-      if (!heat) return std::nullopt;
-      sum += c.weight * *heat;
-    }
-    return sum;
-  }
 };
 
 Duty duty_of(const Conditions& c, const Contacts& contacts) {
@@ -251,35 +236,14 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
         return std::make_unique<CaseLosses>(c, contacts, load, share);
       };
       duty.cases.push_back(
-          {load.name, with(load.share),
+          {{0.0, with(load.share), load.name},
            load.share == LoadCase::Share::solved ? with(LoadCase::Share::equal) : nullptr});
     }
-    duty.cases[index].weight += step.time();
+    duty.cases[index].share += step.time();
     duty.segments.push_back({index + 1, step.time()});
   }
-  for (DutyCase& known : duty.cases) known.weight /= period;
+  for (DutyCase& known : duty.cases) known.share /= period;
   return duty;
-}
-
-/// Heat of the duty on average.
-HeatSource average(const Duty& duty, bool may_grow) {
-  const auto failure = std::make_shared<std::string>();
-  return {[&duty, failure](const OfParts& t) {
-            return duty.average([&](const DutyCase& c) -> std::optional<OfParts> {
-              const std::optional<Losses> losses = c.losses->at(t);
-              if (losses) return losses->heat;
-              *failure = fmt::format("{} in `{}`", c.losses->failure(), c.name);
-              return std::nullopt;
-            });
-          },
-          [failure] { return *failure; },
-          [&duty](const PerInterface<double>& oil) {
-            return duty.average([&](const DutyCase& c) { return c.losses->estimate(oil); });
-          },
-          [&duty](const PerInterface<double>& oil) {
-            return duty.average([&](const DutyCase& c) { return c.losses->rough_estimate(oil); });
-          },
-          may_grow};
 }
 
 /// Losses of a load case. With solved shares equal ones come first: they cost little, and what is
@@ -333,11 +297,6 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
   Periodic found{HeatStatus::converged, {}, std::vector<LossTable>(cases + 1), guess};
-  const auto end_as = [&](HeatStatus status, std::string reason) {
-    found.status = status;
-    found.reason = std::move(reason);
-    return found;
-  };
   for (std::size_t k = 0; k < cases; ++k)
     if (const std::optional<Losses> losses = duty.cases[k].losses->at(guess))
       found.tables[k + 1] = LossTable(*losses);
@@ -348,9 +307,9 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
   for (int round = 0; round < kMostRounds; ++round) {
     const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
     if (!start)
-      return end_as(HeatStatus::no_steady_state,
-                    "the temperatures of the cycle do not come to repeat themselves; give the "
-                    "parts more conductance, less load or more rest");
+      return ended(found, HeatStatus::no_steady_state,
+                   "the temperatures of the cycle do not come to repeat themselves; give the "
+                   "parts more conductance, less load or more rest");
     found.start = *start;
     const std::vector<TemperatureBox> visited = visited_from(*start, cycle, found.tables);
     const auto is_covered = [&](std::size_t k) {
@@ -369,15 +328,14 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
       covered[k] = box.widened(0.25);
       std::optional<LossTable> table = table_over(covered[k], duty.cases[k], good);
       if (!table)
-        return end_as(HeatStatus::no_steady_state,
-                      fmt::format("{} in `{}` at temperatures of the cycle",
-                                  duty.cases[k].losses->failure(), duty.cases[k].name));
+        return ended(found, HeatStatus::no_steady_state,
+                     duty.cases[k].failure() + " at temperatures of the cycle");
       found.tables[k + 1] = std::move(*table);
     }
   }
-  return end_as(HeatStatus::iteration_limit,
-                fmt::format("the range of temperatures of the cycle is not settled after {} rounds",
-                            kMostRounds));
+  return ended(found, HeatStatus::iteration_limit,
+               fmt::format("the range of temperatures of the cycle is not settled after {} rounds",
+                           kMostRounds));
 }
 
 /// Temperatures and energies of one period.
@@ -426,16 +384,12 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
   const RepeatedCycle cycle(network, capacity, duty.segments);
   HeatCycle result;
   result.period = cycle.period();
-  const auto end_as = [&](HeatStatus status, const std::string& reason) {
-    result.status = status;
-    result.reason = reason;
-    return result;
-  };
 
-  const SteadyHeat steady = find_steady_heat(network, average(duty, heat_may_grow(c)));
-  if (!steady.converged()) return end_as(steady.status, steady.reason);
+  const std::vector<LossShare> shares(duty.cases.begin(), duty.cases.end());
+  const SteadyHeat steady = find_steady_heat(network, mean_heat(shares, shares, heat_may_grow(c)));
+  if (!steady.converged()) return ended(result, steady.status, steady.reason);
   const Periodic found = find_periodic(cycle, duty, steady.temperature);
-  if (found.status != HeatStatus::converged) return end_as(found.status, found.reason);
+  if (found.status != HeatStatus::converged) return ended(result, found.status, found.reason);
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
     if (found.tables[k + 1].error() > kTellTable)
       warnings.push_back(
@@ -445,7 +399,7 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
                               duty.cases[k].name)}
               .with(found.tables[k + 1].error(), kTellTable));
   keep_course(found, cycle, network.ambient, result);
-  return end_as(HeatStatus::converged, {});
+  return ended(result, HeatStatus::converged, {});
 }
 
 }  // namespace prs

@@ -84,7 +84,9 @@ class ScaledEstimate {
       if (!moved) return std::nullopt;
       by_oil.col(static_cast<int>(i)) = (*moved - q) / kDifference;
     }
-    return by_oil * oil_by_parts() - network_.conductance;
+    Eigen::Matrix<double, 2, 3> oil_by_parts;
+    oil_by_parts << 0.5, 0.5, 0.0, 0.0, 0.5, 0.5;
+    return by_oil * oil_by_parts - network_.conductance;
   }
 
  private:
@@ -176,35 +178,24 @@ PerInterface<double> oil_temperatures(const OfParts& t) {
   return {0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2])};
 }
 
-Eigen::Matrix<double, 2, 3> oil_by_parts() {
-  Eigen::Matrix<double, 2, 3> m;
-  m << 0.5, 0.5, 0.0, 0.0, 0.5, 0.5;
-  return m;
-}
-
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
                             const std::optional<OfParts>& start) {
   const OfParts ambient = OfParts::Constant(network.ambient);
   ScaledEstimate fine(network, source.estimate), rough(network, source.rough_estimate);
   SteadyHeat found;
-  const auto end_as = [&](HeatStatus status, std::string reason) {
-    found.status = status;
-    found.reason = std::move(reason);
-    return found;
-  };
   std::optional<Eigen::Matrix3d> derivative;
   OfParts t = start.value_or(ambient);
   for (int round = 0; round < kMostRounds; ++round) {
     ++found.evaluations;
     const std::optional<OfParts> heat = source.exact(t);
     if (!heat)
-      return end_as(HeatStatus::no_steady_state,
-                    fmt::format("{} with the screw at {}, the rollers at {}, the nut at {}",
-                                source.failure(), celsius(t[0]), celsius(t[1]), celsius(t[2])));
+      return ended(found, HeatStatus::no_steady_state,
+                   fmt::format("{} with the screw at {}, the rollers at {}, the nut at {}",
+                               source.failure(), celsius(t[0]), celsius(t[1]), celsius(t[2])));
     found.heat = *heat;
     found.temperature = network.steady(*heat);
     const double change = largest(found.temperature - t);
-    if (change <= kTolerance) return end_as(HeatStatus::converged, {});
+    if (change <= kTolerance) return ended(found, HeatStatus::converged, {});
     fine.scale_to(t, *heat);
     const OfParts surplus = network.conductance * (found.temperature - t);
     const double tolerance = round == 0 ? 1e-2 * change : 0.1 * kTolerance;
@@ -215,14 +206,14 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
     if (!next) {
       next = follow(fine, network, round == 0 ? start.value_or(ambient) : t);
       derivative.reset();
-      if (!next) return end_as(HeatStatus::no_steady_state, runaway(*heat, network.ambient));
+      if (!next) return ended(found, HeatStatus::no_steady_state, runaway(*heat, network.ambient));
     }
     if (choose) found.others = rough.has_hotter_state(*next);
     t = *next;
   }
-  return end_as(HeatStatus::iteration_limit,
-                fmt::format("the temperatures still change by {:.1e} K after {} rounds",
-                            largest(found.temperature - t), kMostRounds));
+  return ended(found, HeatStatus::iteration_limit,
+               fmt::format("the temperatures still change by {:.1e} K after {} rounds",
+                           largest(found.temperature - t), kMostRounds));
 }
 
 }  // namespace prs

@@ -33,9 +33,6 @@ OfParts heat_of(const PowerBySource& power);
 /// Oil at the contacts of an interface has the mean temperature of its two bodies [K].
 PerInterface<double> oil_temperatures(const OfParts& temperature);
 
-/// d(oil temperatures)/d(temperatures of the parts): screw, nut against screw, rollers, nut.
-Eigen::Matrix<double, 2, 3> oil_by_parts();
-
 /// Where bearing steel turns into austenite, Ac1 [K]: beyond it no part is what the case states.
 inline constexpr double kHottest = 1000.0;
 
@@ -63,6 +60,14 @@ struct SteadyHeat {
 
   bool converged() const { return status == HeatStatus::converged; }
 };
+
+/// A search that ends so; `found` has `status` and `reason`.
+template <class Found>
+Found ended(Found& found, HeatStatus status, std::string reason) {
+  found.status = status;
+  found.reason = std::move(reason);
+  return found;
+}
 
 /// Temperatures at which Q(T) = K (T - T_ambient 1), to 1e-8 K: the state that the parts reach from
 /// `start`, by default from the temperature of their surroundings, the coolest where there are

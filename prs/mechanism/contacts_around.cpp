@@ -277,19 +277,19 @@ ContactsAroundSolution solve(const ContactsAround& contacts, const ContactsAroun
   Around around(contacts, options);
   Around::State at = from ? around.state_of(*from) : around.first_state();
   around.evaluate(at);
-  ContactSummary summary;
+  fe::NewtonSummary summary;
   for (;;) {
-    summary.residual = at.largest();
-    if (summary.residual <= options.tolerance) {
-      summary.status = ContactSolveStatus::converged;
+    summary.relative_residual = at.largest();
+    if (summary.relative_residual <= options.tolerance) {
+      summary.status = fe::NewtonStatus::converged;
       break;
     }
     if (summary.iterations() == options.max_iterations) break;
     around.take(at.slope, options.least_tangent);
     const auto step = around.step(at.approach_left, at.force_left, options.step_tolerance);
-    summary.history.push_back({});
+    summary.history.push_back(contact_iteration());
     if (!step.first.allFinite() || !step.second.allFinite()) {
-      summary.status = ContactSolveStatus::singular;
+      summary.status = fe::NewtonStatus::not_positive_definite;
       break;
     }
     const double before = at.square();
@@ -303,15 +303,15 @@ ContactsAroundSolution solve(const ContactsAround& contacts, const ContactsAroun
       if (trial.square() <= (1.0 - 1e-4 * share) * before) break;
     }
     if (halvings > options.max_halvings) {
-      summary.status = around.left_is_rounding(at) ? ContactSolveStatus::converged
-                                                   : ContactSolveStatus::line_search_failed;
+      summary.status = around.left_is_rounding(at) ? fe::NewtonStatus::converged
+                                                   : fe::NewtonStatus::line_search_failed;
       break;
     }
     at = std::move(trial);
-    summary.history.back() = {at.largest(), share};
+    summary.history.back() = contact_iteration(at.largest(), share);
   }
   ContactsAroundSolution solution = around.solution(at);
-  static_cast<ContactSummary&>(solution) = std::move(summary);
+  static_cast<fe::NewtonSummary&>(solution) = std::move(summary);
   return solution;
 }
 

@@ -462,7 +462,7 @@ FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail deta
   d.freedoms = a.freedoms();
   const ContactsAroundOptions options = a.options();
   ContactsAroundSolution s = prs::solve(a.problem, options);
-  std::vector<ContactIteration> history = s.history;
+  std::vector<fe::NewtonIteration> history = s.history;
   if (bodies.face && s.converged()) {
     const ThrustFace& face = *bodies.face;
     const ThrustFace::Touching all = face.all();
@@ -478,9 +478,10 @@ FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail deta
       s = prs::solve(a.problem, options, &s);
       history.insert(history.end(), s.history.begin(), s.history.end());
     }
-    if (s.converged() && !settled) s.status = ContactSolveStatus::iteration_limit;
+    if (s.converged() && !settled) s.status = fe::NewtonStatus::iteration_limit;
   }
-  d.solve = newton_summary(s, history);
+  d.solve = s;
+  d.solve.history = std::move(history);
   if (!d.solve.converged()) {
     if (load_left(f, structure) > 1e-9) {
       d.solve.status = fe::NewtonStatus::no_equilibrium;

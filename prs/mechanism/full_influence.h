@@ -87,7 +87,7 @@ struct ContactsAroundOptions {
   int max_halvings = 40;
 };
 
-struct ContactsAroundSolution : ContactSummary {
+struct ContactsAroundSolution : fe::NewtonSummary {
   Eigen::MatrixXd y;                    ///< One column for each roller [m].
   Eigen::MatrixXd normal_load;          ///< N [N]
   std::vector<Eigen::VectorXd> motion;  ///< V of each wave.

@@ -201,6 +201,95 @@ void add_expansion(PreloadSector& s, const PreloadParts& p) {
     }
 }
 
+constexpr int kRootBits = 44;
+constexpr boost::uintmax_t kMostEvaluations = 100;
+constexpr double kStep = 1.5;  ///< In the search for a bracket.
+
+/// A side that is still closed at half of that many times the preload stays so.
+constexpr double kMostOpening = 2000.0;
+/// Largest interference of deformable bodies, as a multiple of that of rigid bodies.
+constexpr double kMostInterference = 1e12;
+
+/// Root of an increasing function between two places with f(low) <= 0 <= f(high).
+template <class F>
+double root_between(const F& f, double low, double high) {
+  const double at_low = f(low), at_high = f(high);
+  if (at_low >= 0.0) return low;
+  if (at_high <= 0.0) return high;
+  boost::uintmax_t evaluations = kMostEvaluations;
+  const auto [a, b] = boost::math::tools::toms748_solve(
+      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(kRootBits),
+      evaluations);
+  return 0.5 * (a + b);
+}
+
+/// The first root between `low` > 0, a place below the root, and `times` times `low`. NaN where
+/// there is none.
+template <class F>
+double root_above(const F& f, double low, double times) {
+  const double most = low * times;
+  for (double high = kStep * low; low < most; low = high, high *= kStep)
+    if (f(high) >= 0.0) return root_between(f, low, high);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Hertz approach of each thread where all share an axial load of the whole mechanism [m].
+double equal_approach(const PreloadSector& s, Interface i, double axial_load) {
+  const double threads = s.rollers * static_cast<double>(s.sides.tension.springs[i].size());
+  const double cosine = std::cos(s.laws[i].normal_angle);
+  return std::pow(axial_load / (threads * cosine * s.laws[i].hertz_constant), 2.0 / 3.0);
+}
+
+/// Interference that gives the axial load if nothing but the contacts deforms [m].
+double rigid_interference(const PreloadSector& s, double axial_load) {
+  double sum = 0.0;
+  for (const Interface i : kInterfaces) {
+    const double psi = s.laws[i].normal_angle;
+    // A wedged roller floats: its radial loads are in balance, not its axial ones.
+    const double load = s.rollers_are_shared()
+                            ? axial_load * std::tan(s.laws.screw.normal_angle) / std::tan(psi)
+                            : axial_load;
+    const double along = s.rollers_are_shared() ? std::sin(psi) : 0.5 * std::cos(psi);
+    sum += equal_approach(s, i, load) / along;
+  }
+  return sum;
+}
+
+/// A single nut's fit for the whole interference, the rollers afloat between screw and nut.
+Fit afloat(const PreloadSector& s, double interference) {
+  const auto fit = [&](double screw) { return Fit{{screw, interference - screw}, 0.0}; };
+  const auto imbalance = [&](double screw) {
+    const PreloadSolver solver(fitted(s, fit(screw)));
+    PerInterface<double> radial;
+    for (const Interface i : kInterfaces)
+      for (const Direction d : kDirections)
+        radial[i] += solver.at_rest().sides[d].axial_load[i] * std::tan(s.laws[i].normal_angle);
+    return std::cbrt(radial.screw * radial.screw) - std::cbrt(radial.nut * radial.nut);
+  };
+  // From where expansion alone, which opens or closes an interface, leaves nothing of its overlap.
+  const auto closed = [&](Interface i) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Direction d : kDirections)
+      for (const int k : s.sides[d].springs[i])
+        most = std::max(most, -s.model.springs[static_cast<std::size_t>(k)].law.gap);
+    return most / std::sin(s.laws[i].normal_angle);
+  };
+  return fit(
+      root_between(imbalance, -closed(Interface::screw), interference + closed(Interface::nut)));
+}
+
+Fit fit_of(const PreloadSector& s, double interference) {
+  return s.rollers_are_shared() ? afloat(s, interference) : Fit{{}, interference};
+}
+
+Fit play(const PreloadSector& s, double backlash) {
+  if (!s.rollers_are_shared()) return {{}, -backlash};
+  Fit fit;
+  for (const Interface i : kInterfaces)
+    fit.radial[i] = -0.25 * backlash / std::tan(s.laws[i].normal_angle);
+  return fit;
+}
+
 }  // namespace
 
 PreloadSector build_preload_sector(const PreloadParts& given, Direction sense, double section,
@@ -256,64 +345,6 @@ PreloadSector one_sided(PreloadSector s, Direction carrying) {
     s.model.fixed_supports.push_back({open.roller_nodes.front(), Dof::u});
   return s;
 }
-
-namespace {
-
-constexpr int kRootBits = 44;
-constexpr boost::uintmax_t kMostEvaluations = 100;
-constexpr double kStep = 1.5;  ///< In the search for a bracket.
-
-/// A side that is still closed at half of that many times the preload stays so.
-constexpr double kMostOpening = 2000.0;
-/// Largest interference of deformable bodies, as a multiple of that of rigid bodies.
-constexpr double kMostInterference = 1e12;
-
-/// Root of an increasing function between two places with f(low) <= 0 <= f(high).
-template <class F>
-double root_between(const F& f, double low, double high) {
-  const double at_low = f(low), at_high = f(high);
-  if (at_low >= 0.0) return low;
-  if (at_high <= 0.0) return high;
-  boost::uintmax_t evaluations = kMostEvaluations;
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(kRootBits),
-      evaluations);
-  return 0.5 * (a + b);
-}
-
-/// The first root between `low` > 0, a place below the root, and `times` times `low`. NaN where
-/// there is none.
-template <class F>
-double root_above(const F& f, double low, double times) {
-  const double most = low * times;
-  for (double high = kStep * low; low < most; low = high, high *= kStep)
-    if (f(high) >= 0.0) return root_between(f, low, high);
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-/// Hertz approach of each thread where all share an axial load of the whole mechanism [m].
-double equal_approach(const PreloadSector& s, Interface i, double axial_load) {
-  const double threads = s.rollers * static_cast<double>(s.sides.tension.springs[i].size());
-  const double cosine = std::cos(s.laws[i].normal_angle);
-  return std::pow(axial_load / (threads * cosine * s.laws[i].hertz_constant), 2.0 / 3.0);
-}
-
-/// Interference that gives the axial load if nothing but the contacts deforms [m].
-double rigid_interference(const PreloadSector& s, double axial_load) {
-  double sum = 0.0;
-  for (const Interface i : kInterfaces) {
-    const double psi = s.laws[i].normal_angle;
-    // A wedged roller floats: its radial loads are in balance, not its axial ones.
-    const double load = s.rollers_are_shared()
-                            ? axial_load * std::tan(s.laws.screw.normal_angle) / std::tan(psi)
-                            : axial_load;
-    const double along = s.rollers_are_shared() ? std::sin(psi) : 0.5 * std::cos(psi);
-    sum += equal_approach(s, i, load) / along;
-  }
-  return sum;
-}
-
-}  // namespace
 
 /// One set of equations: both sides at work, or one of them alone.
 class PreloadSolver::Branch {
@@ -499,45 +530,6 @@ std::optional<double> PreloadSolver::opening_force(Direction sense) {
   if (solved && std::isfinite(opening)) opening_[sense] = opening;
   return opening_[sense];
 }
-
-namespace {
-
-/// A single nut's fit for the whole interference, the rollers afloat between screw and nut.
-Fit afloat(const PreloadSector& s, double interference) {
-  const auto fit = [&](double screw) { return Fit{{screw, interference - screw}, 0.0}; };
-  const auto imbalance = [&](double screw) {
-    const PreloadSolver solver(fitted(s, fit(screw)));
-    PerInterface<double> radial;
-    for (const Interface i : kInterfaces)
-      for (const Direction d : kDirections)
-        radial[i] += solver.at_rest().sides[d].axial_load[i] * std::tan(s.laws[i].normal_angle);
-    return std::cbrt(radial.screw * radial.screw) - std::cbrt(radial.nut * radial.nut);
-  };
-  // From where expansion alone, which opens or closes an interface, leaves nothing of its overlap.
-  const auto closed = [&](Interface i) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (const Direction d : kDirections)
-      for (const int k : s.sides[d].springs[i])
-        most = std::max(most, -s.model.springs[static_cast<std::size_t>(k)].law.gap);
-    return most / std::sin(s.laws[i].normal_angle);
-  };
-  return fit(
-      root_between(imbalance, -closed(Interface::screw), interference + closed(Interface::nut)));
-}
-
-Fit fit_of(const PreloadSector& s, double interference) {
-  return s.rollers_are_shared() ? afloat(s, interference) : Fit{{}, interference};
-}
-
-Fit play(const PreloadSector& s, double backlash) {
-  if (!s.rollers_are_shared()) return {{}, -backlash};
-  Fit fit;
-  for (const Interface i : kInterfaces)
-    fit.radial[i] = -0.25 * backlash / std::tan(s.laws[i].normal_angle);
-  return fit;
-}
-
-}  // namespace
 
 Fit find_fit(const PreloadSector& sector, const Preload& preload) {
   if (preload.backlash) return play(sector, *preload.backlash);

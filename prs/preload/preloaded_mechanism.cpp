@@ -31,6 +31,62 @@ PreloadSector reference_sector(const Conditions& c, const Contacts& contacts) {
   return preload_sectors(cold, contacts, contact_laws(c, contacts), c.preload->position).tension;
 }
 
+std::vector<double> loads_of(const LoadSweep& sweep) {
+  const double largest = std::max(std::abs(sweep.from), std::abs(sweep.to));
+  std::vector<double> loads;
+  const int last = sweep.steps - 1;
+  for (int k = 0; k <= last; ++k) {
+    const double load = k == last ? sweep.to : sweep.from + (sweep.to - sweep.from) * k / last;
+    loads.push_back(std::abs(load) < 1e-12 * largest ? 0.0 : load);
+  }
+  return loads;
+}
+
+/// `where` introduces the reason why a load did not converge, which becomes a warning.
+PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& loads,
+                      double lost_motion_load, std::string_view where,
+                      std::vector<Warning>& warnings) {
+  const auto warn = [&](double load, const fe::NewtonSummary& summary) {
+    warnings.push_back(
+        Warning{"", "not_converged",
+                fmt::format("{}{:.6g} N: not converged: {}, relative residual {:.1e}", where, load,
+                            fe::name(summary.status), summary.relative_residual)}
+            .with(summary.relative_residual));
+  };
+  const bool at_rest = std::ranges::all_of(
+      kDirections, [&](Direction d) { return solvers[d].at_rest().solve.converged(); });
+  for (const Direction d : kDirections)
+    if (!solvers[d].at_rest().solve.converged()) warn(0.0, solvers[d].at_rest().solve);
+  const auto solve = [&](double load) {
+    PreloadPoint point = solvers.solve(load);
+    if (at_rest && !point.solve.converged()) warn(load, point.solve);
+    return point;
+  };
+  PreloadCurve curve;
+  for (const double load : loads) curve.points.push_back(solve(load));
+  for (const Direction d : kDirections)
+    curve.stiffness_at_zero[d] = solvers[d].at_rest().tangent_stiffness;
+  const PreloadPoint pulled = solve(lost_motion_load);
+  const PreloadPoint pushed = solve(-lost_motion_load);
+  if (pulled.solve.converged() && pushed.solve.converged())
+    curve.lost_motion = pulled.axial_displacement - pushed.axial_displacement;
+  return curve;
+}
+
+void warn_of_pressure(PreloadResult& result) {
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = result.contacts.interfaces[i];
+    if (!contact.has_hertz()) continue;
+    double load = 0.0;
+    for (const PreloadPoint& point : result.curve.points)
+      for (const Direction d : kDirections)
+        load = std::max(load, point.sides[d].max_normal_load[i]);
+    const double pressure = contact::at_load(contact.hertz, load).peak_pressure;
+    if (pressure > kStaticPressureLimit)
+      result.warnings.push_back(static_pressure_warning("preload.load", i, pressure));
+  }
+}
+
 }  // namespace
 
 Fit preload_fit(const Conditions& c, const Contacts& contacts, const PreloadSectors& sectors) {
@@ -147,66 +203,6 @@ std::vector<std::array<double, 2>> FlankSolver::guide_forces(
   if (!solver_->sector().rollers_are_shared()) return all;
   return {{all[0][0] + all[1][0], all[0][1] + all[1][1]}};
 }
-
-namespace {
-
-std::vector<double> loads_of(const LoadSweep& sweep) {
-  const double largest = std::max(std::abs(sweep.from), std::abs(sweep.to));
-  std::vector<double> loads;
-  const int last = sweep.steps - 1;
-  for (int k = 0; k <= last; ++k) {
-    const double load = k == last ? sweep.to : sweep.from + (sweep.to - sweep.from) * k / last;
-    loads.push_back(std::abs(load) < 1e-12 * largest ? 0.0 : load);
-  }
-  return loads;
-}
-
-/// `where` introduces the reason why a load did not converge, which becomes a warning.
-PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& loads,
-                      double lost_motion_load, std::string_view where,
-                      std::vector<Warning>& warnings) {
-  const auto warn = [&](double load, const fe::NewtonSummary& summary) {
-    warnings.push_back(
-        Warning{"", "not_converged",
-                fmt::format("{}{:.6g} N: not converged: {}, relative residual {:.1e}", where, load,
-                            fe::name(summary.status), summary.relative_residual)}
-            .with(summary.relative_residual));
-  };
-  const bool at_rest = std::ranges::all_of(
-      kDirections, [&](Direction d) { return solvers[d].at_rest().solve.converged(); });
-  for (const Direction d : kDirections)
-    if (!solvers[d].at_rest().solve.converged()) warn(0.0, solvers[d].at_rest().solve);
-  const auto solve = [&](double load) {
-    PreloadPoint point = solvers.solve(load);
-    if (at_rest && !point.solve.converged()) warn(load, point.solve);
-    return point;
-  };
-  PreloadCurve curve;
-  for (const double load : loads) curve.points.push_back(solve(load));
-  for (const Direction d : kDirections)
-    curve.stiffness_at_zero[d] = solvers[d].at_rest().tangent_stiffness;
-  const PreloadPoint pulled = solve(lost_motion_load);
-  const PreloadPoint pushed = solve(-lost_motion_load);
-  if (pulled.solve.converged() && pushed.solve.converged())
-    curve.lost_motion = pulled.axial_displacement - pushed.axial_displacement;
-  return curve;
-}
-
-void warn_of_pressure(PreloadResult& result) {
-  for (const Interface i : kInterfaces) {
-    const InterfaceContact& contact = result.contacts.interfaces[i];
-    if (!contact.has_hertz()) continue;
-    double load = 0.0;
-    for (const PreloadPoint& point : result.curve.points)
-      for (const Direction d : kDirections)
-        load = std::max(load, point.sides[d].max_normal_load[i]);
-    const double pressure = contact::at_load(contact.hertz, load).peak_pressure;
-    if (pressure > kStaticPressureLimit)
-      result.warnings.push_back(static_pressure_warning("preload.load", i, pressure));
-  }
-}
-
-}  // namespace
 
 std::optional<double> PreloadResult::peak_pressure(const SideLoads& loads) const {
   double peak = 0.0;

@@ -222,16 +222,9 @@ void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& struc
 void work_out(SectorModel& s) {
   if (!s.is_refined) return;
   const RefinedBodies& b = s.bodies;
-  if (b.has_shell()) {
-    std::vector<fe::ShellBlocks<double>> shells(b.same.size());
-    const double arm = set_nut_shells(b.shape(),
-                                      nut_numbers(s, b.numbers, b.line.sections.data(),
-                                                  b.line.outer_radius.data(), b.bore.root.data()),
-                                      shells.data());
-    s.nut_shell = NutShell{{}, arm, b.effects.flange && !b.has_ring, !b.effects.hoop};
-    for (const int k : b.same)
-      s.nut_shell->segments.push_back(fe::to_matrix(shells[static_cast<std::size_t>(k)]));
-  }
+  if (b.has_shell())
+    s.nut_shell = nut_shell(b.shape(), nut_numbers(s, b.numbers, b.line.sections.data(),
+                                                   b.line.outer_radius.data(), b.bore.root.data()));
   if (!b.effects.radial && !b.effects.concentration) return;
   for (const Interface i : kInterfaces) s.body_compliance[i].assign(s.gaps[i].size(), 0.0);
   add_body_compliance(b.shape(), static_cast<const SectorNumbers<double>&>(s), b.numbers,

@@ -360,13 +360,8 @@ class FixedPoint {
 Warning why_not_running(const RunningLoads& r) {
   switch (r.status) {
     case RunningStatus::jammed:
-      return {"friction", "jammed",
-              "running loads: a contact jams: its friction takes more of the axial load than its "
-              "normal load gives; expect the screw to stick"};
     case RunningStatus::slip_no_equilibrium:
-      return {"carrier", "no_slip_ratio",
-              "running loads: no slip ratio balances the moment on a roller",
-              "check the carrier's torques"};
+      return no_slip(r.status == RunningStatus::jammed, "running loads");
     case RunningStatus::iteration_limit:
       return Warning{"friction", "running_iteration_limit",
                      "running loads do not settle: the largest load still changes by the share "

@@ -49,16 +49,12 @@ void require_kinematics(const contact::MechanismGeometry& threads) {
 template <class Value>
 void set_values(std::vector<double>& values, const LoadedThreads& threads, Value value_of_patch) {
   values.clear();
-  std::vector<double> of_patch;
-  double shared = 0.0;
-  if (threads.contacts.size() == 1) {
-    shared = value_of_patch(std::size_t{0});
-  } else {
-    of_patch.resize(threads.contacts.size());
-    for (std::size_t k = 0; k < of_patch.size(); ++k) of_patch[k] = value_of_patch(k);
+  std::optional<std::size_t> last;
+  double value = 0.0;
+  for (const std::optional<std::size_t>& k : threads.patch_of_thread) {
+    if (k && k != last) value = value_of_patch(*k), last = k;
+    values.push_back(k ? value : 0.0);
   }
-  for (const std::optional<std::size_t>& k : threads.patch_of_thread)
-    values.push_back(!k ? 0.0 : of_patch.empty() ? shared : of_patch[*k]);
 }
 
 /// Roller and body as their surfaces move through the contact, which the carrier holds.
@@ -174,17 +170,14 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
   });
 }
 
-void for_each_thread(const PerInterface<InterfaceSlip>& threads, auto visit) {
-  for (const Interface i : kInterfaces)
-    for (std::size_t k = 0; k < threads[i].power.size(); ++k)
-      visit(ThreadOf{i, static_cast<int>(k)}, threads[i].power[k], threads[i].power_density[k]);
-}
-
 void find_hottest(SlipResult& slip) {
   double hottest = -1.0;
-  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
-    if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = thread;
-  });
+  for (const Interface i : kInterfaces)
+    for (std::size_t k = 0; k < slip.threads[i].power.size(); ++k) {
+      const double density = slip.threads[i].power_density[k];
+      if (density > hottest * (1.0 + kEqualPower))
+        hottest = density, slip.hottest = ThreadOf{i, static_cast<int>(k)};
+    }
 }
 
 EqualShareSlip summary_of(const SlipResult& equal) {
@@ -208,9 +201,19 @@ std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) 
   return 0.981 - 0.0032 * megapascals * std::log(millipascal_seconds);
 }
 
-DrivenBy driven_by(const SlipModel& model) {
-  return model.axial_force * model.speed * model.geometry.lead < 0.0 ? DrivenBy::load
-                                                                     : DrivenBy::screw;
+DrivenBy driven_by(double axial_force, double speed, double lead) {
+  return axial_force * speed * lead < 0.0 ? DrivenBy::load : DrivenBy::screw;
+}
+
+/// What the flow of power under an axial force says; torques come first.
+void set_drive(SlipResult& slip, const PowerFlow& flow, double axial_force, double lead) {
+  slip.efficiency = flow.efficiency();
+  slip.driven_by = driven_by(axial_force, slip.speed, lead);
+  slip.self_locking.reset();
+  slip.holding_torque.reset();
+  if (slip.driven_by == DrivenBy::screw) return;
+  slip.self_locking = !slip.efficiency;
+  slip.holding_torque = std::copysign(1.0, slip.speed) * slip.torque_screw;
 }
 
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
@@ -336,16 +339,12 @@ void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const
 void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load,
           std::vector<Warning>& warnings) {
   const std::string speed = load.speed ? path_in(load, "speed") : "operation.speed";
-  if (slip.status == SlipStatus::jammed)
-    warnings.push_back({"friction", "jammed",
-                        "slip: a contact jams: its friction takes more of the axial load "
-                        "than its normal load gives; expect the screw to stick"});
-  else if (!slip.converged())
+  if (!slip.converged()) {
+    const bool jammed = slip.status == SlipStatus::jammed;
     warnings.push_back(
-        {"carrier", "no_slip_ratio",
-         fmt::format("slip: {}: no slip ratio balances the moment on a roller", name(slip.status)),
-         "check the carrier's torques"});
-  if (!slip.converged()) return;
+        no_slip(jammed, jammed ? "slip" : fmt::format("slip: {}", name(slip.status))));
+    return;
+  }
   if (slip.self_locking.value_or(false))
     warnings.push_back(Warning{speed, "self_locking",
                                "the load helps, but the screw is self-locking: only a torque of "
@@ -454,7 +453,62 @@ PatchField patch_field(const contact::PatchGrid& grid, const contact::Patch& pat
           numbers(patch.friction_coefficient(motion))};
 }
 
+/// Threads of the flank that the load names stay in the lists, power of the other one goes to it.
+void part_flanks(LoadCaseResult& loaded) {
+  if (!loaded.other_flank || !loaded.slip->converged()) return;
+  SlipResult& slip = *loaded.slip;
+  for (const Interface i : kInterfaces) {
+    const auto count = static_cast<std::ptrdiff_t>((*loaded.threads)[i].normal_load.size());
+    std::vector<double>& power = loaded.other_flank->threads[i].power;
+    if (slip.second_nut) {
+      const bool first = loaded.load_case.direction == Direction::tension;
+      power = (first ? slip.threads : slip.second_nut->threads)[i].power;
+      continue;
+    }
+    power.assign(slip.threads[i].power.begin() + count, slip.threads[i].power.end());
+    for (const auto values : all_values())
+      if (std::vector<double>& all = slip.threads[i].*values; !all.empty())
+        all.resize(static_cast<std::size_t>(count));
+  }
+  find_hottest(slip);
+}
+
+/// What both nuts do to the screw, powers and torques of the second one on top, under the force F_N
+/// of the load case.
+void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_model,
+                    double force) {
+  if (slip.converged() && second.converged()) {
+    slip.power.screw += second.power.screw;
+    slip.power.nut += second.power.nut;
+    slip.power.carrier_roller += second.power.carrier_roller;
+    slip.power.carrier_screw += second.power.carrier_screw;
+    slip.power.carrier_nut += second.power.carrier_nut;
+    slip.power_loss_input_output += second.power_loss_input_output;
+    slip.torque_screw += second.torque_screw;
+    slip.torque_nut += second.torque_nut;
+    const double advance = -first_model.geometry.lead / (2.0 * std::numbers::pi) * slip.speed;
+    const double turned = first_model.geometry.is_standard() ? slip.torque_screw : slip.torque_nut;
+    const PowerFlow flow{turned * turning_speed(first_model.geometry.type, slip.speed),
+                         force * advance};
+    set_drive(slip, flow, force, first_model.geometry.lead);
+    slip.efficiency_fit.reset();
+  } else if (slip.converged()) {
+    slip.status = second.status;
+  }
+  slip.second_nut = std::make_shared<SecondNut>(SecondNut{std::move(second)});
+}
+
 }  // namespace
+
+Warning no_slip(bool jammed, const std::string& where) {
+  if (jammed)
+    return {"friction", "jammed",
+            where +
+                ": a contact jams: its friction takes more of the axial load than its normal "
+                "load gives; expect the screw to stick"};
+  return {"carrier", "no_slip_ratio", where + ": no slip ratio balances the moment on a roller",
+          "check the carrier's torques"};
+}
 
 std::string_view lubrication(double film_ratio) {
   return film_ratio < kTouchingFlanks ? "boundary" : film_ratio < kFullFilm ? "mixed" : "full film";
@@ -522,12 +576,7 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   slip.torque_screw = torques.screw;
   slip.torque_nut = torques.nut;
   slip.power_loss_input_output = flow.lost();
-  slip.efficiency = flow.efficiency();
-  slip.driven_by = driven_by(model);
-  if (slip.driven_by == DrivenBy::load) {
-    slip.self_locking = !slip.efficiency;
-    slip.holding_torque = std::copysign(1.0, model.speed) * torques.screw;
-  }
+  set_drive(slip, flow, model.axial_force, model.geometry.lead);
   const bool jacod = model.friction.model == Friction::Model::jacod;
   if (jacod && slip.status == SlipStatus::converged && slip.driven_by == DrivenBy::screw)
     slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
@@ -538,63 +587,6 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   find_hottest(slip);
 }
 
-namespace {
-
-/// Threads of the flank that the load names stay in the lists, power of the other one goes to it.
-void part_flanks(LoadCaseResult& loaded) {
-  if (!loaded.other_flank || !loaded.slip->converged()) return;
-  SlipResult& slip = *loaded.slip;
-  for (const Interface i : kInterfaces) {
-    const auto count = static_cast<std::ptrdiff_t>((*loaded.threads)[i].normal_load.size());
-    std::vector<double>& power = loaded.other_flank->threads[i].power;
-    if (slip.second_nut) {
-      const bool first = loaded.load_case.direction == Direction::tension;
-      power = (first ? slip.threads : slip.second_nut->threads)[i].power;
-      continue;
-    }
-    power.assign(slip.threads[i].power.begin() + count, slip.threads[i].power.end());
-    for (const auto values : all_values())
-      if (std::vector<double>& all = slip.threads[i].*values; !all.empty())
-        all.resize(static_cast<std::size_t>(count));
-  }
-  find_hottest(slip);
-}
-
-/// What both nuts do to the screw, powers and torques of the second one on top, under the force F_N
-/// of the load case.
-void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_model,
-                    double force) {
-  if (slip.converged() && second.converged()) {
-    slip.power.screw += second.power.screw;
-    slip.power.nut += second.power.nut;
-    slip.power.carrier_roller += second.power.carrier_roller;
-    slip.power.carrier_screw += second.power.carrier_screw;
-    slip.power.carrier_nut += second.power.carrier_nut;
-    slip.power_loss_input_output += second.power_loss_input_output;
-    slip.torque_screw += second.torque_screw;
-    slip.torque_nut += second.torque_nut;
-    const double advance = -first_model.geometry.lead / (2.0 * std::numbers::pi) * slip.speed;
-    const double turned = first_model.geometry.is_standard() ? slip.torque_screw : slip.torque_nut;
-    const PowerFlow flow{turned * turning_speed(first_model.geometry.type, slip.speed),
-                         force * advance};
-    slip.efficiency = flow.efficiency();
-    slip.driven_by =
-        force * slip.speed * first_model.geometry.lead < 0.0 ? DrivenBy::load : DrivenBy::screw;
-    slip.self_locking.reset();
-    slip.holding_torque.reset();
-    if (slip.driven_by == DrivenBy::load) {
-      slip.self_locking = !slip.efficiency;
-      slip.holding_torque = std::copysign(1.0, slip.speed) * slip.torque_screw;
-    }
-    slip.efficiency_fit.reset();
-  } else if (slip.converged()) {
-    slip.status = second.status;
-  }
-  slip.second_nut = std::make_shared<SecondNut>(SecondNut{std::move(second)});
-}
-
-}  // namespace
-
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
                     const std::optional<Oils>& oils) {
   Result result = loaded_threads_of(c, std::move(contacts), options);
@@ -602,7 +594,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
   if (options.detail == Detail::complete)
     if (std::optional<Warning> note = unknown_film_ratio(c))
       result.warnings.push_back(std::move(*note));
-  const SlipModels models(c, result.contacts, oils ? *oils : oils_in_operation(c));
+  const SlipModels models(c, result.contacts, oils);
   RunningSolver running(c, result.contacts, models);
   std::optional<FlankSolver> flanks;
   if (has_both_flanks(c, LoadCase::Share::solved)) flanks.emplace(c, result.contacts);
@@ -668,7 +660,9 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   const SlipModels models(free, contacts, std::move(oils));
   LoadCase driving = loaded.load_case;
   const SlipModel as_stated = models.unloaded(driving);
-  driving.speed = driven_by(as_stated) == DrivenBy::screw ? -as_stated.speed : as_stated.speed;
+  const bool by_screw =
+      driven_by(as_stated.axial_force, as_stated.speed, as_stated.geometry.lead) == DrivenBy::screw;
+  driving.speed = by_screw ? -as_stated.speed : as_stated.speed;
   const std::optional<SlipOfSpeed> found = slip_at_speed(free, contacts, models, loaded, driving);
   if (!found) return std::nullopt;
   return power_flow(found->model, drive_torques(found->model, found->slip.balance)).efficiency();

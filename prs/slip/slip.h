@@ -51,6 +51,9 @@ inline constexpr double kFullFilm = 3.0, kTouchingFlanks = 1.0;
 /// `boundary`, `mixed` or `full film`.
 std::string_view lubrication(double film_ratio);
 
+/// A warning that there is no slip, `where` it was looked for: a contact jams, or nothing balances.
+Warning no_slip(bool jammed, const std::string& where);
+
 /// A warning where the film of a lubricant cannot be compared with the roughness of the flanks.
 std::optional<Warning> unknown_film_ratio(const Conditions& c);
 

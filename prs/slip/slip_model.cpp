@@ -76,9 +76,11 @@ contact::FrictionLaw friction_of(const SlipModel& model, Interface i,
   return contact::coulomb_friction(friction.coefficient);
 }
 
-/// A patch under a normal load.
+/// A patch under a normal load, by default that of its static axial one.
 LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
-                                  Interface i, double axial_load, double normal_load) {
+                                  Interface i, double axial_load,
+                                  const std::optional<double>& known = {}) {
+  const double normal_load = known.value_or(axial_load / std::abs(model.frames[i].normal.z));
   const contact::PrincipalValues& relative = contact.geometry.relative;
   const contact::FilmContact film{.normal_load = normal_load,
                                   .curvature = relative.second,
@@ -89,12 +91,6 @@ LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact
   return {axial_load, std::nullopt,
           false,      contact::at_load(contact.hertz, normal_load),
           film,       friction_of(model, i, film)};
-}
-
-/// Under its static load.
-LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
-                                  Interface i, double axial_load) {
-  return contact_of(model, contact, i, axial_load, axial_load / std::abs(model.frames[i].normal.z));
 }
 
 }  // namespace
@@ -127,14 +123,11 @@ std::optional<double> composite_roughness(const Conditions& c, Interface i) {
   return std::hypot((*c.roughness)[body_of(i)], c.roughness->roller);
 }
 
-SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
-    : SlipModels(c, contacts, oils_in_operation(c)) {}
-
-SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, Oils oils)
+SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, std::optional<Oils> oils)
     : conditions_(c),
       contacts_(contacts),
       grid_(grid_of(c.model.patch_points)),
-      oils_(std::move(oils)) {}
+      oils_(oils ? std::move(*oils) : oils_in_operation(c)) {}
 
 void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanism,
                     const LoadCase& load_case, const Oils& oils) {
@@ -190,9 +183,10 @@ void set_equal_contacts(SlipModel& m, const Contacts& contacts) {
   }
 }
 
-SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
-  if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
-  SlipModel model = unloaded(loaded.load_case, oils);
+SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
+  if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case);
+
+  SlipModel model = unloaded(loaded.load_case);
   const auto flank = static_cast<std::size_t>(contacts_.mechanism.contacts_per_roller);
   if (loaded.other_flank)
     model.other_flank = {kinematic_geometry(contacts_, -model.axial_force),
@@ -209,9 +203,8 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
         if (normal[k] <= 0.0) continue;
         threads.patch_of_thread.back() = threads.contacts.size();
         const InterfaceContact& contact = contacts_.interfaces[i];
-        LoadedThreads::Contact& added = threads.contacts.emplace_back(
-            loaded.running ? contact_of(model, contact, i, axial[k], normal[k])
-                           : contact_of(model, contact, i, axial[k]));
+        LoadedThreads::Contact& added = threads.contacts.emplace_back(contact_of(
+            model, contact, i, axial[k], loaded.running ? std::optional(normal[k]) : std::nullopt));
         added.other_flank = other;
         // Sector and geometry agree on the normal, but where the file states another one.
         if (loaded.running && !conditions_.contact.normal_angle[i]) added.normal_load = normal[k];
@@ -259,10 +252,10 @@ GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
   return guides;
 }
 
-std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded, const Oils& oils) const {
+std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded) const {
   std::vector<SlipModel> models;
   if (!loaded.other_flank || !loaded.other_flank->of_second_roller) {
-    models.push_back(of(loaded, oils));
+    models.push_back(of(loaded));
     return models;
   }
   const auto threads = static_cast<std::ptrdiff_t>(contacts_.mechanism.contacts_per_roller);
@@ -297,21 +290,21 @@ std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded, const O
       if (loaded.other_flank->guide_force.size() > guide)
         nut.other_flank->guide_force = {loaded.other_flank->guide_force[guide]};
     }
-    models.push_back(of(nut, oils));
+    models.push_back(of(nut));
   }
   return models;
 }
 
-SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils& oils) const {
+SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils* oils) const {
   SlipModel model = unloaded(load_case, oils);
   set_equal_contacts(model, contacts_);
   add_patches(model);
   return model;
 }
 
-SlipModel SlipModels::unloaded(const LoadCase& load_case, const Oils& oils) const {
+SlipModel SlipModels::unloaded(const LoadCase& load_case, const Oils* oils) const {
   SlipModel m;
-  set_conditions(m, conditions_, contacts_.mechanism, load_case, oils);
+  set_conditions(m, conditions_, contacts_.mechanism, load_case, oils ? *oils : oils_);
   set_geometry(m, contacts_);
   return m;
 }

@@ -39,33 +39,27 @@ void set_equal_contacts(SlipModel& model, const Contacts& contacts);
 class SlipModels {
  public:
   /// The case must have passed the requirements of `slip`, the contacts must be its own.
-  SlipModels(const Conditions& c, const Contacts& contacts);
-  SlipModels(const Conditions& c, const Contacts& contacts, Oils oils);
+  /// `oils`: in place of those in operation.
+  SlipModels(const Conditions& c, const Contacts& contacts, std::optional<Oils> oils = {});
   SlipModels(const SlipModels&) = delete;
   SlipModels& operator=(const SlipModels&) = delete;
 
   /// One patch for each thread that carries load, of all rollers of a full mechanism; for equal
   /// shares one for all.
-  SlipModel of(const LoadCaseResult& loaded) const { return of(loaded, oils_); }
-  SlipModel of(const LoadCaseResult& loaded, const Oils& oils) const;
+  SlipModel of(const LoadCaseResult& loaded) const;
   /// The same, of each nut of a double nut by itself: first nut, second nut. They carry
   /// compression and tension, the second one with patches of its own.
-  std::vector<SlipModel> of_nuts(const LoadCaseResult& loaded) const {
-    return of_nuts(loaded, oils_);
-  }
-  std::vector<SlipModel> of_nuts(const LoadCaseResult& loaded, const Oils& oils) const;
-  /// One patch that stands for all threads of an interface (Sandu 2018).
-  SlipModel equal_shares(const LoadCase& load_case) const { return equal_shares(load_case, oils_); }
-  SlipModel equal_shares(const LoadCase& load_case, const Oils& oils) const;
-
+  std::vector<SlipModel> of_nuts(const LoadCaseResult& loaded) const;
+  /// One patch that stands for all threads of an interface (Sandu 2018); `oils`: in place of those
+  /// that all models have.
+  SlipModel equal_shares(const LoadCase& load_case, const Oils* oils = nullptr) const;
   /// Without threads.
-  SlipModel unloaded(const LoadCase& load_case) const { return unloaded(load_case, oils_); }
+  SlipModel unloaded(const LoadCase& load_case, const Oils* oils = nullptr) const;
 
   const Oils& oils() const { return oils_; }
   const contact::PatchGrid& grid() const { return *grid_; }
 
  private:
-  SlipModel unloaded(const LoadCase& load_case, const Oils& oils) const;
   void add_patches(SlipModel& model) const;
   GuideForces guides_of(const LoadCaseResult& loaded) const;
 

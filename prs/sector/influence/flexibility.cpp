@@ -190,13 +190,6 @@ void add_guidance(const GroovedBody& body, const Guidance& guidance,
   }
 }
 
-/// Adds what the harmonics that die out along the body leave.
-void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, MatrixCache& cache) {
-  const TeethFlexibility of_teeth = teeth_flexibility(teeth, cache);
-  add_teeth(of_teeth, teeth, centred, f.matrix);
-  f.half_space = of_teeth.half_space[0];
-}
-
 /// One number for each two flanks.
 bool is_square(const LoadedBody& b, const MatrixCache::Matrices& m) {
   const auto flanks = static_cast<Index>(b.flanks.size());
@@ -225,16 +218,12 @@ BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
   b.rollers = m.rollers;
   b.contacts = m.contacts_per_roller;
   for (const Part p : kParts) {
-    const double at_screw = laws.screw.normal_angle, at_nut = laws.nut.normal_angle;
-    const bool screw_forward = pushed_flank(direction) == FlankSide::forward;
-    const double backward = p == Part::screw ? at_screw
-                            : p == Part::nut ? at_nut
-                                             : (screw_forward ? at_nut : at_screw);
-    const double forward = p == Part::screw ? at_screw
-                           : p == Part::nut ? at_nut
-                                            : (screw_forward ? at_screw : at_nut);
+    const auto angle = [&](FlankSide side) {
+      const bool at_screw = p == Part::roller ? pushed_flank(direction) == side : p == Part::screw;
+      return (at_screw ? laws.screw : laws.nut).normal_angle;
+    };
     b.grooves[p] = default_groove(p == Part::nut, axial_pitch(m), 0.5 * *m.pitch_diameter[p],
-                                  backward, forward);
+                                  angle(FlankSide::backward), angle(FlankSide::forward));
     if (m.thread[p]) {
       b.grooves[p].addendum = m.thread[p]->addendum;
       b.grooves[p].dedendum = m.thread[p]->dedendum;
@@ -608,10 +597,9 @@ MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
     for (int n = 2; n <= whole; ++n)
       if (modes.of(n) != 0) modes.add(n, flexibility_of(oval, n, patch_loads(body, n)));
   }
-  BlockSolver block(t.groove, t.far_radius, t.material, t.types, t.options);
+  BlockSolver block(t);
   for (int n = whole + 1; n <= last; ++n)
-    if (modes.of(n) != 0)
-      modes.add(n, along_threads(block.solve(n, block.reach(n, t.contacts - 1)), t.contacts));
+    if (modes.of(n) != 0) modes.add(n, along_threads(block.solve(n, block.reach(n)), t.contacts));
 
   const double own = half_space_compliance(patch, t.material);
   MatrixCache::Matrices matrices;
@@ -677,16 +665,6 @@ void lengthen(FlexibilityAround& f, const RollerSection<double>& beam,
 }
 
 }  // namespace
-
-Eigen::MatrixXd FlexibilityAround::between(int spacings, int rollers) const {
-  Eigen::MatrixXd g = modes.front();
-  for (std::size_t m = 1; m < modes.size(); ++m) {
-    const auto order = static_cast<double>(m);
-    const double weight = 2 * static_cast<int>(m) == rollers ? 1.0 : 2.0;
-    g += weight * std::cos(2.0 * std::numbers::pi * order * spacings / rollers) * modes[m];
-  }
-  return g / rollers;
-}
 
 FlexibilityAround screw_around(const BodyGeometry& b, Direction direction,
                                const std::vector<double>& sections,

@@ -15,29 +15,6 @@ struct BlockResponse {
   std::vector<Eigen::MatrixXd> kernel;
 };
 
-/// Harmonic n >= 2 of unit forces at theta = 0 on the given flanks of one ridge in a block of
-/// equal ridges; `far_radius` as in GroovedShape. Builds a new mesh for each `reach`, kept between
-/// calls with the same one.
-class BlockSolver {
- public:
-  BlockSolver(const Groove& groove, double far_radius, const Material& material,
-              const std::vector<LoadedFlank>& flanks, const FlexibilityOptions& options);
-
-  BlockResponse solve(int harmonic, int reach);
-  /// Ridges that the harmonic reaches to each side, at most `largest`.
-  int reach(int harmonic, int largest) const;
-
- private:
-  Groove groove_;
-  double far_radius_;
-  fe::Isotropic material_;
-  std::vector<LoadedFlank> flanks_;
-  FlexibilityOptions options_;
-  int reach_ = -1;
-  GroovedBody body_;
-  std::unique_ptr<fe::HarmonicBody> solver_;
-};
-
 /// The teeth of one body: types of contacts on each ridge, whether they lie at theta = pi, and the
 /// harmonics step, 2 step, .. from `first` on.
 struct Teeth {
@@ -52,20 +29,22 @@ struct Teeth {
   FlexibilityOptions options;
 };
 
-/// What the harmonics that die out along a body add to its flexibility, the same at all threads.
-struct TeethFlexibility {
-  BlockResponse response;      ///< Sum of the harmonics; rows and columns are types of contacts.
-  Eigen::VectorXd half_space;  ///< Half-space part per type, to subtract from the diagonal [m/N].
-  Eigen::VectorXd remainder;   ///< Harmonics left out, to add to the diagonal [m/N].
+/// Harmonic n >= 2 of unit forces at theta = 0 on the given types of contacts on one ridge in a
+/// block of equal ridges; `far_radius` as in GroovedShape. Builds a new mesh for each `reach`, kept
+/// between calls with the same one.
+class BlockSolver {
+ public:
+  explicit BlockSolver(const Teeth& teeth) : teeth_(teeth) {}
+  BlockResponse solve(int harmonic, int reach);
+  /// Ridges that the harmonic reaches to each side, at most all but one of the contacts.
+  int reach(int harmonic) const;
+
+ private:
+  Teeth teeth_;
+  int reach_ = -1;
+  GroovedBody body_;
+  std::unique_ptr<fe::HarmonicBody> solver_;
 };
-
-TeethFlexibility teeth_flexibility(const Teeth& teeth, MatrixCache& cache);
-
-/// Adds the teeth to a body's matrix, whose rows and columns are the types in blocks of `contacts`.
-/// With `centred`, contacts of different types lie at the same axial position, and not half a pitch
-/// apart as on the ridge.
-void add_teeth(const TeethFlexibility& flexibility, const Teeth& teeth, bool centred,
-               Eigen::MatrixXd& matrix);
 
 /// A body that rests with nodes of a plane face on a rigid shoulder without friction. With R the
 /// axial reactions, P the loads and U the axial rigid motion,
@@ -107,6 +86,11 @@ struct Flexibility {
   std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder.
   Eigen::MatrixXd bent;            ///< Of it what bends a roller.
 };
+
+/// Adds what the harmonics that die out along a body leave. Rows and columns of the matrix are the
+/// types in blocks of `contacts`. With `centred`, contacts of different types lie at the same axial
+/// position, and not half a pitch apart as on the ridge.
+void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, MatrixCache& cache);
 
 /// What the flexibilities of the three bodies depend on.
 struct BodyGeometry {
@@ -175,9 +159,6 @@ struct FlexibilityAround {
   Eigen::MatrixXd coupling;
   /// Mean displacement across the axis and slope of each section by these loads.
   Eigen::MatrixXd sections;
-
-  /// G between rollers that stand `spacings` apart, of N.
-  Eigen::MatrixXd between(int spacings, int rollers) const;
 };
 
 /// Screw: n = 1 on the whole body, its loaded section clamped; higher harmonics on a block of equal

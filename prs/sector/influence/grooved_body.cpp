@@ -47,17 +47,6 @@ double half_space_compliance(const HertzPatch& patch, const Material& material) 
   return 1.2 * k * contact::compliance(material) / (pi * major);
 }
 
-double half_space_spectrum(const HertzPatch& patch, const Material& material, double wave_number) {
-  const double k = std::abs(wave_number);
-  const double start = patch.along_circumference * k;
-  // l = k sinh(t) takes dl/sqrt(k^2 + l^2) to dt.
-  const double last = std::asinh(kLargestSpectralRadius / (patch.along_profile * k));
-  const auto f = [&](double t) {
-    return squared_spectrum(std::hypot(start, patch.along_profile * k * std::sinh(t)));
-  };
-  return contact::compliance(material) / (pi * pi) * integral(0.0, last, 1000, f);
-}
-
 double half_space_remainder(const HertzPatch& patch, const Material& material, double wave_number) {
   const double start = patch.along_circumference * std::abs(wave_number);
   // In polar coordinates a_t k = q cos(phi), a_s l = q sin(phi), of which |cos(phi)| > start/q.

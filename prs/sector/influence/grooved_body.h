@@ -33,15 +33,6 @@ double pressure_amplitude(const HertzPatch& patch, int harmonic, double s, doubl
 /// rho_s a_s^2 + rho_t a_t^2 = 2 delta.
 double half_space_compliance(const HertzPatch& patch, const Material& material);
 
-/// Part of `half_space_compliance` per wave number k around the axis [m^2/N]: the compliance is the
-/// integral of h(k) over all k, positive and negative. With the spectrum 3 j_1(q)/q of the patch,
-/// q^2 = (a_t k)^2 + (a_s l)^2, and 2 (1 - nu^2)/(E |k|) of the half-space:
-///
-///     h(k) = (1 - nu^2)/(2 pi^2 E) int (3 j_1(q)/q)^2/sqrt(k^2 + l^2) dl.
-///
-/// A series of harmonics of period N in theta on a circle of radius r has N/r h(n/r) in its terms.
-double half_space_spectrum(const HertzPatch& patch, const Material& material, double wave_number);
-
 /// What wave numbers beyond |k| > `wave_number` add to `half_space_compliance` [m/N].
 double half_space_remainder(const HertzPatch& patch, const Material& material, double wave_number);
 

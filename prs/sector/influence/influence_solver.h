@@ -29,42 +29,17 @@ ContactProblem contact_problem(const Eigen::MatrixXd& flexibility,
                                const PerInterface<ContactLaw>& laws,
                                const PerInterface<std::vector<double>>& gaps);
 
-/// Flexibility of the three bodies together: screw and nut see their own contacts, the roller both.
-Eigen::MatrixXd joined_flexibility(const Flexibility& screw, const Flexibility& nut,
-                                   const Flexibility& roller);
+/// The contact problem is not solved by its energy, and nothing is shifted: relative residual and
+/// step length alone.
+inline fe::NewtonIteration contact_iteration(double residual = 0.0, double step_length = 0.0) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  return {kNone, residual, step_length, kNone};
+}
 
-struct ContactSolveOptions {
-  /// Largest error of a compatibility condition over the mean Hertz approach, and of an equilibrium
-  /// condition over the load.
-  double tolerance = 1e-12;
-  int max_iterations = 50;
-  int max_halvings = 40;
-};
-
-enum class ContactSolveStatus { converged, iteration_limit, line_search_failed, singular };
-
-/// One linear solve and what its step left.
-struct ContactIteration {
-  double residual = 0.0;     ///< Largest, relative as in the options.
-  double step_length = 0.0;  ///< 1 is the full Newton step.
-};
-
-/// Says why a solver stopped; born failed.
-struct ContactSummary {
-  ContactSolveStatus status = ContactSolveStatus::iteration_limit;
-  std::vector<ContactIteration> history;
-  double residual = 0.0;  ///< Largest, relative as in the options.
-
-  bool converged() const { return status == ContactSolveStatus::converged; }
-  /// Linear solves.
-  int iterations() const { return static_cast<int>(history.size()); }
-};
-
-struct ContactSolution : ContactSummary {
+struct ContactSolution : fe::NewtonSummary {
   Eigen::VectorXd normal_load;   ///< N, screw then nut [N].
   Eigen::VectorXd approach;      ///< delta = <w - g> [m]
   double screw_motion = 0.0;     ///< U of the screw's loaded section [m].
-  double roller_motion = 0.0;    ///< U of the roller [m].
   double tangent_stiffness = 0;  ///< dF/dU of the screw at the load [N/m].
 };
 
@@ -76,8 +51,7 @@ struct ContactSolution : ContactSummary {
 /// which it is searched along. The potential energy would not do: without the half-space parts C
 /// is not positive definite, only C + dy/dN is, up to loads for which Hertz itself loses its
 /// meaning. `force` is the axial force on the sector [N], > 0. A few 10 us for 40 contacts.
-ContactSolution solve(const ContactProblem& problem, double force,
-                      const ContactSolveOptions& options = {});
+ContactSolution solve(const ContactProblem& problem, double force);
 
 /// dF/dU of the screw where the approaches are y = w - g [N/m].
 double tangent_stiffness(const ContactProblem& problem, double force, const Eigen::VectorXd& y);
@@ -100,7 +74,8 @@ struct BodyFlexibilities {
   Flexibility nut;
   Flexibility roller;
 
-  Eigen::MatrixXd joined() const { return joined_flexibility(screw, nut, roller); }
+  /// Of all together: screw and nut see their own contacts, the roller both.
+  Eigen::MatrixXd joined() const;
 };
 
 /// The bodies are worked out at the same time where the cache does not hold them.
@@ -146,10 +121,6 @@ class InfluenceSolver {
   std::optional<ThrustFace> face_;
   ThrustFace::Touching touching_;  ///< With equal loads, as `joined_` has it.
 };
-
-/// How a solve, or several in a row, ended.
-fe::NewtonSummary newton_summary(const ContactSummary& summary,
-                                 const std::vector<ContactIteration>& history);
 
 /// What the bodies of a case are worked out from.
 BodyGeometry influence_geometry(const Conditions& c, const Contacts& contacts,

@@ -5,14 +5,11 @@ namespace {
 
 using Eigen::Index;
 
-MatrixCache::Matrices packed(const TeethFlexibility& t) {
-  MatrixCache::Matrices m{t.half_space, t.remainder};
-  m.insert(m.end(), t.response.kernel.begin(), t.response.kernel.end());
-  return m;
-}
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// As `unpacked` reads them.
-bool are_packed(const Teeth& t, const MatrixCache::Matrices& m) {
+/// For each type of contacts its half-space part and the harmonics left out [m/N], then the
+/// response at the ridges around a loaded one, summed over the harmonics, by types.
+bool are_teeth(const Teeth& t, const MatrixCache::Matrices& m) {
   const auto count = static_cast<Index>(t.types.size());
   const auto is_kernel = [&](const Eigen::MatrixXd& k) {
     return k.rows() == count && k.cols() == count;
@@ -21,61 +18,46 @@ bool are_packed(const Teeth& t, const MatrixCache::Matrices& m) {
          std::all_of(m.begin() + 2, m.end(), is_kernel);
 }
 
-TeethFlexibility unpacked(const MatrixCache::Matrices& m) {
-  TeethFlexibility t;
-  t.half_space = m[0];
-  t.remainder = m[1];
-  t.response.kernel.assign(m.begin() + 2, m.end());
-  t.response.reach = (static_cast<int>(t.response.kernel.size()) - 1) / 2;
-  return t;
-}
-
 MatrixCache::Matrices compute(const Teeth& t) {
-  BlockSolver block(t.groove, t.far_radius, t.material, t.types, t.options);
+  BlockSolver block(t);
   const double radius = t.groove.pitch_radius;
   double widest = 0.0;
   for (const LoadedFlank& flank : t.types)
     widest = std::max(widest, flank.patch.along_circumference);
   const double last = t.options.largest_wave * radius / widest;
   const auto count = static_cast<Index>(t.types.size());
-
-  TeethFlexibility f;
   int n = t.first;
-  f.response.reach = block.reach(n, t.contacts - 1);
-  f.response.kernel.assign(static_cast<std::size_t>(2 * f.response.reach + 1),
-                           Eigen::MatrixXd::Zero(count, count));
+  const int reach = block.reach(n);
+  MatrixCache::Matrices m(at(2 * reach + 3), Eigen::MatrixXd::Zero(count, count));
   for (; n <= last; n += t.step) {
-    const BlockResponse r = block.solve(n, block.reach(n, t.contacts - 1));
+    const BlockResponse r = block.solve(n, block.reach(n));
     for (int d = -r.reach; d <= r.reach; ++d)
       for (Index a = 0; a < count; ++a)
         for (Index b = 0; b < count; ++b) {
           const bool turned =
               t.opposite[static_cast<std::size_t>(a)] != t.opposite[static_cast<std::size_t>(b)];
-          f.response.kernel[static_cast<std::size_t>(d + f.response.reach)](a, b) +=
-              (turned && n % 2 == 1 ? -t.step : t.step) *
-              r.kernel[static_cast<std::size_t>(d + r.reach)](a, b);
+          m[at(2 + d + reach)](a, b) +=
+              (turned && n % 2 == 1 ? -t.step : t.step) * r.kernel[at(d + r.reach)](a, b);
         }
   }
-  f.half_space.resize(count);
-  f.remainder.resize(count);
+  m[0].resize(count, 1);
+  m[1].resize(count, 1);
   for (Index a = 0; a < count; ++a) {
     const HertzPatch& patch = t.types[static_cast<std::size_t>(a)].patch;
-    f.half_space[a] = half_space_compliance(patch, t.material);
-    f.remainder[a] = half_space_remainder(patch, t.material, (n - 0.5 * t.step) / radius);
+    m[0](a) = half_space_compliance(patch, t.material);
+    m[1](a) = half_space_remainder(patch, t.material, (n - 0.5 * t.step) / radius);
   }
-  return packed(f);
+  return m;
 }
 
 }  // namespace
 
-TeethFlexibility teeth_flexibility(const Teeth& t, MatrixCache& cache) {
-  return unpacked(*cached(cache, "teeth", t, compute, are_packed));
-}
-
-void add_teeth(const TeethFlexibility& f, const Teeth& t, bool centred, Eigen::MatrixXd& matrix) {
-  const int reach = f.response.reach, contacts = t.contacts;
+void add_teeth(Flexibility& f, const Teeth& t, bool centred, MatrixCache& cache) {
+  const auto teeth = cached(cache, "teeth", t, compute, are_teeth);
+  const MatrixCache::Matrices& m = *teeth;
+  const int reach = static_cast<int>(m.size() - 3) / 2, contacts = t.contacts;
   const auto kernel = [&](int d, Index a, Index b) {
-    return std::abs(d) > reach ? 0.0 : f.response.kernel[static_cast<std::size_t>(d + reach)](a, b);
+    return std::abs(d) > reach ? 0.0 : m[at(2 + d + reach)](a, b);
   };
   // Half pitches by which the flank of one type lies before that of another on the same ridge.
   const auto ahead = [&](Index a, Index b) {
@@ -90,45 +72,38 @@ void add_teeth(const TeethFlexibility& f, const Teeth& t, bool centred, Eigen::M
         const double value =
             centred ? 0.5 * (kernel(d, a, b) + kernel(d - ahead(a, b), a, b)) : kernel(d, a, b);
         for (int j = std::max(0, -d); j < std::min(contacts, contacts - d); ++j)
-          matrix(a * contacts + j + d, b * contacts + j) += value;
+          f.matrix(a * contacts + j + d, b * contacts + j) += value;
       }
   for (Index a = 0; a < count; ++a)
-    matrix.diagonal().segment(a * contacts, contacts).array() += f.remainder[a] - f.half_space[a];
-  matrix = 0.5 * (matrix + matrix.transpose()).eval();
+    f.matrix.diagonal().segment(a * contacts, contacts).array() += m[1](a) - m[0](a);
+  f.matrix = 0.5 * (f.matrix + f.matrix.transpose()).eval();
+  f.half_space = m[0](0);
 }
 
-BlockSolver::BlockSolver(const Groove& groove, double far_radius, const Material& material,
-                         const std::vector<LoadedFlank>& flanks, const FlexibilityOptions& options)
-    : groove_(groove),
-      far_radius_(far_radius),
-      material_(isotropic(material)),
-      flanks_(flanks),
-      options_(options) {}
-
-int BlockSolver::reach(int harmonic, int largest) const {
+int BlockSolver::reach(int harmonic) const {
   // Harmonic n decays as exp(-n x/r) or faster along a body of outer radius r.
-  const double radius = std::max(far_radius_, groove_.pitch_radius);
-  const double length = -std::log(options_.block_tolerance) * radius / harmonic;
-  return std::min(largest, static_cast<int>(std::ceil(length / groove_.pitch)));
+  const double radius = std::max(teeth_.far_radius, teeth_.groove.pitch_radius);
+  const double length = -std::log(teeth_.options.block_tolerance) * radius / harmonic;
+  return std::min(teeth_.contacts - 1, static_cast<int>(std::ceil(length / teeth_.groove.pitch)));
 }
 
 BlockResponse BlockSolver::solve(int harmonic, int reach) {
-  const auto types = static_cast<Index>(flanks_.size());
+  const auto types = static_cast<Index>(teeth_.types.size());
   if (reach != reach_) {
     GroovedShape shape;
-    shape.groove = groove_;
-    shape.far_radius = far_radius_;
-    shape.start = -(reach + 0.5) * groove_.pitch;
-    shape.end = (reach + 0.5) * groove_.pitch;
+    shape.groove = teeth_.groove;
+    shape.far_radius = teeth_.far_radius;
+    shape.start = -(reach + 0.5) * teeth_.groove.pitch;
+    shape.end = (reach + 0.5) * teeth_.groove.pitch;
     std::vector<LoadedFlank> flanks;
     for (int d = -reach; d <= reach; ++d)
-      for (LoadedFlank f : flanks_) {
-        f.ridge = d * groove_.pitch;
-        if (d != 0) f.patch_cells = options_.neighbour_patch_cells;
+      for (LoadedFlank f : teeth_.types) {
+        f.ridge = d * teeth_.groove.pitch;
+        if (d != 0) f.patch_cells = teeth_.options.neighbour_patch_cells;
         flanks.push_back(f);
       }
-    body_ = mesh_grooved_body(shape, flanks, options_.mesh);
-    solver_ = std::make_unique<fe::HarmonicBody>(body_.mesh, material_, harmonic);
+    body_ = mesh_grooved_body(shape, flanks, teeth_.options.mesh);
+    solver_ = std::make_unique<fe::HarmonicBody>(body_.mesh, isotropic(teeth_.material), harmonic);
     reach_ = reach;
   }
   factorize(*solver_, harmonic);

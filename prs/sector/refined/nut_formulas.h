@@ -103,7 +103,7 @@ fe::ShellRigidityOf<Real> wall_rigidity(const NutNumbers<Real>& n, std::size_t s
   const Real shear_modulus = n.modulus / (2.0 * (1.0 + n.poisson));
   const Real poisson = effects.poisson && effects.hoop ? n.poisson : Real(0.0);
   const auto tube = [&](const Real& r0) {
-    return fe::tube_rigidity_of(root, outer, r0, n.modulus, poisson, shear_modulus);
+    return fe::tube_rigidity(root, outer, r0, n.modulus, poisson, shear_modulus);
   };
   fe::ShellRigidityOf<Real> wall = tube(reference);
   if (!effects.flange) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "prs/model/problems.h"
-#include "prs/sector/refined/nut_formulas.h"
 
 namespace prs {
 
@@ -43,6 +42,15 @@ void set_alike_segments(const NutLine& line, const NutBore& bore, std::vector<in
   }
 }
 
+NutShell nut_shell(const NutShape& shape, const NutNumbers<double>& numbers) {
+  std::vector<fe::ShellBlocks<double>> shells(shape.same.size());
+  const double arm = set_nut_shells(shape, numbers, shells.data());
+  NutShell nut{{}, arm, shape.effects.flange && !shape.has_ring, shape.held_radially()};
+  for (const int k : shape.same)
+    nut.segments.push_back(fe::to_matrix(shells[static_cast<std::size_t>(k)]));
+  return nut;
+}
+
 NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore,
                    const NutLoad& load, const Material& material, int rollers,
                    const RefinedEffects& effects) {
@@ -62,13 +70,7 @@ NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, c
                                    load.sense,
                                    std::cos(load.normal_angle),
                                    std::sin(load.normal_angle)};
-  std::vector<fe::ShellBlocks<double>> shells(same.size());
-  const double arm = set_nut_shells({contacts, line.thrust, same, ring.has_value(), effects},
-                                    numbers, shells.data());
-  NutShell nut{{}, arm, effects.flange && !ring, !effects.hoop};
-  for (const int k : same)
-    nut.segments.push_back(fe::to_matrix(shells[static_cast<std::size_t>(k)]));
-  return nut;
+  return nut_shell({contacts, line.thrust, same, ring.has_value(), effects}, numbers);
 }
 
 }  // namespace prs

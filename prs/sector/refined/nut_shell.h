@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fe/shell.h"
-#include "prs/model/model_options.h"
 #include "prs/model/structure.h"
+#include "prs/sector/refined/nut_formulas.h"
 
 namespace prs {
 
@@ -60,6 +60,7 @@ struct NutShell {
 ///
 /// Effects: `hoop` lets the wall move radially, `poisson` couples that with axial strain, `flange`
 /// takes forces where they act; without it they act at the wall's centroid and nothing tilts.
+NutShell nut_shell(const NutShape& shape, const NutNumbers<double>& numbers);
 NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore,
                    const NutLoad& load, const Material& material, int rollers,
                    const RefinedEffects& effects);

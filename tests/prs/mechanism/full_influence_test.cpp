@@ -344,6 +344,17 @@ TEST(FullInfluence, IsTheInfluenceModelWhereAllRollersAreAlike) {
         EXPECT_NEAR(roller[k], one.normal_load[i][k], 1e-10 * largest_of(full.normal_load[i]));
 }
 
+/// G between rollers that stand `spacings` apart, of N.
+Eigen::MatrixXd between(const FlexibilityAround& around, int spacings, int rollers) {
+  Eigen::MatrixXd g = around.modes.front();
+  for (std::size_t m = 1; m < around.modes.size(); ++m) {
+    const auto order = static_cast<double>(m);
+    const double weight = 2 * static_cast<int>(m) == rollers ? 1.0 : 2.0;
+    g += weight * std::cos(2.0 * std::numbers::pi * order * spacings / rollers) * around.modes[m];
+  }
+  return g / rollers;
+}
+
 /// What a load does does not depend on how many rollers are counted between.
 TEST(FlexibilityAround, IsTheSameForTwiceAsManyRollers) {
   SKIP_UNDER_SANITIZERS();
@@ -358,9 +369,9 @@ TEST(FlexibilityAround, IsTheSameForTwiceAsManyRollers) {
                  : nut_around(g, c.direction, c.position, {}, test::coarse_bodies(), bodies.cache);
     };
     const FlexibilityAround seven = at(7), fourteen = at(14);
-    const double own = seven.between(0, 7).diagonal().cwiseAbs().maxCoeff();
+    const double own = between(seven, 0, 7).diagonal().cwiseAbs().maxCoeff();
     for (int d = 0; d <= 3; ++d)
-      EXPECT_LT((seven.between(d, 7) - fourteen.between(2 * d, 14)).cwiseAbs().maxCoeff(),
+      EXPECT_LT((between(seven, d, 7) - between(fourteen, 2 * d, 14)).cwiseAbs().maxCoeff(),
                 0.01 * own)
           << name(part) << d;
   }

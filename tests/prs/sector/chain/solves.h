@@ -44,7 +44,8 @@ inline prs::LoadDistribution sparse(const prs::Sector& sector, double force) {
       const auto place = static_cast<std::size_t>(k);
       const fe::PowerLawSpring& law =
           sector.model.springs[static_cast<std::size_t>(sector.spring(i, k))].law;
-      const double w = equations.approach(q, sector.spring(i, k));
+      const auto spring = static_cast<std::size_t>(sector.spring(i, k));
+      const double w = equations.springs()[spring].approach(q);
       r.normal_load[i][place] = fe::evaluate(law, w).force;
       r.approach[i][place] = fe::law_approach(law, w);
     }

@@ -225,7 +225,7 @@ TEST(CalculixHarmonics, AgreeToATenthOfAPercent) {
     const Block b = block(body);
     auto found = responses.find({body, n, teeth});
     if (found == responses.end()) {
-      BlockSolver solver(b.groove, b.far_radius, steel, b.flanks, options);
+      BlockSolver solver({b.groove, b.far_radius, steel, b.flanks, {}, 0, 1, 1, options});
       found = responses.emplace(std::tuple(body, n, teeth), solver.solve(n, (teeth - 1) / 2)).first;
     }
     const auto index = [&](const char* column) {

@@ -8,6 +8,7 @@
 #include "prs/sector/influence/influence_solver.h"
 #include "support/coarse_bodies.h"
 #include "support/count.h"
+#include "support/half_space_spectrum.h"
 #include "support/sanitized.h"
 #include "support/sectors.h"
 
@@ -49,13 +50,20 @@ TEST(BlockSolver, ShortWavesSeeAHalfSpace) {
     const Groove& g = b.grooves[part];
     const HertzPatch& patch = b.patches[part == Part::nut ? Interface::nut : Interface::screw];
     const double far = part == Part::screw ? 3e-3 : part == Part::nut ? 23e-3 : 0.0;
-    BlockSolver block(g, far, b.materials[part],
-                      {{0.0, FlankSide::backward, patch, options.mesh.patch_cells}}, options);
+    BlockSolver block({g,
+                       far,
+                       b.materials[part],
+                       {{0.0, FlankSide::backward, patch, options.mesh.patch_cells}},
+                       {},
+                       0,
+                       1,
+                       1,
+                       options});
     const auto ratio = [&](double wave) {
       const int n = static_cast<int>(wave * g.pitch_radius / patch.along_circumference);
       const double r = g.pitch_radius;
       return block.solve(n, 1).kernel[1](0, 0) /
-             (2.0 / r * half_space_spectrum(patch, b.materials[part], n / r));
+             (2.0 / r * test::half_space_spectrum(patch, b.materials[part], n / r));
     };
     EXPECT_NEAR(ratio(1.0), 1.0, 0.007) << name(part);
     EXPECT_NEAR(ratio(2.0), 1.0, 0.006) << name(part);
@@ -67,9 +75,9 @@ TEST(BlockSolver, HarmonicsDieOutWithinTheirReach) {
   const BodyGeometry b = geometry(with_wide_grooves());
   const FlexibilityOptions options;
   const LoadedFlank flank{0.0, FlankSide::backward, b.patches.nut, options.mesh.patch_cells};
-  BlockSolver block(b.grooves.nut, 23e-3, b.materials.nut, {flank}, options);
+  BlockSolver block({b.grooves.nut, 23e-3, b.materials.nut, {flank}, {}, 0, 1, 101, options});
   for (const int n : {11, 22, 44}) {
-    const BlockResponse r = block.solve(n, block.reach(n, 100));
+    const BlockResponse r = block.solve(n, block.reach(n));
     const double own = r.kernel[static_cast<std::size_t>(r.reach)](0, 0);
     EXPECT_LT(std::abs(r.kernel.front()(0, 0)), 3e-3 * own) << n;
     const auto centre = static_cast<std::size_t>(r.reach);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact/hertz.h"
+#include "support/half_space_spectrum.h"
 
 namespace prs {
 namespace {
@@ -64,7 +65,8 @@ TEST(HertzPatch, SpectrumAddsUpToTheCompliance) {
     double sum = 0.0;
     const int cells = 400;
     for (int i = 0; i < cells; ++i)
-      sum += 2.0 * half_space_spectrum(patch, kSteel, from + (to - from) * (i + 0.5) / cells) *
+      sum += 2.0 *
+             test::half_space_spectrum(patch, kSteel, from + (to - from) * (i + 0.5) / cells) *
              (to - from) / cells;
     const double difference =
         half_space_remainder(patch, kSteel, from) - half_space_remainder(patch, kSteel, to);
