@@ -34,6 +34,8 @@ struct LoadCaseItem {
   std::optional<double> position;
   std::optional<double> speed;
   SpatialLoad spatial;
+  std::optional<Travel> travel;
+  std::optional<Modes> modes;
 };
 
 /// The ends of an interval, and a normal distribution, as they are written.

@@ -2,6 +2,7 @@
 
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
+#include "prs/loads/load_case_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/text.h"
@@ -64,7 +65,9 @@ std::vector<OutputFile> load_files(const Result& result, const CsvStyle& style) 
 }
 
 bool all_converged(const Result& result) {
-  return std::ranges::all_of(result.load_cases, &LoadCaseResult::converged);
+  return std::ranges::all_of(result.load_cases, [](const LoadCaseResult& r) {
+    return r.converged() && travels(r);
+  });
 }
 
 std::vector<std::string> summary_of_warnings(const Result& result) {

@@ -645,6 +645,8 @@ LoadCaseResult RunningSolver::of_all_rollers(const LoadCase& load_case, Detail d
                                              std::optional<SlipEquilibrium>& slip) {
   LoadCase here = load_case;
   here.spatial.orbit.reset();
+  here.modes.reset();
+  if (here.travel) here.travel->turns = 0;  // Parts as turned, without positions.
   FullSolver solver(FullStart::neighbour);
   AllRunning all = all_rollers_at(here, solver);
   slip = std::move(all.slip);
