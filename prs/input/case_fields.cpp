@@ -232,6 +232,8 @@ void alternatives(Choices& io, Plan& p) {
   io("sobol_indices", p, Plan::sobol_indices,
      "Saltelli's design for the shares of the factors in the variance: as many designs a "
      "sample as factors, and two");
+  io("tolerances", p, Plan::tolerances,
+     "independent draws, and the same with the deviation of each factor from the file halved");
   io("derivatives", p, Plan::derivatives,
      "the file as it stands, with the derivatives by every factor");
 }
@@ -1139,6 +1141,9 @@ void fields(const Fields& io, FactorItem& f) {
      "share `3 %` or a half width `0.02 mm` to both sides, or from the lower to the upper "
      "deviation `[-0.01 mm, 0.03 mm]`");
   io("label", f.label, Text{"lead"}, "Its name in tables and figures");
+  io("together", f.together, Flag{},
+     "Whether the entries of a list, each drawn on its own, count as one factor");
+  io("kept", f.kept, Flag{}, "Whether a plan of tolerances draws it and never halves it");
   io("with", f.companions, List{Block{}, 1},
      "Inputs that change together with this one, value by value");
 }
@@ -1176,7 +1181,7 @@ void fields(const Fields& io, StudyItem& s) {
   io("command", s.command, Choice{}, required, "What each design runs through");
   io("plan", s.plan, Choice{}, "How designs are chosen");
   const std::string_view sampled =
-      "only with the plans latin_hypercube, sobol, monte_carlo and sobol_indices";
+      "only with the plans latin_hypercube, sobol, monte_carlo, sobol_indices and tolerances";
   io("samples", s.samples, Whole{1, kMostDesigns - 1},
      required_only_if(is_sampled(s.plan), sampled), "Number of draws");
   io("seed", s.seed, Whole{0, std::int64_t{1} << 53}, optional_only_if(is_sampled(s.plan), sampled),

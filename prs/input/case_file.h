@@ -60,6 +60,7 @@ struct FactorItem : CompanionItem {
   std::optional<WrittenNormal> normal;
   std::optional<std::string> within;
   std::vector<CompanionItem> companions;
+  bool together = false, kept = false;
 };
 
 /// A point of an envelope and the envelope itself, as they are written.

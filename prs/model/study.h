@@ -119,6 +119,9 @@ struct Study {
   std::optional<Envelope> envelope = {};  ///< Only for `grid` with two factors.
 };
 
+/// Factors that count as one are a block. The first factor of each block.
+std::vector<std::size_t> blocks_of(const Study& study);
+
 /// Whether the designs are drawn, not listed.
 bool is_sampled(Plan plan);
 

@@ -597,6 +597,8 @@ void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
                     const std::optional<Oils>& oils) {
+  if (const auto stated = with_slip_ratios(c, contacts))
+    return analyze_slip(*stated, std::move(contacts), options, oils);
   Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)
