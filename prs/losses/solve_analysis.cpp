@@ -75,7 +75,12 @@ const Analysis<Result>& solve_analysis() {
       .pictures = [](const Result& r,
                      const Case& c) { return with_drawings(solve_pictures(r), c, r); },
       .converged = all_converged,
-      .headlines = overloads,
+      .headlines =
+          [](const Result& r) {
+            std::vector<Headline> all = overloads(r);
+            std::ranges::move(frequencies(r), std::back_inserter(all));
+            return all;
+          },
       .all_warnings = all_warnings,
       .responses = kSolveResponses,
       .takes_load_cases_apart = true};

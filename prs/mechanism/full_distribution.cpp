@@ -22,6 +22,10 @@ constexpr int kMostOfTrial = 30;
 /// Tangents count at least this share of that of equal shares.
 constexpr double kLeastTangent = 1e-7;
 
+/// Change of a contact's tangent with which the last factorization still gives the stiffness of one
+/// position after the other, in three refinements.
+constexpr double kNearTangent = 1e-3;
+
 /// Shares of the mean below which a thread or a roller carries nothing.
 constexpr double kUnloaded = 1e-6;
 
@@ -201,7 +205,8 @@ class Solution {
 /// K and B'tB condensed to the freedoms of the loaded section; false where K is singular to
 /// rounding.
 bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
-              fe::NewtonSolver& solver, const Linearised& linear, FullDistribution& d) {
+              fe::NewtonSolver& solver, const Linearised& linear, double near,
+              FullDistribution& d) {
   const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
   const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
                                             {end.y_plane, Dof::v, 1.0},
@@ -217,7 +222,7 @@ bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
     loads.push_back(equations.load_vector({unit}));
   }
   std::vector<Eigen::VectorXd> rates;
-  if (!solver.solve_linear(linear.tangent, loads, rates)) {
+  if (!solver.solve_linear(linear.tangent, loads, rates, near)) {
     d.screw_end.freedoms.clear();
     return false;
   }
@@ -268,18 +273,18 @@ Assembled& take(const fe::Model& model, std::unique_ptr<Assembled>& kept) {
 
 /// Nothing where the loaded threads alone leave a motion free.
 void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
-                    fe::NewtonSolver& solver, std::unique_ptr<Assembled>& kept_pinned,
+                    fe::NewtonSolver& solver, std::unique_ptr<Assembled>& kept_pinned, double near,
                     FullDistribution& d) {
   const Linearised linear = linearised(f, d);
   const auto with_near_nodes_joined = [&] {
     const FullStructure joined =
         with_pinned(f, d.idle_rollers, FullMesh{{}, {}, std::numeric_limits<double>::infinity()});
     Assembled of_joined(joined.model);
-    if (!condense(f, joined, of_joined.equations, of_joined.newton, linear, d))
+    if (!condense(f, joined, of_joined.equations, of_joined.newton, linear, near, d))
       d.screw_end.left_out = "the tangent is singular to rounding";
   };
   if (linear.all_closed()) {
-    if (!condense(f, s, equations, solver, linear, d)) with_near_nodes_joined();
+    if (!condense(f, s, equations, solver, linear, near, d)) with_near_nodes_joined();
     return;
   }
   const FullStructure pinned = with_pinned(f, d.idle_rollers);
@@ -290,8 +295,8 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
   Assembled* of_pinned =
       d.idle_rollers.empty() ? nullptr : &take(pinned.model, kept_pinned);
   const bool done =
-      of_pinned ? condense(f, pinned, of_pinned->equations, of_pinned->newton, linear, d)
-                : condense(f, s, equations, solver, linear, d);
+      of_pinned ? condense(f, pinned, of_pinned->equations, of_pinned->newton, linear, near, d)
+                : condense(f, s, equations, solver, linear, near, d);
   if (!done) with_near_nodes_joined();
 }
 
@@ -470,7 +475,9 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   if (!d.solve.converged()) return d;
   if (start_ != FullStart::linear) parts_->keep(force, q);
   Solution(f, s, equations, q).read(d);
-  if (detail == Detail::complete) add_compliance(f, s, equations, solver, parts_->pinned, d);
+  if (detail == Detail::complete) 
+    add_compliance(f, s, equations, solver, parts_->pinned,
+                   start_ == FullStart::onwards ? kNearTangent : 0.0, d);
   return d;
 }
 

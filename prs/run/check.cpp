@@ -12,6 +12,7 @@
 #include "prs/losses/life_analysis.h"
 #include "prs/model/check_case.h"
 #include "prs/run/commands.h"
+#include "prs/mechanism/travel.h"
 #include "prs/slip/slip.h"
 #include "prs/text.h"
 #include "prs/threads/geometry_warnings.h"
@@ -26,6 +27,9 @@ constexpr Quantity<Mechanism> kDerived[] = {
      always<[](auto& m) { return (m.contacts_per_roller - 1) * axial_pitch(m); }>},
     {"roller_spacing_mm", always<[](auto& m) {
        return 2.0 * *m.centre_distance * std::sin(std::numbers::pi / m.rollers);
+     }>},
+    {"turns_until_repeat", of<[](const Mechanism& m) {
+       return turns_until_repeat(m, slip_ratio(m, Travel{}));
      }>},
 };
 
