@@ -156,7 +156,8 @@ void FullOrbitOfEightPositions(benchmark::State& state) {
 }
 BENCHMARK(FullOrbitOfEightPositions);
 
-/// 1,000 positions with unequal errors of all rollers, stiffness and reactions included: at most 3 s.
+/// 1,000 positions with unequal errors of all rollers, stiffness and reactions included: at most 3
+/// s.
 void FullTravel(benchmark::State& state) {
   test::SectorCase c = test::abevi();
   c.mechanism.centre_distance = 14e-3;

@@ -40,16 +40,16 @@ void alternatives(Choices& io, Guidance& g) {
 /// A word of `Travel::SlipRatio`, or a number from 0 to 1.
 struct SlipRatioOrNumber {};
 Value value_of(Travel& t, const SlipRatioOrNumber&) {
-  return {OneOr{.form = OneOr::Form::number,
-                .one = [&t] { return value_of(t.slip_ratio, Choice{}); },
-                .several =
-                    [&t] {
-                      return value_of(t.stated_slip_ratio,
-                                      Number{{.least = 0.0, .greatest = 1.0}, "0.375"});
-                    },
-                .others = ", or a number from 0 to 1",
-                .spread = [&t] { t.stated_slip_ratio = Travel{}.stated_slip_ratio; },
-                .are_several = !std::isnan(t.stated_slip_ratio)}};
+  return {OneOr{
+      .form = OneOr::Form::number,
+      .one = [&t] { return value_of(t.slip_ratio, Choice{}); },
+      .several =
+          [&t] {
+            return value_of(t.stated_slip_ratio, Number{{.least = 0.0, .greatest = 1.0}, "0.375"});
+          },
+      .others = ", or a number from 0 to 1",
+      .spread = [&t] { t.stated_slip_ratio = Travel{}.stated_slip_ratio; },
+      .are_several = !std::isnan(t.stated_slip_ratio)}};
 }
 
 /// What the word of a block that may be one word chooses.
@@ -422,7 +422,8 @@ void fields(const Fields& io, Structure& s) {
   io("roller", s.roller, Block{}, required, "Dimensions of a roller other than its thread");
   io("nut", s.nut, Block{}, required,
      "The nut; axial positions count from its end that faces the loaded end of the screw");
-  io("masses", s.masses, List{Block{}}, "Rigid masses on screw and nut, for modes; `mechanism: full`");
+  io("masses", s.masses, List{Block{}},
+     "Rigid masses on screw and nut, for modes; `mechanism: full`");
 }
 
 void fields(const Fields& io, Material& m) {

@@ -73,9 +73,9 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
   if (std::ranges::none_of(result.load_cases, has_travel)) return {};
   CsvWriter positions(style), threads(style);
   load_header(positions);
-  positions.fields("angle_deg", "deviation_um", "tangent_stiffness_N_per_um", "end_y_um", "end_z_um",
-                   "end_theta_y_mrad", "end_theta_z_mrad", "nut_x_N", "nut_y_N", "nut_z_N",
-                   "nut_moment_y_Nm", "nut_moment_z_Nm");
+  positions.fields("angle_deg", "deviation_um", "tangent_stiffness_N_per_um", "end_y_um",
+                   "end_z_um", "end_theta_y_mrad", "end_theta_z_mrad", "nut_x_N", "nut_y_N",
+                   "nut_z_N", "nut_moment_y_Nm", "nut_moment_z_Nm");
   positions.end_row();
   load_header(threads);
   threads.fields("interface", "roller", "thread", "mean_normal_load_N", "ripple_normal_load_N");
@@ -88,9 +88,8 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
       load_fields(positions, r.load_case);
       positions.number(t.angle[k], per_si::degree);
       positions.number(deviation[k], per_si::micrometre);
-      positions.number(t.tangent_stiffness.empty() ? std::nullopt
-                                                   : std::optional(t.tangent_stiffness[k]),
-                       1e-6);
+      positions.number(
+          t.tangent_stiffness.empty() ? std::nullopt : std::optional(t.tangent_stiffness[k]), 1e-6);
       for (const double value : {t.end_displacement[k].y, t.end_displacement[k].z})
         positions.number(value, per_si::micrometre);
       for (const double value : {t.end_rotation[k].y, t.end_rotation[k].z})
@@ -112,9 +111,8 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
 }
 
 bool all_converged(const Result& result) {
-  return std::ranges::all_of(result.load_cases, [](const LoadCaseResult& r) {
-    return r.converged() && travels(r);
-  });
+  return std::ranges::all_of(result.load_cases,
+                             [](const LoadCaseResult& r) { return r.converged() && travels(r); });
 }
 
 std::vector<std::string> summary_of_warnings(const Result& result) {

@@ -307,7 +307,8 @@ bool is_round(const Conditions& c, const SpatialLoad& load) {
   return none(load.side_force.value) && none(load.moment.value) && none(load.eccentricity) &&
          none(load.nut_tilt) && none(load.nut_offset) && none(d.thread_eccentricity.screw) &&
          none(d.thread_eccentricity.nut) && d.index_error.screw.empty() &&
-         d.index_error.nut.empty() && d.turning == Turning{} && c.model.contact_phase == ModelOptions::ContactPhase::equal &&
+         d.index_error.nut.empty() && d.turning == Turning{} &&
+         c.model.contact_phase == ModelOptions::ContactPhase::equal &&
          std::ranges::all_of(c.structure->screw.bearings,
                              [&](const Bearing& b) { return none(b.offset) && none(b.angle); });
 }
@@ -414,8 +415,8 @@ ModesResult vibrating(const AllRollers& all, const FullModel& f, const FullDistr
     found.left_out = "there is no equilibrium";
     if (loads.solve.converged()) found = at(there, loads);
     if (!found.left_out.empty()) {
-      result.along_travel_left_out = fmt::format(
-          "{} at {:.6g} deg", found.left_out, theta * 180.0 / std::numbers::pi);
+      result.along_travel_left_out =
+          fmt::format("{} at {:.6g} deg", found.left_out, theta * 180.0 / std::numbers::pi);
       return result;
     }
     along.angle.push_back(theta);
@@ -436,12 +437,11 @@ void warn_of_modes(const ModesResult& modes, const Structure& structure,
                                "{value} rollers carry nothing and have no part in the modes"}
                            .with(static_cast<double>(modes.idle_rollers.size())));
   if (!modes.left_out.empty())
-    warnings.push_back(
-        {"", "no_modes", fmt::format("the modes are left out: {}", modes.left_out)});
+    warnings.push_back({"", "no_modes", fmt::format("the modes are left out: {}", modes.left_out)});
   if (!modes.along_travel_left_out.empty())
-    warnings.push_back({"", "no_modes_along_travel",
-                        fmt::format("the modes along the travel are left out: {}",
-                                    modes.along_travel_left_out)});
+    warnings.push_back(
+        {"", "no_modes_along_travel",
+         fmt::format("the modes along the travel are left out: {}", modes.along_travel_left_out)});
   if (modes.buckled > 0)
     warnings.push_back({"", "buckled",
                         "the screw buckles under the axial force: a mode without frequency is left "
@@ -570,9 +570,9 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
       moved = travelled(at_rest, load_case, contacts.mechanism);
     if (load_case.modes) {
       const FullModel still = at_rest.model();
-      found_modes = vibrating(at_rest, still,
-                              push.empty() ? d : at_rest.solved(still, Detail::complete), load_case,
-                              c, contacts.mechanism);
+      found_modes =
+          vibrating(at_rest, still, push.empty() ? d : at_rest.solved(still, Detail::complete),
+                    load_case, c, contacts.mechanism);
     }
   }
   FullLoads full = full_loads(all, f, d, load_case, c, contacts, laws);

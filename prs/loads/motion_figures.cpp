@@ -75,7 +75,10 @@ std::string combination(double order, double resolution, const std::vector<Motio
         best.clear();
         for (const auto& [times, name] : {std::pair{b, "spin"}, {a, "carrier"}, {c, "turn"}})
           if (times != 0)
-            best += fmt::format("{}{}{}", times < 0 ? "-" : best.empty() ? "" : "+",
+            best += fmt::format("{}{}{}",
+                                times < 0      ? "-"
+                                : best.empty() ? ""
+                                               : "+",
                                 std::abs(times) == 1 ? "" : std::to_string(std::abs(times)) + " ",
                                 name);
       }
@@ -103,8 +106,8 @@ Figures travel_orders(const Result& result, const FigureOptions& options) {
   const auto base = motion_orders(result.contacts.mechanism, t.slip_ratio);
   for (const OrderAmplitude* o : largest)
     if (o->amplitude > 0.02 * largest.front()->amplitude)
-      panel.labels.push_back({combination(o->order, 1.0 / std::abs(t.travel.turns), base),
-                              o->order, o->amplitude * per_si::micrometre});
+      panel.labels.push_back({combination(o->order, 1.0 / std::abs(t.travel.turns), base), o->order,
+                              o->amplitude * per_si::micrometre});
   figure.x = {"Periods in a turn"};
   figure.y = {"Amplitude", "µm", 0.0};
   figure.panels.push_back(std::move(panel));
@@ -125,10 +128,9 @@ Figures travel_thread_loads(const Result& result, const FigureOptions& options) 
       Polyline line;
       for (std::size_t p = 0; p < t.angle.size(); ++p)
         line.push_back({turns_at(t, p), loads.of_roller[p][k]});
-      const std::size_t style = i == Interface::screw
-                                    ? figure.add(fmt::format("thread {}", k + 1),
-                                                 line_number(panel.series.size()))
-                                    : panel.series.size();
+      const std::size_t style = i == Interface::screw ? figure.add(fmt::format("thread {}", k + 1),
+                                                                   line_number(panel.series.size()))
+                                                      : panel.series.size();
       panel.series.push_back({style, {std::move(line)}});
     }
     figure.panels.push_back(std::move(panel));
@@ -181,7 +183,8 @@ Figures mode_shapes(const Result& result, const FigureOptions& options) {
 }
 
 /// Frequencies, each a line over x of the columns.
-Figure frequency_lines(Figure figure, const std::vector<std::pair<double, std::vector<double>>>& at) {
+Figure frequency_lines(Figure figure,
+                       const std::vector<std::pair<double, std::vector<double>>>& at) {
   constexpr std::size_t kMost = 12;
   Panel panel;
   for (std::size_t k = 0; k < std::min(at.front().second.size(), kMost); ++k) {
@@ -239,8 +242,7 @@ Figures campbell(const Result& result, const FigureOptions& options) {
   }
   const std::size_t style =
       figure.add("natural frequency", line_of(Colour::ink, Dash::dashed, Weight::thin));
-  for (std::size_t k = 0; k < modes; ++k)
-    panel.references.push_back({style, m.modes[k].frequency});
+  for (std::size_t k = 0; k < modes; ++k) panel.references.push_back({style, m.modes[k].frequency});
   figure.x = {"Speed of screw against nut", "rpm", 0.0, speed};
   figure.y = {"Frequency", "Hz", 0.0, highest};
   figure.panels.push_back(std::move(panel));
@@ -253,8 +255,8 @@ std::vector<Headline> frequencies(const Result& result) {
   std::vector<Headline> headlines;
   const LoadCaseResult* lowest = nullptr;
   for (const LoadCaseResult& r : result.load_cases)
-    if (has_modes(r) && (!lowest || r.full->modes->modes[0].frequency <
-                                        lowest->full->modes->modes[0].frequency))
+    if (has_modes(r) &&
+        (!lowest || r.full->modes->modes[0].frequency < lowest->full->modes->modes[0].frequency))
       lowest = &r;
   if (!lowest) return headlines;
   const double frequency = lowest->full->modes->modes[0].frequency;

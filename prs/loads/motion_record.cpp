@@ -28,8 +28,9 @@ constexpr Quantity<TravelSupport> kTravelNut[] = {
 constexpr Quantity<TravelSupport> kTravelBearing[] = {
     {"at_mm", of<&TravelSupport::position>, "x", "", "position"},
     {"force_N", of<[](const TravelSupport& s) {
-       return each(s.force,
-                   [](const Eigen::Vector3d& f) { return std::vector<double>{f[1], f[2]}; });
+       return each(s.force, [](const Eigen::Vector3d& f) {
+         return std::vector<double>{f[1], f[2]};
+       });
      }>,
      "y, z, of the bearing on the screw, at each position"},
     {"moment_Nm", of<[](const TravelSupport& s) { return rows_of_lateral(s.moment); }>,
@@ -137,8 +138,8 @@ constexpr Quantity<TravelResult> kTravel[] = {
      "largest less least stiffness over the mean"},
     {"screw_end", of_table<kTravelEnd, std::identity{}, &TravelResult::converged>,
      "the loaded section of the screw"},
-    {"nut_reaction",
-     of_table<kTravelNut, &TravelResult::nut, &TravelResult::converged>, "of the nut's seat"},
+    {"nut_reaction", of_table<kTravelNut, &TravelResult::nut, &TravelResult::converged>,
+     "of the nut's seat"},
     {"bearings", of_table<kTravelBearing, &TravelResult::bearings, &TravelResult::converged>,
      "as the file has them"},
     {"side_force_ripple_N", travelled<&TravelResult::side_force_ripple>,
@@ -255,9 +256,11 @@ constexpr Quantity<ModesResult> kModes[] = {
      "degrees of freedom of the model"},
     {"idle_rollers", of<&ModesResult::idle_rollers>, "that have no part in it, from 1"},
     {"orders", of_table<kMotionOrder, &ModesResult::orders>, "of the parts"},
-    {"mode", of_table<kMode, [](const ModesResult& m) {
-       return each(m.modes, [&](const Mode& mode) { return ModeOf{&m, &mode}; });
-     }>,
+    {"mode",
+     of_table<kMode,
+              [](const ModesResult& m) {
+                return each(m.modes, [&](const Mode& mode) { return ModeOf{&m, &mode}; });
+              }>,
      "from the lowest frequency"},
     {"along_travel", of_table<kAlongTravel, &ModesResult::along_travel>,
      "frequencies at positions of the travel"},

@@ -261,8 +261,8 @@ constexpr Quantity<Measures> kMeasures[] = {
 };
 
 constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
-    {"lowest_frequency_Hz", of<&LoadMeasures::lowest_frequency>, "of the modes",
-     "", "lowest natural frequency", kShaftGroup, "needs `modes` and `structure.masses`"},
+    {"lowest_frequency_Hz", of<&LoadMeasures::lowest_frequency>, "of the modes", "",
+     "lowest natural frequency", kShaftGroup, "needs `modes` and `structure.masses`"},
     {"speeds_to_avoid_rpm", filled<&LoadMeasures::speeds_to_avoid>,
      "at which turn, carrier, rollers or their number meet the lowest frequency, screw against nut",
      "", "speeds to avoid", kShaftGroup, "needs `modes` and `structure.masses`"},

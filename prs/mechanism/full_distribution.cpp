@@ -292,8 +292,7 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
     d.screw_end.left_out = why_left_out(free);
     return;
   }
-  Assembled* of_pinned =
-      d.idle_rollers.empty() ? nullptr : &take(pinned.model, kept_pinned);
+  Assembled* of_pinned = d.idle_rollers.empty() ? nullptr : &take(pinned.model, kept_pinned);
   const bool done =
       of_pinned ? condense(f, pinned, of_pinned->equations, of_pinned->newton, linear, near, d)
                 : condense(f, s, equations, solver, linear, near, d);
@@ -475,7 +474,7 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   if (!d.solve.converged()) return d;
   if (start_ != FullStart::linear) parts_->keep(force, q);
   Solution(f, s, equations, q).read(d);
-  if (detail == Detail::complete) 
+  if (detail == Detail::complete)
     add_compliance(f, s, equations, solver, parts_->pinned,
                    start_ == FullStart::onwards ? kNearTangent : 0.0, d);
   return d;

@@ -77,9 +77,7 @@ struct ThreadsOfAll {
   PerInterface<ThreadOffsets> body;
   ThreadOffsets roller;
 
-  bool unlike() const {
-    return !d.roller_diameters.empty() || !d.pitch_error.roller.lists.empty();
-  }
+  bool unlike() const { return !d.roller_diameters.empty() || !d.pitch_error.roller.lists.empty(); }
 };
 
 /// What the gaps of one roller are made of, before the smallest is taken off.
@@ -107,8 +105,8 @@ PerInterface<std::vector<double>> gaps_of(const ThreadsOfAll& all, std::size_t j
     ThreadOffsets body = all.body[i], of_roller = roller;
     const std::vector<double>& index_error = all.d.index_error[i];
     const double part = i == Interface::screw ? all.turn.screw : all.turn.nut;
-    const double travelled = (standard ? 0.0 : all.turn.travel) -
-                             (i == Interface::screw ? all.turn.travel : 0.0);
+    const double travelled =
+        (standard ? 0.0 : all.turn.travel) - (i == Interface::screw ? all.turn.travel : 0.0);
     for (std::size_t k = 0; k < body.axial.size(); ++k) {
       if (!index_error.empty())
         body.axial[k] += index_error[start_at(m, on_part, static_cast<int>(k))];
@@ -159,8 +157,7 @@ void set_rollers(FullModel& f, const ModelOptions& options, const ThreadsOfAll& 
     const auto number = static_cast<std::size_t>(j);
     FullModel::Roller r;
     r.number = j;
-    r.azimuth =
-        f.load.carrier_angle + 2.0 * std::numbers::pi * j / f.rollers + all.turn.carrier;
+    r.azimuth = f.load.carrier_angle + 2.0 * std::numbers::pi * j / f.rollers + all.turn.carrier;
     double phase = 0.0;
     if (options.contact_phase == ModelOptions::ContactPhase::helical) {
       const double turns = helix_turns(m, r.azimuth - all.turn.geared(m.type));

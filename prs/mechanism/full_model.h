@@ -55,8 +55,8 @@ struct FullModel {
 
   SectorModel sector;  ///< One roller's share: laws, sense, pitch, sections of the rollers.
   PerInterface<double> smallest_gap;  ///< What was taken off the gaps [m].
-  double centre_distance = 0.0;  ///< a [m]
-  int rollers = 0;               ///< Missing ones included.
+  double centre_distance = 0.0;       ///< a [m]
+  int rollers = 0;                    ///< Missing ones included.
   std::vector<Roller> present;
   std::vector<BodyPiece> screw, nut;  ///< Along x, without gaps between them; at least one.
   std::optional<NutWall> nut_wall;    ///< Of refined bodies.

@@ -129,8 +129,7 @@ class Builder {
     const auto may_be_held = [&](double x) {
       const auto there = [&](double held) { return std::abs(x - held) <= same_; };
       return there(f_.thrust) || there(f_.loaded_section) ||
-             std::ranges::any_of(f_.bearings,
-                                 [&](const Bearing& b) { return there(b.position); });
+             std::ranges::any_of(f_.bearings, [&](const Bearing& b) { return there(b.position); });
     };
     for (std::size_t first = 0, end = 1; first < nodes.size(); first = end++) {
       while (end < nodes.size() && near(end)) ++end;
@@ -162,14 +161,11 @@ class Builder {
       else
         hold_still(own, Dof::u);
       s_.model.constraints.push_back(
-          {to,
-           Dof::v,
-           {{from, Dof::v, 1.0}, {from, Dof::theta, arm}, {own, Dof::v, 1.0}},
-           0.0});
+          {to, Dof::v, {{from, Dof::v, 1.0}, {from, Dof::theta, arm}, {own, Dof::v, 1.0}}, 0.0});
       s_.model.constraints.push_back(
           {to, Dof::theta, {{from, Dof::theta, 1.0}, {own, Dof::theta, 1.0}}, 0.0});
-      s_.model.beams.push_back({arm > 0.0 ? clamped : own, arm > 0.0 ? own : clamped,
-                                beam(section, std::abs(arm), y)});
+      s_.model.beams.push_back(
+          {arm > 0.0 ? clamped : own, arm > 0.0 ? own : clamped, beam(section, std::abs(arm), y)});
     }
   }
 

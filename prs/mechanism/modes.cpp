@@ -1,9 +1,9 @@
 #include "prs/mechanism/modes.h"
 
-#include <Eigen/Eigenvalues>
 #include <Spectra/MatOp/SparseCholesky.h>
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymGEigsSolver.h>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "prs/mechanism/linearised.h"
@@ -89,8 +89,8 @@ class Vibration {
     return m;
   }
   const SpatialNode& at(const std::vector<SpatialNode>& nodes, double x) const {
-    return *std::ranges::min_element(
-        nodes, {}, [&](const SpatialNode& n) { return std::abs(n.x - x); });
+    return *std::ranges::min_element(nodes, {},
+                                     [&](const SpatialNode& n) { return std::abs(n.x - x); });
   }
 
   void hold_screw() {
@@ -109,9 +109,9 @@ class Vibration {
       twist_.push_back(s_.model.add_node());
       if (i == 0) continue;
       const double l = s_.screw[i].x - s_.screw[i - 1].x;
-      const double polar =
-          2.0 * section_at(f_.screw, 0.5 * (s_.screw[i].x + s_.screw[i - 1].x)).bending /
-          steel.youngs_modulus;
+      const double polar = 2.0 *
+                           section_at(f_.screw, 0.5 * (s_.screw[i].x + s_.screw[i - 1].x)).bending /
+                           steel.youngs_modulus;
       s_.model.bars.push_back({twist_[i - 1], twist_[i], {shear * polar, l}});
       const double mass = *steel.density * polar * l / 6.0;
       masses_.push_back({Share::screw,
@@ -132,8 +132,8 @@ class Vibration {
     const double gear = static_cast<double>(v_.mechanism.starts.screw) / v_.mechanism.starts.roller;
     const double spin = epsilon + gear * (standard ? -epsilon : epsilon - 1.0);
     const double orbit = epsilon * f_.centre_distance;
-    const double inertia = (roller_mass() * orbit * orbit + roller_inertia() * spin * spin) /
-                           f_.threads();
+    const double inertia =
+        (roller_mass() * orbit * orbit + roller_inertia() * spin * spin) / f_.threads();
     for (std::size_t r = 0; r < s_.rollers.size(); ++r)
       for (std::size_t k = 0; k < f_.present[r].contact_x.size(); ++k) {
         const int node = twist_at(f_.present[r].contact_x[k]);
@@ -161,8 +161,7 @@ class Vibration {
   /// mass (form q)^2
   void add_point(Share share, std::vector<Freedom> freedoms, const Eigen::VectorXd& form,
                  double mass) {
-    if (mass > 0.0)
-      masses_.push_back({share, std::move(freedoms), mass * form * form.transpose()});
+    if (mass > 0.0) masses_.push_back({share, std::move(freedoms), mass * form * form.transpose()});
   }
 
   /// A bar and a beam in one plane, with mass and prestress.
@@ -179,13 +178,15 @@ class Vibration {
     }
     const std::vector<Freedom> bending{
         {first, Dof::v}, {first, Dof::theta}, {second, Dof::v}, {second, Dof::theta}};
-    masses_.push_back({share, bending, bending_mass(per_length, per_stiffness * section.bending, l)});
+    masses_.push_back(
+        {share, bending, bending_mass(per_length, per_stiffness * section.bending, l)});
     if (wanted_.prestress && tension != 0.0)
       prestress_.push_back({share, bending, prestress_of(tension, l)});
   }
 
   /// Force along x on the threads of a part of the model, before x [N].
-  double pushed_before(double x, const std::function<double(std::size_t, std::size_t)>& force) const {
+  double pushed_before(double x,
+                       const std::function<double(std::size_t, std::size_t)>& force) const {
     double sum = 0.0;
     for (std::size_t r = 0; r < f_.present.size(); ++r)
       for (std::size_t k = 0; k < f_.present[r].contact_x.size(); ++k)
@@ -201,8 +202,8 @@ class Vibration {
     const double load = f_.sense() * f_.axial_force;
     if (share == Share::screw)
       return -load + pushed_before(x, [&](std::size_t r, std::size_t k) {
-               return axial_load(Interface::screw, r, k);
-             });
+        return axial_load(Interface::screw, r, k);
+      });
     return (x > f_.thrust ? load : 0.0) - pushed_before(x, [&](std::size_t r, std::size_t k) {
              return axial_load(Interface::nut, r, k);
            });
@@ -284,9 +285,9 @@ class Vibration {
         for (const auto& [a, c] : terms[i])
           for (const auto& [b, d] : terms[j])
             if (a >= b)
-              entries.emplace_back(a, b,
-                                   c * d * q.matrix(static_cast<Eigen::Index>(i),
-                                                    static_cast<Eigen::Index>(j)));
+              entries.emplace_back(
+                  a, b,
+                  c * d * q.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   }
 
   /// Lower triangles, in units of each freedom that make the diagonal of K one.
@@ -336,8 +337,7 @@ bool Vibration::lowest(int count, double shift, Eigen::MatrixXd& vectors) const 
     };
     const Eigen::MatrixXd full = dense_of(k);
     if (Eigen::LLT<Eigen::MatrixXd>(full).info() != Eigen::Success) return false;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(
-        dense_of(mass_), full);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(dense_of(mass_), full);
     vectors = dense.eigenvectors().rowwise().reverse().leftCols(std::min(count, size));
     return dense.info() == Eigen::Success;
   }
@@ -357,7 +357,9 @@ bool Vibration::lowest(int count, double shift, Eigen::MatrixXd& vectors) const 
 Eigen::Matrix<double, Eigen::Dynamic, 3> Vibration::rigid() const {
   Eigen::Matrix<double, Eigen::Dynamic, 3> r =
       Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(fe::kDofsPerNode * s_.model.nodes, 3);
-  const auto row = [](int node, Dof dof) { return fe::kDofsPerNode * node + static_cast<int>(dof); };
+  const auto row = [](int node, Dof dof) {
+    return fe::kDofsPerNode * node + static_cast<int>(dof);
+  };
   for (const auto* body : {&s_.screw, &s_.nut})
     for (const SpatialNode& n : *body) {
       r(row(n.y_plane, Dof::u), 0) = 1.0;
@@ -415,7 +417,8 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
     const Share share = node < of_nut       ? Share::screw
                         : node < of_rollers ? Share::nut
                                             : Share::roller;
-    strain[static_cast<std::size_t>(share)] += force.dot(Eigen::Map<const fe::BeamVector<double>>(x.data()));
+    strain[static_cast<std::size_t>(share)] +=
+        force.dot(Eigen::Map<const fe::BeamVector<double>>(x.data()));
   }
   for (const fe::BarElement& b : s_.model.bars) {
     const double twist = at(b.second, Dof::u) - at(b.first, Dof::u);

@@ -16,25 +16,25 @@ struct Vibrating {
 
 /// A natural mode; shares add up to 1.
 struct Mode {
-  double frequency = 0.0;                ///< [Hz]
-  Eigen::Vector3d effective_mass;        ///< Along x, y, z [kg].
-  PerPart<double> kinetic;               ///< Shares of the kinetic energy in the parts,
-  double kinetic_of_masses = 0.0;        ///< and in masses and drive.
-  PerPart<double> strain;                ///< Shares of the strain energy, screw with torsion.
+  double frequency = 0.0;          ///< [Hz]
+  Eigen::Vector3d effective_mass;  ///< Along x, y, z [kg].
+  PerPart<double> kinetic;         ///< Shares of the kinetic energy in the parts,
+  double kinetic_of_masses = 0.0;  ///< and in masses and drive.
+  PerPart<double> strain;          ///< Shares of the strain energy, screw with torsion.
   PerInterface<double> contact_strain;
   double support_strain = 0.0;
-  double prestress = 0.0;                ///< < 0 in compression.
+  double prestress = 0.0;                                ///< < 0 in compression.
   PerInterface<std::vector<std::vector<double>>> shape;  ///< x, y, z of each node; screw, nut.
-  std::vector<double> axial, radial;     ///< Of the middle of each roller; missing and idle: 0.
+  std::vector<double> axial, radial;  ///< Of the middle of each roller; missing and idle: 0.
 };
 
 struct ModesResult {
-  std::string left_out;  ///< Why there are none.
+  std::string left_out;                            ///< Why there are none.
   Eigen::Vector3d mass = Eigen::Vector3d::Zero();  ///< Along x, y, z [kg].
   int freedoms = 0;
-  std::vector<int> idle_rollers;        ///< From 1; they have no part in it.
+  std::vector<int> idle_rollers;  ///< From 1; they have no part in it.
   bool prestressed = false;
-  int buckled = 0;                      ///< Modes that grow, left out.
+  int buckled = 0;  ///< Modes that grow, left out.
   std::vector<MotionOrder> orders;
   PerInterface<std::vector<double>> x;  ///< Of the nodes of screw and nut [m].
   std::vector<Mode> modes;              ///< By frequency.

@@ -43,7 +43,7 @@ double widest(const std::vector<double>& values, std::size_t count) {
   return width;
 }
 
-Lateral turned(double y, double z, double angle) {
+Lateral turned_by(double y, double z, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * y - s * z, s * y + c * z};
 }
@@ -67,10 +67,10 @@ struct Position {
 };
 
 void add_support(TravelSupport& s, const SupportForce& f, double angle) {
-  const Lateral across = turned(f.force[1], f.force[2], angle);
+  const Lateral across = turned_by(f.force[1], f.force[2], angle);
   s.position = f.position;
   s.force.emplace_back(f.force[0], across.y, across.z);
-  s.moment.push_back(turned(f.moment.y, f.moment.z, angle));
+  s.moment.push_back(turned_by(f.moment.y, f.moment.z, angle));
 }
 
 void set_loads(TravelLoads& l, Interface i, const std::vector<Position>& positions,
@@ -139,8 +139,7 @@ TravelBands travel_bands(const std::vector<double>& d, double sense, int one_tur
   const auto [least, most] = std::ranges::minmax(left);
   bands.variation = most - least;
   bands.variation_one_turn = widest(left, static_cast<std::size_t>(one_turn) + 1);
-  if (in_300_mm > 0)
-    bands.variation_300_mm = widest(left, static_cast<std::size_t>(in_300_mm) + 1);
+  if (in_300_mm > 0) bands.variation_300_mm = widest(left, static_cast<std::size_t>(in_300_mm) + 1);
   return bands;
 }
 
@@ -251,8 +250,8 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
     r.displacement.push_back(positions[k].displacement);
     r.mean_displacement += positions[k].displacement / static_cast<double>(count);
     const auto& q = d.screw_end.displacement;
-    r.end_displacement.push_back(turned(q[1], q[2], angle));
-    r.end_rotation.push_back(turned(q[3], q[4], angle));
+    r.end_displacement.push_back(turned_by(q[1], q[2], angle));
+    r.end_rotation.push_back(turned_by(q[3], q[4], angle));
     add_support(r.nut, d.nut, angle);
     side_force.push_back({r.nut.force.back()[1], r.nut.force.back()[2]});
     for (std::size_t b = 0; b < r.bearings.size(); ++b)
@@ -267,16 +266,15 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
   r.tilt_ripple = farthest_from_mean(r.end_rotation);
   const double step = std::abs(m.lead) / wanted.steps;
   const double in_300_mm = std::floor(0.3 / step + kOnLimit);
-  r.bands = travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0,
-                         wanted.steps,
-                         in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
+  r.bands =
+      travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0, wanted.steps,
+                   in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
   r.spectrum = travel_spectrum(r.displacement, wanted.turns);
   r.orders = fitted_orders(r.displacement, wanted, motion_orders(m, r.slip_ratio));
   std::vector<bool> present(static_cast<std::size_t>(m.rollers), false);
   for (const FullModel::Roller& roller : first.present)
     present[static_cast<std::size_t>(roller.number)] = true;
-  for (const Interface i : kInterfaces)
-    set_loads(r.loads[i], i, positions, r.angle, present);
+  for (const Interface i : kInterfaces) set_loads(r.loads[i], i, positions, r.angle, present);
   return r;
 }
 

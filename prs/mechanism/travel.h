@@ -47,20 +47,20 @@ std::vector<OrderAmplitude> fitted_orders(const std::vector<double>& d, const Tr
 
 /// Normal loads over a travel.
 struct TravelLoads {
-  double largest = 0.0;       ///< [N]
-  double angle = 0.0;         ///< Theta of the largest load [rad].
-  int roller = 0, thread = 0; ///< Of the largest load, from 1.
-  double least = 0.0;         ///< [N]
-  RollerThreads mean, ripple; ///< Ripple: largest less least [N].
+  double largest = 0.0;                        ///< [N]
+  double angle = 0.0;                          ///< Theta of the largest load [rad].
+  int roller = 0, thread = 0;                  ///< Of the largest load, from 1.
+  double least = 0.0;                          ///< [N]
+  RollerThreads mean, ripple;                  ///< Ripple: largest less least [N].
   std::vector<std::vector<double>> of_roller;  ///< Of the roller of the largest load, at each
                                                ///< position one for each thread [N].
 };
 
 /// A support over a travel.
 struct TravelSupport {
-  double position = 0.0;                   ///< x [m]
-  std::vector<Eigen::Vector3d> force;      ///< On the part [N].
-  std::vector<Lateral> moment;             ///< [N m]
+  double position = 0.0;               ///< x [m]
+  std::vector<Eigen::Vector3d> force;  ///< On the part [N].
+  std::vector<Lateral> moment;         ///< [N m]
 };
 
 /// Quasi-static positions of the turning mechanism. SI units.

@@ -57,9 +57,9 @@ struct Travel {
     ideal,    ///< For which the sliding interface slides least.
     solved,   ///< That of slip.
   };
-  int turns = 1;         ///< Of the screw against the nut; < 0 back.
-  int steps = 36;        ///< Positions in a turn.
-  double from = 0.0;     ///< [rad]
+  int turns = 1;      ///< Of the screw against the nut; < 0 back.
+  int steps = 36;     ///< Positions in a turn.
+  double from = 0.0;  ///< [rad]
   Part part = Part::screw;
   SlipRatio slip_ratio = SlipRatio::rolling;
   double stated_slip_ratio = std::numeric_limits<double>::quiet_NaN();  ///< In place of it.

@@ -271,7 +271,8 @@ void check_equal_shares(const Case& c, Problems& problems) {
   const SpatialLoad none;
   for (const LoadCase& load : c.load_cases) {
     const SpatialLoad& s = load.spatial;
-    if (load.share != LoadCase::Share::equal || (s == none && !load.travel && !load.modes)) continue;
+    if (load.share != LoadCase::Share::equal || (s == none && !load.travel && !load.modes))
+      continue;
     const auto refuse = [&](bool stands, std::string_view key) {
       if (stands)
         problems.add(fmt::format("{}.{}", load.input_path, key),

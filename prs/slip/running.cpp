@@ -747,9 +747,10 @@ std::optional<Conditions> with_slip_ratios(const Conditions& c, const Contacts& 
     const Result result = analyze_slip(alone, contacts, {.detail = Detail::numbers});
     const std::optional<SlipResult>& slip = result.load_cases.front().slip;
     if (!slip || !slip->converged())
-      throw CaseError(path_in(load, "travel.slip_ratio"),
-                      "got solved, but `slip` finds none for this load case; expected a number from "
-                      "0 to 1, rolling or ideal; write one of them");
+      throw CaseError(
+          path_in(load, "travel.slip_ratio"),
+          "got solved, but `slip` finds none for this load case; expected a number from "
+          "0 to 1, rolling or ideal; write one of them");
     found = slip->slip_ratio;
   }
   return stated;

@@ -248,8 +248,7 @@ double value_of(const Factor& factor, const FactorColumn& column, const Draw& dr
 namespace {
 
 std::string of_list(const Study& study, std::size_t factor, const std::string& of_entry) {
-  const bool several =
-      factor + 1 < study.factors.size() && study.factors[factor + 1].with_previous;
+  const bool several = factor + 1 < study.factors.size() && study.factors[factor + 1].with_previous;
   return several ? of_entry.substr(0, of_entry.rfind('[')) : of_entry;
 }
 

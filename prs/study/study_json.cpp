@@ -196,13 +196,13 @@ constexpr Quantity<StudyResult> kSummary[] = {
     {"sobol_indices",
      filled_table<kIndices,
                   [](auto& r) { return by_key(r.study.responses, within(r, r.summary.indices)); }>},
-    {"tolerances", filled_table<kGain,
-                                [](auto& r) {
-                                  return by_key(r.study.responses,
-                                                each(r.summary.tolerances, [&](const auto& gains) {
-                                                  return within(r, gains);
-                                                }));
-                                }>,
+    {"tolerances",
+     filled_table<kGain,
+                  [](auto& r) {
+                    return by_key(r.study.responses,
+                                  each(r.summary.tolerances,
+                                       [&](const auto& gains) { return within(r, gains); }));
+                  }>,
      "what halving each deviation does to each response, the largest gain first"},
 };
 

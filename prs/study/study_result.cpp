@@ -223,7 +223,7 @@ struct StudyAnalysis::Parts {
     std::ranges::stable_sort(all, std::greater<>(), &ToleranceGain::gain);
     return all;
   }
-  std::optional<GridMapCollector> maps;     ///< For a study with an envelope.
+  std::optional<GridMapCollector> maps;  ///< For a study with an envelope.
 };
 
 StudyAnalysis::StudyAnalysis(const Study& study) : parts_(std::make_unique<Parts>(study)) {}

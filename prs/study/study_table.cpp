@@ -257,9 +257,10 @@ std::string variance_shares(const Study& study, std::size_t response,
 std::string gains(const Study& study, std::size_t response,
                   const std::vector<ToleranceGain>& gains) {
   const TableResponse shown = table_response(study.responses[response]);
-  return fmt::format("\n{}: 95 % of the designs stay below {}; with half the deviation of one "
-                     "factor\n",
-                     shown.text(), significant(shown.factor * gains.front().quantile, 4)) +
+  return fmt::format(
+             "\n{}: 95 % of the designs stay below {}; with half the deviation of one "
+             "factor\n",
+             shown.text(), significant(shown.factor * gains.front().quantile, 4)) +
          ranking(
              study, gains, -1.0, [](const ToleranceGain& g) { return g.gain(); },
              [&](const ToleranceGain& g) {

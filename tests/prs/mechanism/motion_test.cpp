@@ -171,7 +171,9 @@ TEST(Motion, WrongInputIsTold) {
               HasSubstr("turning_part"));
   EXPECT_THAT(message([&](json& in) { screw_of(in)["eccentricity"]["amount"] = 5; }),
               HasSubstr("a length"));
-  EXPECT_THAT(message([&](json& in) { screw_of(in)["lead"]["waves"] = {{{"length", "0 mm"}}}; }),
+  EXPECT_THAT(message([&](json& in) {
+                screw_of(in)["lead"]["waves"] = {{{"length", "0 mm"}}};
+              }),
               HasSubstr("lead.waves[0].length"));
   EXPECT_THAT(message([&](json& in) {
                 screw_of(in)["lead"]["harmonics"] = {{{"order", 0}, {"amplitude", "1 um"}}};
@@ -205,8 +207,9 @@ TEST(Motion, WrongInputIsTold) {
               HasSubstr("a place on the nut"));
   EXPECT_THAT(message([](json& in) { in["structure"]["screw"]["drive"]["position"] = "-1 m"; }),
               HasSubstr("a place on the screw"));
-  EXPECT_THAT(message([](json& in) { in["structure"]["screw"]["drive"]["stiffness"] = "0 N m/rad"; }),
-              HasSubstr("drive.stiffness"));
+  EXPECT_THAT(
+      message([](json& in) { in["structure"]["screw"]["drive"]["stiffness"] = "0 N m/rad"; }),
+      HasSubstr("drive.stiffness"));
   EXPECT_THAT(message([](json& in) {
                 in["load_cases"][0]["modes"]["axial_support"] = {{"screw", "0 N/mm"}};
               }),
@@ -327,8 +330,7 @@ TEST(Motion, ALeadErrorRisesWithTheTravelAndDoesNotVary) {
       Case c = screw(type);
       c.load_cases[0].travel->turns = turns;
       // The rollers stay in place on the other part.
-      const Interface i =
-          type == Mechanism::Type::standard ? Interface::screw : Interface::nut;
+      const Interface i = type == Mechanism::Type::standard ? Interface::screw : Interface::nut;
       c.deviations.turning.thread[i].per_300_mm = 30e-6;
       const TravelResult t = travel_of(c);
       const double travel = std::abs(turns * c.mechanism.lead);
@@ -364,8 +366,7 @@ TEST(Motion, RigidPartsWithOneEccentricityHaveAClosedForm) {
     const auto force = [&](double u) {
       double sum = 0.0;
       for (int j = 0; j < c.mechanism.rollers; ++j) {
-        const double on_screw =
-            2.0 * pi * j / c.mechanism.rollers + (epsilon - 1.0) * t.angle[k];
+        const double on_screw = 2.0 * pi * j / c.mechanism.rollers + (epsilon - 1.0) * t.angle[k];
         const double h = -std::tan(*c.contact.normal_angle.screw) * error.amount *
                          std::cos(on_screw - error.angle);
         sum += std::pow(std::max(u - h, 0.0) / compliance, 1.5);
@@ -507,17 +508,17 @@ TEST(Motion, HeavyRollersTurnWithTheDrive) {
     const double m_thread = cylinder(*d.roller, threads);
     const double m_ends = cylinder(roller.end_diameter, 2.0 * roller.end_length);
     const double mass = m_thread + m_ends;
-    const double inertia = (m_thread * *d.roller * *d.roller +
-                            m_ends * roller.end_diameter * roller.end_diameter) / 8.0;
+    const double inertia =
+        (m_thread * *d.roller * *d.roller + m_ends * roller.end_diameter * roller.end_diameter) /
+        8.0;
     const double epsilon = *d.screw / (*d.screw + *d.nut);
     const double gear = c.mechanism.starts.screw / c.mechanism.starts.roller;
     const double w = standard ? epsilon - gear * epsilon : epsilon + gear * (epsilon - 1.0);
     const double advance = c.mechanism.lead / (2.0 * pi);
     const double a = *c.mechanism.centre_distance;
     const double all =
-        drive.inertia + c.mechanism.rollers *
-                            (mass * std::pow(epsilon * a, 2) + inertia * w * w +
-                             (standard ? mass * advance * advance : 0.0));
+        drive.inertia + c.mechanism.rollers * (mass * std::pow(epsilon * a, 2) + inertia * w * w +
+                                               (standard ? mass * advance * advance : 0.0));
     const double wanted = std::sqrt(drive.stiffness / all) / (2.0 * pi);
     EXPECT_NEAR(modes_of(c).modes[0].frequency, wanted, 1e-4 * wanted);
   }
@@ -596,9 +597,8 @@ TEST(Motion, APinnedScrewUnderAxialForceIsABeam) {
                           std::sqrt(steel.youngs_modulus * inertia / (*steel.density * area)) *
                           std::sqrt(1.0 + tension);
     const std::vector<Mode> modes = modes_of(c).modes;
-    const auto first = std::ranges::find_if(modes, [](const Mode& m) {
-      return m.effective_mass[0] < 1e-3 && m.kinetic.screw > 0.9;
-    });
+    const auto first = std::ranges::find_if(
+        modes, [](const Mode& m) { return m.effective_mass[0] < 1e-3 && m.kinetic.screw > 0.9; });
     ASSERT_NE(first, modes.end());
     EXPECT_NEAR(first->frequency, wanted, 0.01 * wanted);
   }
@@ -627,9 +627,9 @@ TEST(Motion, NodesThatLieCloseAreExact) {
       return loads[0].dot(rates[0]);
     };
     const double exact = compliance(full_structure(f));
-    EXPECT_NEAR(compliance(full_structure(
-                    f, FullMesh{{}, {}, std::numeric_limits<double>::infinity()})),
-                exact, 1e-9 * exact);
+    EXPECT_NEAR(
+        compliance(full_structure(f, FullMesh{{}, {}, std::numeric_limits<double>::infinity()})),
+        exact, 1e-9 * exact);
   }
 }
 
