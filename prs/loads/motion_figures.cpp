@@ -118,6 +118,7 @@ Figures travel_thread_loads(const Result& result, const FigureOptions& options) 
   const LoadCaseResult* shown = chosen_case(result, options, has_travel);
   if (!shown) return {};
   const TravelResult& t = *shown->full->travel;
+  if (t.loads.screw.of_roller.empty()) return {};
   Figure figure = figure_of("travel_loads", "The most loaded roller over the travel", *shown);
   figure.columns = 2;
   for (const Interface i : kInterfaces) {

@@ -312,6 +312,11 @@ class Vibration {
 
   /// Vectors of the largest 1/(omega^2 + shift).
   bool lowest(int count, double shift, Eigen::MatrixXd& vectors) const;
+  /// How many omega^2 lie below, by the signs of a triangular factorization (Sylvester).
+  Eigen::Index modes_below(double square) const {
+    const Eigen::SimplicialLDLT<Sparse> ldl(stiffness_ - square * mass_);
+    return ldl.info() == Eigen::Success ? (ldl.vectorD().array() < 0.0).count() : 0;
+  }
   Eigen::Matrix<double, Eigen::Dynamic, 3> rigid() const;
   Mode mode_of(const Eigen::VectorXd& phi, double& square) const;
 
@@ -505,29 +510,44 @@ ModesResult Vibration::solve() const {
     result.mass += (own.transpose() * m.matrix * own).diagonal();
   }
   const int most = std::min(wanted_.count, result.freedoms);
-  // A buckled screw has modes with omega^2 < 0, which a shift brings above 0.
-  constexpr int kMostBuckled = 6;
-  Eigen::MatrixXd vectors;
-  bool found = lowest(most, 0.0, vectors);
-  const double first_shift =
+  const double unit =
       1e-9 * stiffness_.diagonal().sum() / std::max(mass_.diagonal().sum(), 1e-300);
-  for (double shift = first_shift; !found && shift < 1e12 * first_shift; shift *= 100.0)
-    found = lowest(std::min(most + kMostBuckled, result.freedoms), shift, vectors);
-  if (!found) {
-    result.left_out = "the eigenvalue problem has no solution to rounding";
-    return result;
+  // A buckled screw has modes with omega^2 < 0, which a shift brings above 0. Of two modes of one
+  // frequency Lanczos' method may find one alone: as many more are asked for as the count says.
+  constexpr int kMostBuckled = 6, kMostTries = 6;
+  double shift = 0.0;
+  for (int extra = 0, tries = 0; tries < kMostTries; ++tries) {
+    Eigen::MatrixXd vectors;
+    while (!lowest(std::min(most + extra, result.freedoms), shift, vectors)) {
+      shift = shift == 0.0 ? unit : 100.0 * shift;
+      extra = std::max(extra, kMostBuckled);
+      if (shift > 1e12 * unit) {
+        result.left_out = "the eigenvalue problem has no solution to rounding";
+        return result;
+      }
+    }
+    result.modes.clear();
+    result.buckled = 0;
+    for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
+      double square = 0.0;
+      Mode mode = mode_of(vectors.col(k), square);
+      if (square > 0.0)
+        result.modes.push_back(std::move(mode));
+      else
+        ++result.buckled;
+    }
+    std::ranges::sort(result.modes, {}, &Mode::frequency);
+    if (static_cast<int>(result.modes.size()) > most)
+      result.modes.resize(static_cast<std::size_t>(most));
+    if (result.modes.empty() || vectors.cols() == result.freedoms) break;
+    const double last = 2.0 * std::numbers::pi * result.modes.back().frequency * (1.0 - 1e-7);
+    const auto found = std::ranges::count_if(result.modes, [&](const Mode& m) {
+      return 2.0 * std::numbers::pi * m.frequency < last;
+    });
+    const auto missing = modes_below(last * last) - result.buckled - found;
+    if (missing <= 0) break;
+    extra += static_cast<int>(missing) + 2;
   }
-  for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
-    double square = 0.0;
-    Mode mode = mode_of(vectors.col(k), square);
-    if (square > 0.0)
-      result.modes.push_back(std::move(mode));
-    else
-      ++result.buckled;
-  }
-  std::ranges::sort(result.modes, {}, &Mode::frequency);
-  if (result.modes.size() > static_cast<std::size_t>(most))
-    result.modes.resize(static_cast<std::size_t>(most));
   return result;
 }
 

@@ -2,9 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <complex>
-#include <future>
-#include <thread>
+#include <functional>
 
 namespace prs {
 namespace {
@@ -15,7 +13,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kOnLimit = 1e-9;
 
 /// Positions that are solved one after the other.
-constexpr std::size_t kChunk = 64;
+constexpr int kChunk = 64;
 
 /// Loads that differ by less are the same load, as rounding has it.
 constexpr double kSameNormalLoad = 1e-9;
@@ -60,12 +58,6 @@ double farthest_from_mean(const std::vector<Lateral>& points) {
   return farthest;
 }
 
-/// What is kept of a position.
-struct Position {
-  FullDistribution d;
-  double displacement = 0.0;
-};
-
 void add_support(TravelSupport& s, const SupportForce& f, double angle) {
   const Lateral across = turned_by(f.force[1], f.force[2], angle);
   s.position = f.position;
@@ -73,33 +65,58 @@ void add_support(TravelSupport& s, const SupportForce& f, double angle) {
   s.moment.push_back(turned_by(f.moment.y, f.moment.z, angle));
 }
 
-void set_loads(TravelLoads& l, Interface i, const std::vector<Position>& positions,
-               const std::vector<double>& angle, const std::vector<bool>& present) {
-  const auto count = static_cast<double>(positions.size());
-  l.mean = positions.front().d.normal_load[i];
-  RollerThreads least = l.mean, most = l.mean;
-  for (auto& roller : l.mean) std::ranges::fill(roller, 0.0);
-  l.ripple = l.mean;
-  l.least = std::numeric_limits<double>::infinity();
-  for (std::size_t p = 0; p < positions.size(); ++p)
-    for (std::size_t j = 0; j < l.mean.size(); ++j)
-      for (std::size_t k = 0; present[j] && k < l.mean[j].size(); ++k) {
-        const double load = positions[p].d.normal_load[i][j][k];
-        l.mean[j][k] += load / count;
-        least[j][k] = std::min(least[j][k], load);
-        most[j][k] = std::max(most[j][k], load);
-        l.least = std::min(l.least, load);
-        if (load <= l.largest * (1.0 + kSameNormalLoad)) continue;
-        l.largest = load;
-        l.angle = angle[p];
-        l.roller = static_cast<int>(j) + 1;
-        l.thread = static_cast<int>(k) + 1;
+/// Normal loads position by position.
+class Collected {
+ public:
+  explicit Collected(const FullModel& f) : f_(f) {
+    loads.mean = RollerThreads(static_cast<std::size_t>(f.rollers),
+                               std::vector<double>(static_cast<std::size_t>(f.threads()), 0.0));
+    loads.ripple = most_ = loads.mean;
+    least_ = RollerThreads(
+        loads.mean.size(),
+        std::vector<double>(loads.mean[0].size(), std::numeric_limits<double>::infinity()));
+  }
+
+  TravelLoads loads;
+
+  void add(const RollerThreads& normal_load, double angle, double share) {
+    if (1.0 / share < kMostShown) all_.push_back(normal_load);
+    for (const FullModel::Roller& r : f_.present) {
+      const auto j = static_cast<std::size_t>(r.number);
+      for (std::size_t k = 0; k < normal_load[j].size(); ++k) {
+        const double load = normal_load[j][k];
+        loads.mean[j][k] += share * load;
+        least_[j][k] = std::min(least_[j][k], load);
+        most_[j][k] = std::max(most_[j][k], load);
+        if (load <= loads.largest * (1.0 + kSameNormalLoad)) continue;
+        loads.largest = load;
+        loads.angle = angle;
+        loads.roller = r.number + 1;
+        loads.thread = static_cast<int>(k) + 1;
       }
-  for (std::size_t j = 0; j < l.mean.size(); ++j)
-    for (std::size_t k = 0; k < l.mean[j].size(); ++k) l.ripple[j][k] = most[j][k] - least[j][k];
-  for (const Position& p : positions)
-    l.of_roller.push_back(p.d.normal_load[i][static_cast<std::size_t>(std::max(l.roller, 1) - 1)]);
-}
+    }
+  }
+  TravelLoads finished() && {
+    loads.least = std::numeric_limits<double>::infinity();
+    for (const FullModel::Roller& r : f_.present) {
+      const auto j = static_cast<std::size_t>(r.number);
+      for (std::size_t k = 0; k < loads.mean[j].size(); ++k) {
+        loads.ripple[j][k] = most_[j][k] - least_[j][k];
+        loads.least = std::min(loads.least, least_[j][k]);
+      }
+    }
+    for (const RollerThreads& at : all_)
+      loads.of_roller.push_back(at[static_cast<std::size_t>(loads.roller - 1)]);
+    return std::move(loads);
+  }
+
+ private:
+  static constexpr double kMostShown = 5000.0;  ///< Positions whose loads are all kept.
+
+  const FullModel& f_;
+  RollerThreads least_, most_;
+  std::vector<RollerThreads> all_;
+};
 
 }  // namespace
 
@@ -209,72 +226,57 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
   r.travel = wanted;
   r.slip_ratio = slip_ratio(m, wanted);
   r.lead = m.lead;
-  const auto count = static_cast<std::size_t>(wanted.last()) + 1;
-  for (int k = 0; k <= wanted.last(); ++k) r.angle.push_back(wanted.angle(k));
-  std::vector<Position> positions(count);
-  const FullModel first = model.model(r.angle.front());
-  const auto solve_chunk = [&](std::size_t chunk) -> std::optional<std::size_t> {
-    const auto solver = model.solver();
-    for (std::size_t k = chunk * kChunk; k < std::min(count, (chunk + 1) * kChunk); ++k) {
-      FullModel f = model.model(r.angle[k]);
-      if (model.carrier) {
-        turn_axes(f, model.carrier(r.angle[k]));
-        for (std::size_t j = 0; j < f.present.size(); ++j)  // Rounding would make other zeros.
-          f.present[j].azimuth = first.present[j].azimuth;
-      }
-      Position& p = positions[k];
-      p.d = solver(f);
-      if (!p.d.solve.converged()) return k;
-      p.displacement = p.d.screw_end.displacement[0];
-      for (const Interface i : kInterfaces)
-        p.displacement += f.sense() * f.smallest_gap[i] / f.sector.cosine[i];
-    }
-    return std::nullopt;
-  };
-  std::optional<std::size_t> failed;
-  for (std::size_t chunk = 0; chunk * kChunk < count && !failed; ++chunk)
-    failed = solve_chunk(chunk);
-  if (failed) {
-    const FullDistribution& d = positions[*failed].d;
-    r.failure = {r.angle[*failed],
-                 d.reason.empty() ? std::string(fe::name(d.solve.status)) : d.reason,
-                 d.solve.status};
-    return r;
-  }
-
+  const int count = wanted.last() + 1;
+  const FullModel first = model.model(wanted.from);
+  PerInterface<Collected> collected{Collected(first), Collected(first)};
   std::vector<Lateral> side_force;
-  r.bearings.resize(positions.front().d.bearings.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const FullDistribution& d = positions[k].d;
-    const double angle = model.carrier ? model.carrier(r.angle[k]) : 0.0;
-    r.displacement.push_back(positions[k].displacement);
-    r.mean_displacement += positions[k].displacement / static_cast<double>(count);
+  std::function<FullDistribution(const FullModel&)> solver;
+  for (int k = 0; k < count; ++k) {
+    if (k % kChunk == 0) solver = model.solver();
+    const double theta = wanted.angle(k), turned = model.carrier ? model.carrier(theta) : 0.0;
+    FullModel f = model.model(theta);
+    if (model.carrier) {
+      turn_axes(f, turned);
+      for (std::size_t j = 0; j < f.present.size(); ++j)  // Rounding would make other zeros.
+        f.present[j].azimuth = first.present[j].azimuth;
+    }
+    const FullDistribution d = solver(f);
+    if (!d.solve.converged()) {
+      r.failure = {theta, d.reason.empty() ? std::string(fe::name(d.solve.status)) : d.reason,
+                   d.solve.status};
+      return r;
+    }
     const auto& q = d.screw_end.displacement;
-    r.end_displacement.push_back(turned_by(q[1], q[2], angle));
-    r.end_rotation.push_back(turned_by(q[3], q[4], angle));
-    add_support(r.nut, d.nut, angle);
+    double displacement = q[0];
+    for (const Interface i : kInterfaces)
+      displacement += f.sense() * f.smallest_gap[i] / f.sector.cosine[i];
+    r.angle.push_back(theta);
+    r.displacement.push_back(displacement);
+    r.mean_displacement += displacement / count;
+    r.end_displacement.push_back(turned_by(q[1], q[2], turned));
+    r.end_rotation.push_back(turned_by(q[3], q[4], turned));
+    add_support(r.nut, d.nut, turned);
     side_force.push_back({r.nut.force.back()[1], r.nut.force.back()[2]});
+    r.bearings.resize(d.bearings.size());
     for (std::size_t b = 0; b < r.bearings.size(); ++b)
-      add_support(r.bearings[b], d.bearings[b], angle);
+      add_support(r.bearings[b], d.bearings[b], turned);
     if (d.tangent_stiffness)
       r.tangent_stiffness.push_back(*d.tangent_stiffness);
     else if (!r.left_out_at)
-      r.left_out_at = r.angle[k];
+      r.left_out_at = theta;
+    for (const Interface i : kInterfaces)
+      collected[i].add(d.normal_load[i], theta, 1.0 / count);
   }
   if (r.left_out_at) r.tangent_stiffness.clear();
   r.side_force_ripple = farthest_from_mean(side_force);
   r.tilt_ripple = farthest_from_mean(r.end_rotation);
-  const double step = std::abs(m.lead) / wanted.steps;
-  const double in_300_mm = std::floor(0.3 / step + kOnLimit);
-  r.bands =
-      travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0, wanted.steps,
-                   in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
+  const double in_300_mm = std::floor(0.3 * wanted.steps / std::abs(m.lead) + kOnLimit);
+  r.bands = travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0,
+                         wanted.steps,
+                         in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
   r.spectrum = travel_spectrum(r.displacement, wanted.turns);
   r.orders = fitted_orders(r.displacement, wanted, motion_orders(m, r.slip_ratio));
-  std::vector<bool> present(static_cast<std::size_t>(m.rollers), false);
-  for (const FullModel::Roller& roller : first.present)
-    present[static_cast<std::size_t>(roller.number)] = true;
-  for (const Interface i : kInterfaces) set_loads(r.loads[i], i, positions, r.angle, present);
+  for (const Interface i : kInterfaces) r.loads[i] = std::move(collected[i]).finished();
   return r;
 }
 
