@@ -14,14 +14,19 @@ std::vector<std::vector<double>> rows_of_lateral(const std::vector<Lateral>& all
   return each(all, [](const Lateral& l) { return std::vector<double>{l.y, l.z}; });
 }
 
-constexpr Quantity<TravelSupport> kTravelNut[] = {
-    {"force_N", of<[](const TravelSupport& s) {
+struct TravelNut {
+  std::vector<Eigen::Vector3d> force;
+  std::vector<Lateral> moment;
+};
+
+constexpr Quantity<TravelNut> kTravelNut[] = {
+    {"force_N", of<[](const TravelNut& s) {
        return each(s.force, [](const Eigen::Vector3d& f) {
          return std::vector<double>{f[0], f[1], f[2]};
        });
      }>,
      "x, y, z, of the housing on the nut, at each position"},
-    {"moment_Nm", of<[](const TravelSupport& s) { return rows_of_lateral(s.moment); }>,
+    {"moment_Nm", of<[](const TravelNut& s) { return rows_of_lateral(s.moment); }>,
      "about y and z, at each position"},
 };
 
@@ -37,16 +42,21 @@ constexpr Quantity<TravelSupport> kTravelBearing[] = {
      "about y and z, at each position"},
 };
 
-constexpr Quantity<TravelResult> kTravelEnd[] = {
-    {"displacement_um", of<[](const TravelResult& r) {
-       const std::vector<double> x = r.deviation();
+struct TravelEnd {
+  const TravelResult* travel;
+};
+
+constexpr Quantity<TravelEnd> kTravelEnd[] = {
+    {"displacement_um", of<[](const TravelEnd& e) {
+       const std::vector<double> x = e.travel->deviation();
        std::vector<std::vector<double>> rows;
        for (std::size_t k = 0; k < x.size(); ++k)
-         rows.push_back({x[k], r.end_displacement[k].y, r.end_displacement[k].z});
+         rows.push_back({x[k], e.travel->end_displacement[k].y, e.travel->end_displacement[k].z});
        return rows;
      }>,
      "x: the deviation; y, z as at rest, at each position"},
-    {"rotation_mrad", of<[](const TravelResult& r) { return rows_of_lateral(r.end_rotation); }>,
+    {"rotation_mrad",
+     of<[](const TravelEnd& e) { return rows_of_lateral(e.travel->end_rotation); }>,
      "about y and z, at each position"},
 };
 
@@ -136,12 +146,13 @@ constexpr Quantity<TravelResult> kTravel[] = {
     {"stiffness_ripple_percent",
      travelled<[](const TravelResult& r) { return ripple_of(r.tangent_stiffness); }>,
      "largest less least stiffness over the mean"},
-    {"screw_end", of_table<kTravelEnd, std::identity{}, &TravelResult::converged>,
+    {"screw_end", travelled<[](const TravelResult& r) { return TravelEnd{&r}; }>,
      "the loaded section of the screw"},
-    {"nut_reaction", of_table<kTravelNut, &TravelResult::nut, &TravelResult::converged>,
+    {"nut_reaction", travelled<[](const TravelResult& r) {
+       return TravelNut{r.nut.force, r.nut.moment};
+     }>,
      "of the nut's seat"},
-    {"bearings", of_table<kTravelBearing, &TravelResult::bearings, &TravelResult::converged>,
-     "as the file has them"},
+    {"bearings", travelled<&TravelResult::bearings>, "as the file has them"},
     {"side_force_ripple_N", travelled<&TravelResult::side_force_ripple>,
      "largest distance of the nut's force across the axis from its mean"},
     {"tilt_ripple_mrad", travelled<&TravelResult::tilt_ripple>,
@@ -167,7 +178,12 @@ struct ModeOf {
   const Mode* mode;
 };
 
-constexpr Quantity<ModeOf> kKinetic[] = {
+struct KineticOf : ModeOf {};
+struct StrainOf : ModeOf {};
+struct RollerShapeOf : ModeOf {};
+struct ShapeOf : ModeOf {};
+
+constexpr Quantity<KineticOf> kKinetic[] = {
     {"screw", of<[](const ModeOf& m) { return m.mode->kinetic.screw; }>, "of the screw"},
     {"nut", of<[](const ModeOf& m) { return m.mode->kinetic.nut; }>, "of the nut"},
     {"rollers", of<[](const ModeOf& m) { return m.mode->kinetic.roller; }>,
@@ -176,7 +192,7 @@ constexpr Quantity<ModeOf> kKinetic[] = {
      "of masses and drive"},
 };
 
-constexpr Quantity<ModeOf> kStrain[] = {
+constexpr Quantity<StrainOf> kStrain[] = {
     {"screw", of<[](const ModeOf& m) { return m.mode->strain.screw; }>, "of the screw"},
     {"nut", of<[](const ModeOf& m) { return m.mode->strain.nut; }>, "of the nut"},
     {"rollers", of<[](const ModeOf& m) { return m.mode->strain.roller; }>, "of the rollers"},
@@ -202,32 +218,31 @@ constexpr Quantity<BodyShape> kBodyShape[] = {
     {"displacement", of<[](const BodyShape& b) { return *b.displacement; }>, "x, y, z"},
 };
 
-constexpr Quantity<ModeOf> kRollerShape[] = {
+constexpr Quantity<RollerShapeOf> kRollerShape[] = {
     {"axial", of<[](const ModeOf& m) { return m.mode->axial; }>, "of the middle of each roller"},
     {"radial", of<[](const ModeOf& m) { return m.mode->radial; }>, "of the middle of each roller"},
 };
 
 template <Interface i>
-constexpr auto body_shape = of_table<kBodyShape, [](const ModeOf& m) {
+constexpr auto body_shape = of<[](const ModeOf& m) {
   return BodyShape{&m.all->x[i], &m.mode->shape[i]};
 }>;
 
-constexpr Quantity<ModeOf> kShape[] = {
+constexpr Quantity<ShapeOf> kShape[] = {
     {"screw", body_shape<Interface::screw>, "of the screw"},
     {"nut", body_shape<Interface::nut>, "of the nut"},
-    {"rollers", of_table<kRollerShape, [](const ModeOf& m) { return m; }>, "of the rollers"},
+    {"rollers", of<[](const ModeOf& m) { return RollerShapeOf{m}; }>, "of the rollers"},
 };
 
 constexpr Quantity<ModeOf> kMode[] = {
     {"frequency_Hz", of<[](const ModeOf& m) { return m.mode->frequency; }>, "natural frequency"},
-    {"effective_mass_kg",
-     of_table<kAlongAxes, [](const ModeOf& m) { return axes_of(m.mode->effective_mass); }>,
+    {"effective_mass_kg", of<[](const ModeOf& m) { return axes_of(m.mode->effective_mass); }>,
      "what takes part along each axis"},
-    {"kinetic_energy_percent", of_table<kKinetic, [](const ModeOf& m) { return m; }>,
+    {"kinetic_energy_percent", of<[](const ModeOf& m) { return KineticOf{m}; }>,
      "shares of the parts"},
-    {"strain_energy_percent", of_table<kStrain, [](const ModeOf& m) { return m; }>,
+    {"strain_energy_percent", of<[](const ModeOf& m) { return StrainOf{m}; }>,
      "shares of parts, contacts and supports"},
-    {"shape", of_table<kShape, [](const ModeOf& m) { return m; }>,
+    {"shape", of<[](const ModeOf& m) { return ShapeOf{m}; }>,
      "scaled so that its largest number is 1"},
     {"critical_speed_rpm", of<[](const ModeOf& m) {
        return each(m.all->orders, [&](const MotionOrder& o) {
@@ -250,20 +265,17 @@ constexpr Quantity<AlongTravel> kAlongTravel[] = {
 };
 
 constexpr Quantity<ModesResult> kModes[] = {
-    {"mass_kg", of_table<kAlongAxes, [](const ModesResult& m) { return axes_of(m.mass); }>,
+    {"mass_kg", of<[](const ModesResult& m) { return axes_of(m.mass); }>,
      "that moves along each axis"},
     {"dofs", of<&ModesResult::freedoms>, "freedoms of the model", "",
      "degrees of freedom of the model"},
     {"idle_rollers", of<&ModesResult::idle_rollers>, "that have no part in it, from 1"},
-    {"orders", of_table<kMotionOrder, &ModesResult::orders>, "of the parts"},
-    {"mode",
-     of_table<kMode,
-              [](const ModesResult& m) {
-                return each(m.modes, [&](const Mode& mode) { return ModeOf{&m, &mode}; });
-              }>,
+    {"orders", of<&ModesResult::orders>, "of the parts"},
+    {"mode", of<[](const ModesResult& m) {
+       return each(m.modes, [&](const Mode& mode) { return ModeOf{&m, &mode}; });
+     }>,
      "from the lowest frequency"},
-    {"along_travel", of_table<kAlongTravel, &ModesResult::along_travel>,
-     "frequencies at positions of the travel"},
+    {"along_travel", of<&ModesResult::along_travel>, "frequencies at positions of the travel"},
 };
 
 }  // namespace
@@ -280,6 +292,38 @@ Record<OrderAmplitude> record_of(Type<OrderAmplitude>) {
 Record<TravelResult> record_of(Type<TravelResult>) {
   return {"Travel", "Positions of the turning mechanism, whose parts carry their errors along.",
           kTravel};
+}
+Record<TravelNut> record_of(Type<TravelNut>) {
+  return {"TravelNut", "The nut's seat over a travel.", kTravelNut};
+}
+Record<TravelSupport> record_of(Type<TravelSupport>) {
+  return {"TravelBearing", "A bearing over a travel.", kTravelBearing};
+}
+Record<TravelEnd> record_of(Type<TravelEnd>) {
+  return {"TravelEnd", "The loaded section of the screw over a travel.", kTravelEnd};
+}
+Record<AlongAxes> record_of(Type<AlongAxes>) {
+  return {"AlongAxes", "A number for each axis.", kAlongAxes};
+}
+Record<KineticOf> record_of(Type<KineticOf>) {
+  return {"KineticEnergy", "Where the kinetic energy of a mode is.", kKinetic};
+}
+Record<StrainOf> record_of(Type<StrainOf>) {
+  return {"StrainEnergy", "Where the strain energy of a mode is.", kStrain};
+}
+Record<BodyShape> record_of(Type<BodyShape>) {
+  return {"BodyShape", "Displacements of screw or nut in a mode.", kBodyShape};
+}
+Record<RollerShapeOf> record_of(Type<RollerShapeOf>) {
+  return {"RollerShape", "Displacements of the rollers in a mode.", kRollerShape};
+}
+Record<ShapeOf> record_of(Type<ShapeOf>) { return {"ModeShape", "Shape of a mode.", kShape}; }
+Record<ModeOf> record_of(Type<ModeOf>) { return {"Mode", "A natural mode.", kMode}; }
+Record<MotionOrder> record_of(Type<MotionOrder>) {
+  return {"MotionOrder", "How often a motion comes back in a turn.", kMotionOrder};
+}
+Record<AlongTravel> record_of(Type<AlongTravel>) {
+  return {"ModesAlongTravel", "Natural frequencies at positions of the travel.", kAlongTravel};
 }
 Record<ModesResult> record_of(Type<ModesResult>) {
   return {"Modes", "Natural vibration of the loaded mechanism, without damping.", kModes};

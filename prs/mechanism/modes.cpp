@@ -510,8 +510,7 @@ ModesResult Vibration::solve() const {
     result.mass += (own.transpose() * m.matrix * own).diagonal();
   }
   const int most = std::min(wanted_.count, result.freedoms);
-  const double unit =
-      1e-9 * stiffness_.diagonal().sum() / std::max(mass_.diagonal().sum(), 1e-300);
+  const double unit = 1e-9 * stiffness_.diagonal().sum() / std::max(mass_.diagonal().sum(), 1e-300);
   // A buckled screw has modes with omega^2 < 0, which a shift brings above 0. Of two modes of one
   // frequency Lanczos' method may find one alone: as many more are asked for as the count says.
   constexpr int kMostBuckled = 6, kMostTries = 6;
@@ -541,9 +540,8 @@ ModesResult Vibration::solve() const {
       result.modes.resize(static_cast<std::size_t>(most));
     if (result.modes.empty() || vectors.cols() == result.freedoms) break;
     const double last = 2.0 * std::numbers::pi * result.modes.back().frequency * (1.0 - 1e-7);
-    const auto found = std::ranges::count_if(result.modes, [&](const Mode& m) {
-      return 2.0 * std::numbers::pi * m.frequency < last;
-    });
+    const auto found = std::ranges::count_if(
+        result.modes, [&](const Mode& m) { return 2.0 * std::numbers::pi * m.frequency < last; });
     const auto missing = modes_below(last * last) - result.buckled - found;
     if (missing <= 0) break;
     extra += static_cast<int>(missing) + 2;

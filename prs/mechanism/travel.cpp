@@ -264,16 +264,15 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
       r.tangent_stiffness.push_back(*d.tangent_stiffness);
     else if (!r.left_out_at)
       r.left_out_at = theta;
-    for (const Interface i : kInterfaces)
-      collected[i].add(d.normal_load[i], theta, 1.0 / count);
+    for (const Interface i : kInterfaces) collected[i].add(d.normal_load[i], theta, 1.0 / count);
   }
   if (r.left_out_at) r.tangent_stiffness.clear();
   r.side_force_ripple = farthest_from_mean(side_force);
   r.tilt_ripple = farthest_from_mean(r.end_rotation);
   const double in_300_mm = std::floor(0.3 * wanted.steps / std::abs(m.lead) + kOnLimit);
-  r.bands = travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0,
-                         wanted.steps,
-                         in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
+  r.bands =
+      travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0, wanted.steps,
+                   in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
   r.spectrum = travel_spectrum(r.displacement, wanted.turns);
   r.orders = fitted_orders(r.displacement, wanted, motion_orders(m, r.slip_ratio));
   for (const Interface i : kInterfaces) r.loads[i] = std::move(collected[i]).finished();
