@@ -11,6 +11,7 @@
 #include "prs/mechanism/full_distribution.h"
 #include "prs/mechanism/full_influence.h"
 #include "prs/mechanism/full_model.h"
+#include "prs/mechanism/modes.h"
 #include "support/sectors.h"
 
 namespace {
@@ -154,5 +155,54 @@ void FullOrbitOfEightPositions(benchmark::State& state) {
   }
 }
 BENCHMARK(FullOrbitOfEightPositions);
+
+/// 1,000 positions with unequal errors of all rollers, stiffness and reactions included: at most 3
+/// s.
+void FullTravel(benchmark::State& state) {
+  test::SectorCase c = test::abevi();
+  c.mechanism.centre_distance = 14e-3;
+  c.deviations.turning.thread.screw.wobble = {1.5e-4, -1.0};
+  for (int j = 0; j < c.mechanism.rollers; ++j) {
+    c.deviations.turning.rollers.eccentricity.amount.many.push_back(1e-6 * (j % 4));
+    c.deviations.turning.rollers.eccentricity.angle.many.push_back(0.6 * j);
+  }
+  prs::LoadCase load;
+  load.axial_force = 45e3;
+  load.direction = c.direction;
+  load.position = c.position;
+  prs::Travel wanted;
+  wanted.turns = 27;
+  wanted.steps = 37;
+  const auto turn = [&](double theta) { return prs::turn_of(c.mechanism, wanted, theta); };
+  const prs::TravelModel model{
+      [&](double theta) {
+        return prs::full_model(c.mechanism, c.structure, c.materials, c.options, c.laws, load,
+                               c.deviations, turn(theta));
+      },
+      [&](double theta) { return turn(theta).carrier; },
+      [] {
+        return [solver = std::make_shared<prs::FullSolver>(prs::FullStart::onwards)](
+                   const prs::FullModel& f) { return solver->solve(f); };
+      }};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(prs::travel(model, c.mechanism, wanted).mean_displacement);
+}
+BENCHMARK(FullTravel)->Unit(benchmark::kMillisecond);
+
+/// 30 modes: at most 0.2 s.
+void FullModes(benchmark::State& state) {
+  test::SectorCase c = test::abevi();
+  c.mechanism.centre_distance = 14e-3;
+  for (const prs::Part p : prs::kParts) c.materials[p].density = 7810.0;
+  const prs::FullModel model = model_of();
+  const prs::FullDistribution loads = prs::solve(model);
+  prs::Modes wanted;
+  wanted.count = 30;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        prs::modes({model, loads, c.mechanism, c.structure, c.materials, 0.375}, wanted)
+            .modes.size());
+}
+BENCHMARK(FullModes)->Unit(benchmark::kMillisecond);
 
 }  // namespace

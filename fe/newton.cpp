@@ -500,10 +500,12 @@ bool NewtonSolver::start(const Eigen::VectorXd& f, const std::vector<double>& st
 
 bool NewtonSolver::solve_linear(const std::vector<double>& stiffness,
                                 const std::vector<Eigen::VectorXd>& loads,
-                                std::vector<Eigen::VectorXd>& displacements) {
+                                std::vector<Eigen::VectorXd>& displacements, double near) {
   DoubleNumbers& numbers = doubles_->method.numbers();
   numbers.secant(stiffness);
-  if (numbers.factorize() != FactorizationStatus::ok) return false;
+  if (!(near > 0.0 && numbers.factorized_within(near)) &&
+      numbers.factorize() != FactorizationStatus::ok)
+    return false;
   Eigen::VectorXd& correction = doubles_->correction;
   for (const Eigen::VectorXd& load : loads) {
     Eigen::VectorXd x;

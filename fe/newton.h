@@ -57,9 +57,10 @@ class NewtonSolver {
   bool start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q);
 
   /// Displacements of the loads on linear springs of the given stiffnesses in place of the
-  /// contacts, each refined to rounding. False where the structure is singular.
+  /// contacts, each refined to rounding. False where the structure is singular. `near`: the last
+  /// factorization is taken where no stiffness differs from those in it by more than this share.
   bool solve_linear(const std::vector<double>& stiffness, const std::vector<Eigen::VectorXd>& loads,
-                    std::vector<Eigen::VectorXd>& displacements);
+                    std::vector<Eigen::VectorXd>& displacements, double near = 0.0);
 
   /// Displacement rate dq/dt at the state `q` for the load rate df/dt = `rate`: tangent x = rate,
   /// refined until rate'x is known to 1e-11. False where the tangent is singular.

@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   cmake ninja-build g++ pkg-config ccache
-  libeigen3-dev libsuitesparse-dev libyaml-cpp-dev libboost-dev
+  libeigen3-dev libspectra-dev libsuitesparse-dev libyaml-cpp-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libcsv-dev nettle-dev libxsimd-dev
   libtbb-dev libnetcdf-dev librsvg2-dev zlib1g-dev libopenmpi-dev libpagmo-dev openmpi-bin
   python3-dev python3-venv

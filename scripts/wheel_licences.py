@@ -31,6 +31,7 @@ HEADERS = {
     "libboost-dev": "BSL-1.0",
     "libcli11-dev": "BSD-3-Clause",
     "libeigen3-dev": "MPL-2.0",
+    "libspectra-dev": "MPL-2.0",
     "libxsimd-dev": "BSD-3-Clause",
     "nlohmann-json3-dev": "MIT",
 }

@@ -37,6 +37,21 @@ void alternatives(Choices& io, Guidance& g) {
      "a radial spring of this stiffness at both nodes of each end element");
 }
 
+/// A word of `Travel::SlipRatio`, or a number from 0 to 1.
+struct SlipRatioOrNumber {};
+Value value_of(Travel& t, const SlipRatioOrNumber&) {
+  return {OneOr{
+      .form = OneOr::Form::number,
+      .one = [&t] { return value_of(t.slip_ratio, Choice{}); },
+      .several =
+          [&t] {
+            return value_of(t.stated_slip_ratio, Number{{.least = 0.0, .greatest = 1.0}, "0.375"});
+          },
+      .others = ", or a number from 0 to 1",
+      .spread = [&t] { t.stated_slip_ratio = Travel{}.stated_slip_ratio; },
+      .are_several = !std::isnan(t.stated_slip_ratio)}};
+}
+
 /// What the word of a block that may be one word chooses.
 inline std::optional<Rings::Carrier>& selector_of(Rings& r, const WordOrBlock&) {
   return r.carrier;
@@ -121,6 +136,30 @@ void alternatives(Choices& io, Direction& d) {
   io("compression", d, Direction::compression, "the load pushes the screw in");
 }
 
+void alternatives(Choices& io, ExtraMass::Carrier& c) {
+  io("screw", c, ExtraMass::Carrier::screw, "the mass goes with the screw");
+  io("nut", c, ExtraMass::Carrier::nut, "the mass goes with the nut");
+}
+
+void alternatives(Choices& io, Travel::Part& p) {
+  io("screw", p, Travel::Part::screw, "the screw turns, the nut does not");
+  io("nut", p, Travel::Part::nut, "the nut turns, the screw does not");
+}
+
+void alternatives(Choices& io, Travel::SlipRatio& s) {
+  io("rolling", s, Travel::SlipRatio::rolling, "pitch cylinders roll: d_S/(d_S + d_N)");
+  io("ideal", s, Travel::SlipRatio::ideal, "for which the sliding interface slides least");
+  io("solved", s, Travel::SlipRatio::solved, "that of `prs slip`, with what it needs");
+}
+
+void alternatives(Choices& io, AxialSupport& a) {
+  using enum AxialSupport::At;
+  io("nut", a.at, nut, "the seat of the nut, as at rest");
+  io("screw", a.at, screw, "the loaded section of the screw, rigidly; the nut is free along x");
+  io("screw", a.at, screw_spring, a.stiffness, Quantity{unit::stiffness, positive},
+     "the same by a spring");
+}
+
 void alternatives(Choices& io, DrivenBy& d) {
   io("screw", d, DrivenBy::screw, "the screw moves its load");
   io("load", d, DrivenBy::load, "the load moves the screw");
@@ -193,6 +232,8 @@ void alternatives(Choices& io, Plan& p) {
   io("sobol_indices", p, Plan::sobol_indices,
      "Saltelli's design for the shares of the factors in the variance: as many designs a "
      "sample as factors, and two");
+  io("tolerances", p, Plan::tolerances,
+     "independent draws, and the same with the deviation of each factor from the file halved");
   io("derivatives", p, Plan::derivatives,
      "the file as it stands, with the derivatives by every factor");
 }
@@ -297,6 +338,35 @@ void fields(const Fields& io, Housing& h) {
   io("tilt", h.tilt, Held{unit::tilt_stiffness}, "Against rotation");
 }
 
+/// Components along the axis and across it.
+template <class Kind>
+auto spatial(Spatial& value, const Kind& kind) {
+  return Keys{[&value, kind](const Fields& io) {
+    io("x", value.x, kind, "Component x");
+    io("y", value.y, kind, "Component y");
+    io("z", value.z, kind, "Component z");
+  }};
+}
+
+void fields(const Fields& io, Drive& d) {
+  io("position", d.position, Quantity{unit::length}, required,
+     "Axial position, counted as positions on the nut");
+  io("inertia", d.inertia, Quantity{unit::inertia, not_negative}, "Of what turns with the screw");
+  io("stiffness", d.stiffness, Held{unit::tilt_stiffness}, "Against turning of the screw there");
+}
+
+void fields(const Fields& io, ExtraMass& m) {
+  io("name", m.name, Text{"table"}, "Its name");
+  io("carried_by", m.carrier, Choice{}, required, "What it goes with");
+  io("position", m.position, Quantity{unit::length}, required,
+     "Section that it is fixed to, counted as positions on the nut");
+  io("mass", m.mass, Quantity{unit::mass, not_negative}, "Mass");
+  io("centre", m.centre, spatial(m.centre, Quantity{unit::length}),
+     "Of mass, from the axis at that section");
+  io("inertia", m.inertia, spatial(m.inertia, Quantity{unit::inertia, not_negative}),
+     "About the centre of mass");
+}
+
 void fields(const Fields& io, Structure::Screw& s) {
   const Quantity length{unit::length, not_negative};
   io("bore", s.bore, length, "Diameter of the bore");
@@ -304,6 +374,7 @@ void fields(const Fields& io, Structure::Screw& s) {
   io("far_length", s.far_length, length, "Behind the last contact; `mechanism: full`");
   io("bearings", s.bearings, List{Block{}},
      "What holds the screw across the axis; `mechanism: full`");
+  io("drive", s.drive, Block{}, "What turns the screw, for modes; `mechanism: full`");
 }
 
 void fields(const Fields& io, Structure::Roller& r) {
@@ -351,6 +422,8 @@ void fields(const Fields& io, Structure& s) {
   io("roller", s.roller, Block{}, required, "Dimensions of a roller other than its thread");
   io("nut", s.nut, Block{}, required,
      "The nut; axial positions count from its end that faces the loaded end of the screw");
+  io("masses", s.masses, List{Block{}},
+     "Rigid masses on screw and nut, for modes; `mechanism: full`");
 }
 
 void fields(const Fields& io, Material& m) {
@@ -389,6 +462,90 @@ void fields(const Fields& io, EndRelief& r) {
      "Contacts at each end over which it fades to nothing");
 }
 
+template <class Kind>
+auto around(TurningError& e, const Kind& kind) {
+  return [&e, kind](const Fields& io) {
+    io("amount", e.amount, kind, "How much");
+    io("angle", e.angle, Quantity{unit::angle}, "Azimuth on the part, from y to z");
+  };
+}
+
+void fields(const Fields& io, LeadHarmonic& h) {
+  io("order", h.order, Whole{1, 1000}, required, "Periods in a turn");
+  io("amplitude", h.amplitude, Quantity{unit::length}, "Of the sine");
+  io("phase", h.phase, Quantity{unit::angle}, "Of the sine");
+}
+
+void fields(const Fields& io, LeadWave& w) {
+  io("length", w.length, Quantity{unit::length, positive, "40 mm"}, required, "Of a period");
+  io("amplitude", w.amplitude, Quantity{unit::length}, "Of the sine");
+  io("phase", w.phase, Quantity{unit::angle}, "Of the sine");
+}
+
+void fields(const Fields& io, MeasuredLead& m) {
+  const List lengths{Quantity{unit::length}, 2};
+  io("at", m.at, lengths, required, "Places along the part, rising; 0 at the first contact");
+  io("deviation", m.deviation, lengths, required, "One at each place, straight between");
+}
+
+void fields(const Fields& io, TurningThread& t) {
+  io("eccentricity", t.eccentricity, Keys{around(t.eccentricity, Quantity{unit::length})},
+     "Of the thread's axis against journals or seat");
+  io("wobble", t, Keys{[&](const Fields& keys) {
+       around(t.wobble, Quantity{unit::angle})(keys);
+       keys("at", t.wobble_at, Quantity{unit::length},
+            "Place along the part that it leaves where it is, the middle of the contacts by "
+            "default");
+     }},
+     "Tilt of the thread's axis");
+  io("lead", t, Keys{[&](const Fields& keys) {
+       keys("per_300_mm", t.per_300_mm, Quantity{unit::length},
+            "Proportional to length, > 0 threads too far apart");
+       keys("harmonics", t.harmonics, List{Block{}}, "Over a turn, each turn alike");
+       keys("waves", t.waves, List{Block{}}, "Along the part");
+       keys("measured", t.measured, Block{}, "As measured along the part");
+     }},
+     "Lead deviation of the thread");
+}
+
+template <class Kind>
+void for_each_roller(const Fields& io, std::string_view key, RollerValue& value, const Kind& kind,
+                     std::string_view meaning) {
+  OneOrMany both{value.one, value.many};
+  io(key, both, ForEachRoller{kind}, meaning);
+}
+
+template <class Kind>
+auto around(TurningRollers::Error& e, const Kind& kind) {
+  return Keys{[&e, kind](const Fields& io) {
+    for_each_roller(io, "amount", e.amount, kind, "How much");
+    for_each_roller(io, "angle", e.angle, Quantity{unit::angle}, "From the roller's mark");
+  }};
+}
+
+void fields(const Fields& io, TurningRollers::Harmonic& h) {
+  io("order", h.order, Whole{1, 1000}, required, "Periods in a turn");
+  for_each_roller(io, "amplitude", h.amplitude, Quantity{unit::length}, "Of the sine");
+  for_each_roller(io, "phase", h.phase, Quantity{unit::angle}, "Of the sine");
+}
+
+void fields(const Fields& io, Turning& t) {
+  io("screw", t.thread.screw, Block{}, "Of the screw");
+  io("nut", t.thread.nut, Block{}, "Of the nut");
+  io("roller", t.rollers, Keys{[&](const Fields& keys) {
+       keys("eccentricity", t.rollers.eccentricity,
+            around(t.rollers.eccentricity, Quantity{unit::length}),
+            "Of the thread's axis against the heads");
+       keys("wobble", t.rollers.wobble, around(t.rollers.wobble, Quantity{unit::angle}),
+            "Tilt of the thread's axis about the roller's middle");
+       keys("lead", t.rollers, Keys{[&](const Fields& lead) {
+              lead("harmonics", t.rollers.harmonics, List{Block{}}, "Over a turn, each alike");
+            }},
+            "Lead deviation of the thread");
+     }},
+     "Of the rollers");
+}
+
 void fields(const Fields& io, Deviations& d) {
   const Quantity temperature{unit::temperature, positive};
   io("pitch_error", d.pitch_error, Each{Block{}, optional},
@@ -417,6 +574,7 @@ void fields(const Fields& io, Deviations& d) {
             "Of the nut");
      }},
      "Of the thread against the axis of its body; `mechanism: full`");
+  io("turning", d.turning, Block{}, "Errors that turn with their part; `mechanism: full`");
 }
 
 void fields(const Fields& io, ContactOverrides& c) {
@@ -460,6 +618,22 @@ void fields(const Fields& io, ModelOptions& m) {
      "Points along each axis of a contact patch; fewer than 9 miss its load");
 }
 
+void fields(const Fields& io, Travel& t) {
+  io("turns", t.turns, Whole{-100'000, 100'000}, "Of the screw against the nut; < 0 back");
+  io("steps", t.steps, Whole{4, 100'000}, "Positions in a turn");
+  io("from", t.from, Quantity{unit::angle}, "Turn of the screw against the nut at the start");
+  io("turning_part", t.part, Choice{}, "Which part turns");
+  io("slip_ratio", t, SlipRatioOrNumber{}, "Turn of the carrier against the nut over the screw's");
+}
+
+void fields(const Fields& io, Modes& m) {
+  io("count", m.count, Whole{1, 100'000}, "Number of modes, from the lowest");
+  io("axial_support", m.axial_support, Choice{}, "What holds the mechanism along its axis");
+  io("prestress", m.prestress, Flag{}, "Axial forces that stiffen or soften bending");
+  io("positions", m.positions, Whole{1, 100'000},
+     "Of the travel at which frequencies are found too; needs `travel`");
+}
+
 void fields(const Fields& io, LoadCaseItem& l) {
   io("name", l.name, Text{},
      "Name of the case, `case-1` for the first by default; a range makes NAME[0], NAME[1], ..");
@@ -500,6 +674,9 @@ void fields(const Fields& io, LoadCaseItem& l) {
   io("orbit", s.orbit, Block{},
      "A turn of the carrier: rollers and rings turn with their errors, errors of screw and nut "
      "stand still; `mechanism: full`");
+  io("travel", l.travel, Block{},
+     "Positions of the turning mechanism, whose parts carry their errors along; `mechanism: full`");
+  io("modes", l.modes, Block{}, "Natural frequencies under the load; `mechanism: full`");
 }
 
 void fields(const Fields& io, SpatialLoad::Orbit& o) {
@@ -965,6 +1142,9 @@ void fields(const Fields& io, FactorItem& f) {
      "share `3 %` or a half width `0.02 mm` to both sides, or from the lower to the upper "
      "deviation `[-0.01 mm, 0.03 mm]`");
   io("label", f.label, Text{"lead"}, "Its name in tables and figures");
+  io("together", f.together, Flag{},
+     "Whether the entries of a list, each drawn on its own, count as one factor");
+  io("kept", f.kept, Flag{}, "Whether a plan of tolerances draws it and never halves it");
   io("with", f.companions, List{Block{}, 1},
      "Inputs that change together with this one, value by value");
 }
@@ -1002,7 +1182,7 @@ void fields(const Fields& io, StudyItem& s) {
   io("command", s.command, Choice{}, required, "What each design runs through");
   io("plan", s.plan, Choice{}, "How designs are chosen");
   const std::string_view sampled =
-      "only with the plans latin_hypercube, sobol, monte_carlo and sobol_indices";
+      "only with the plans latin_hypercube, sobol, monte_carlo, sobol_indices and tolerances";
   io("samples", s.samples, Whole{1, kMostDesigns - 1},
      required_only_if(is_sampled(s.plan), sampled), "Number of draws");
   io("seed", s.seed, Whole{0, std::int64_t{1} << 53}, optional_only_if(is_sampled(s.plan), sampled),

@@ -34,6 +34,8 @@ struct LoadCaseItem {
   std::optional<double> position;
   std::optional<double> speed;
   SpatialLoad spatial;
+  std::optional<Travel> travel;
+  std::optional<Modes> modes;
 };
 
 /// The ends of an interval, and a normal distribution, as they are written.
@@ -58,6 +60,7 @@ struct FactorItem : CompanionItem {
   std::optional<WrittenNormal> normal;
   std::optional<std::string> within;
   std::vector<CompanionItem> companions;
+  bool together = false, kept = false;
 };
 
 /// A point of an envelope and the envelope itself, as they are written.

@@ -235,7 +235,7 @@ struct ListValue {
 
 /// One value or several.
 struct OneOr {
-  enum class Form { parts, ends, range, rollers, word, levels };
+  enum class Form { parts, ends, range, rollers, word, number, levels };
 
   Form form;
   std::function<Value()> one, several;

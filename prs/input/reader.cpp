@@ -490,6 +490,8 @@ void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem
     c->position = from.position;
     c->speed = from.speed;
     c->spatial = from.spatial;
+    c->travel = from.travel;
+    c->modes = from.modes;
   }
 }
 

@@ -333,6 +333,7 @@ std::string text_of_bounds(const Bounds& b, const Number& n) { return bounds_tex
 
 bool is_several(const Node& node, const OneOr& value) {
   if (value.form == OneOr::Form::parts) return is_per_part(node);
+  if (value.form == OneOr::Form::number) return !node.quoted && parse_number(node.text);
   if (value.form != OneOr::Form::rollers) return node.kind == Node::Kind::map;
   if (node.kind != Node::Kind::sequence) return false;
   return !std::holds_alternative<ListValue>(value.one().as) ||

@@ -147,6 +147,7 @@ class FactorReader : VariedInput {
         factor.companions.push_back(
             read_one(item().path, item().label.value_or(item().path), file, fields));
       }
+      factor.kept = item().kept;
       return {std::move(factor)};
     }
     std::vector<Factor> entries;
@@ -155,6 +156,8 @@ class FactorReader : VariedInput {
                                  fmt::format("{}[{}]", item().label.value_or(item().path), k), file,
                                  fields));
       entries.back().entry_of_list = true;
+      entries.back().with_previous = item().together && k > 0;
+      entries.back().kept = item().kept;
       if (!errors_.empty()) break;
     }
     return entries;
@@ -473,7 +476,11 @@ void check_responses(const std::vector<std::string>& responses, const Node& root
 void check_size(const Study& study, const Node& root, ErrorList& errors) {
   const std::size_t factors = study.factors.size();
   double designs = is_sampled(study.plan) ? static_cast<double>(study.samples) : 1.0;
-  if (study.plan == Plan::sobol_indices) designs *= static_cast<double>(factors + 2);
+  const std::vector<std::size_t> blocks = blocks_of(study);
+  if (study.plan == Plan::sobol_indices) designs *= static_cast<double>(blocks.size() + 2);
+  if (study.plan == Plan::tolerances)
+    designs *= 1.0 + static_cast<double>(std::ranges::count_if(
+                         blocks, [&](std::size_t f) { return !study.factors[f].kept; }));
   if (study.plan == Plan::grid)
     for (const Factor& factor : study.factors) designs *= static_cast<double>(factor.levels.size());
   if (designs + 1.0 > static_cast<double>(kMostDesigns)) {
@@ -557,6 +564,26 @@ StudyInput read_study_input(const Source& source) {
   for (std::size_t i = 0; i < item.factors.size(); ++i)
     for (Factor& factor : reader.read(i, file, fields))
       input.study.factors.push_back(std::move(factor));
+  for (std::size_t i = 0; i < item.factors.size(); ++i) {
+    const auto refused = [&](std::string_view key, std::string_view why) {
+      refuse(root, fmt::format("study.factors[{}].{}", i, key),
+             fmt::format("got true; expected it {}; delete it", why), errors);
+    };
+    const auto is_list = [&](const Factor& f) {
+      return f.with_previous && f.path.starts_with(item.factors[i].path);
+    };
+    if (item.factors[i].kept && item.plan != Plan::tolerances)
+      refused("kept", "only with the plan tolerances");
+    if (item.factors[i].together && std::ranges::none_of(input.study.factors, is_list))
+      refused("together", "only beside the path of a list of numbers, two or more");
+  }
+  if (item.plan == Plan::tolerances)
+    for (std::size_t i = 0; i < item.factors.size(); ++i)
+      if (!item.factors[i].kept && item.factors[i].values)
+        refuse(root, fmt::format("study.factors[{}].values", i),
+               "got values, which cannot be halved; expected within, normal or uniform with `plan: "
+               "tolerances`; write one of them, or `kept: true`",
+               errors);
   check_size(input.study, root, errors);
   errors.throw_if_any();
   if (item.envelope) read_envelope(*item.envelope, root, input.study, errors);

@@ -212,6 +212,7 @@ class SlotFinder {
       case Form::word:
         return find(several);
       case Form::rollers:
+      case Form::number:
         return find(value.are_several ? several : one);
       case Form::parts:
         return key == "screw" || key == "roller" || key == "nut" ? find(several)

@@ -313,6 +313,7 @@ LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactS
     for (const Interface i : kInterfaces) largest[i].assign(model.rated().threads, 0.0);
     for (const double angle : angles) {
       there.spatial.carrier_angle = angle;
+      there.travel.reset();  // An orbit turns the carrier alone.
       const FullDistribution solved = full_distribution(there, model.c, model.contacts, model.laws,
                                                         *solver_of_all, Detail::numbers);
       if (!solved.solve.converged()) return std::optional<LargestLoads>();

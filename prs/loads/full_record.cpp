@@ -160,6 +160,9 @@ constexpr Quantity<FullLoads> kFullLoads[] = {
      "the same screw, axial force only"},
     {"orbit", of<&FullLoads::orbit>, "what a turn of the carrier does", "",
      "a turn of the carrier"},
+    {"travel", of<&FullLoads::travel>, "positions of the turning mechanism", "", "travel"},
+    {"modes", of<&FullLoads::modes>, "natural vibration about the equilibrium", "",
+     "natural frequencies"},
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
+#include "prs/loads/load_case_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/text.h"
@@ -59,12 +60,59 @@ std::vector<double> percent(const std::vector<double>& rates) {
 }  // namespace
 
 std::vector<OutputFile> load_files(const Result& result, const CsvStyle& style) {
-  return {{"load_cases.csv", load_cases_csv(result, style)},
-          {"load_distribution.csv", load_distribution_csv(result, style)}};
+  std::vector<OutputFile> files{{"load_cases.csv", load_cases_csv(result, style)},
+                                {"load_distribution.csv", load_distribution_csv(result, style)}};
+  std::ranges::move(travel_files(result, style), std::back_inserter(files));
+  return files;
+}
+
+std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style) {
+  const auto has_travel = [](const LoadCaseResult& r) {
+    return r.full && r.full->travel && r.full->travel->converged();
+  };
+  if (std::ranges::none_of(result.load_cases, has_travel)) return {};
+  CsvWriter positions(style), threads(style);
+  load_header(positions);
+  positions.fields("angle_deg", "deviation_um", "tangent_stiffness_N_per_um", "end_y_um",
+                   "end_z_um", "end_theta_y_mrad", "end_theta_z_mrad", "nut_x_N", "nut_y_N",
+                   "nut_z_N", "nut_moment_y_Nm", "nut_moment_z_Nm");
+  positions.end_row();
+  load_header(threads);
+  threads.fields("interface", "roller", "thread", "mean_normal_load_N", "ripple_normal_load_N");
+  threads.end_row();
+  for (const LoadCaseResult& r : result.load_cases) {
+    if (!has_travel(r)) continue;
+    const TravelResult& t = *r.full->travel;
+    const std::vector<double> deviation = t.deviation();
+    for (std::size_t k = 0; k < t.angle.size(); ++k) {
+      load_fields(positions, r.load_case);
+      positions.number(t.angle[k], per_si::degree);
+      positions.number(deviation[k], per_si::micrometre);
+      positions.number(
+          t.tangent_stiffness.empty() ? std::nullopt : std::optional(t.tangent_stiffness[k]), 1e-6);
+      for (const double value : {t.end_displacement[k].y, t.end_displacement[k].z})
+        positions.number(value, per_si::micrometre);
+      for (const double value : {t.end_rotation[k].y, t.end_rotation[k].z})
+        positions.number(value, 1e3);
+      for (const double value : {t.nut.force[k][0], t.nut.force[k][1], t.nut.force[k][2],
+                                 t.nut.moment[k].y, t.nut.moment[k].z})
+        positions.number(value);
+      positions.end_row();
+    }
+    for (const Interface i : kInterfaces)
+      for (std::size_t j = 0; j < t.loads[i].mean.size(); ++j)
+        for (std::size_t k = 0; k < t.loads[i].mean[j].size(); ++k) {
+          load_fields(threads, r.load_case);
+          threads.row(name(i), j + 1, k + 1, std::optional(t.loads[i].mean[j][k]),
+                      std::optional(t.loads[i].ripple[j][k]));
+        }
+  }
+  return {{"travel.csv", positions.take()}, {"travel_loads.csv", threads.take()}};
 }
 
 bool all_converged(const Result& result) {
-  return std::ranges::all_of(result.load_cases, &LoadCaseResult::converged);
+  return std::ranges::all_of(result.load_cases,
+                             [](const LoadCaseResult& r) { return r.converged() && travels(r); });
 }
 
 std::vector<std::string> summary_of_warnings(const Result& result) {

@@ -52,6 +52,13 @@ std::string load_cases_csv(const Result& result, const CsvStyle& style = {});
 /// `load_distribution.csv`: one row a thread of every load case that has an answer.
 std::string load_distribution_csv(const Result& result, const CsvStyle& style = {});
 
+/// `travel.csv`, a row each position of each load case, and `travel_loads.csv`, a row each thread;
+/// none without a travel.
+std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style);
+
+/// Lowest frequency and the speeds at which orders of the parts meet it, where masses are stated.
+std::vector<Headline> frequencies(const Result& result);
+
 /// What the threads say, within 100 columns: the mechanism part by part, the contact of the roller
 /// with screw and nut, the loads and stresses of the cases with equal shares, and the warnings.
 /// Angles are Sandu's theta [deg], lengths in mm. A row is left out where nothing defines it: Hertz

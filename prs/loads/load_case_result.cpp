@@ -297,7 +297,7 @@ std::optional<Warning> lifted_shoulder(const Structure::Nut& nut, const SupportF
 bool alike(const Deviations& d) {
   return d.roller_diameters.empty() && d.roller_position.near.empty() &&
          d.roller_position.far.empty() && d.missing_rollers.empty() &&
-         d.pitch_error.roller.lists.empty();
+         d.pitch_error.roller.lists.empty() && d.turning.rollers == TurningRollers{};
 }
 
 /// Whether nothing but the rollers has an azimuth, so that all turns with the carrier.
@@ -307,7 +307,8 @@ bool is_round(const Conditions& c, const SpatialLoad& load) {
   return none(load.side_force.value) && none(load.moment.value) && none(load.eccentricity) &&
          none(load.nut_tilt) && none(load.nut_offset) && none(d.thread_eccentricity.screw) &&
          none(d.thread_eccentricity.nut) && d.index_error.screw.empty() &&
-         d.index_error.nut.empty() && c.model.contact_phase == ModelOptions::ContactPhase::equal &&
+         d.index_error.nut.empty() && d.turning == Turning{} &&
+         c.model.contact_phase == ModelOptions::ContactPhase::equal &&
          std::ranges::all_of(c.structure->screw.bearings,
                              [&](const Bearing& b) { return none(b.offset) && none(b.angle); });
 }
@@ -325,18 +326,24 @@ class AllRollers {
         solver_(solver),
         push_(push) {
     if (c.model.bodies == ModelOptions::Bodies::influence)
-      bodies_ = full_bodies(c, contacts, laws, model(load_case.spatial.carrier_angle));
+      bodies_ = full_bodies(c, contacts, laws, model());
   }
 
   bool influence() const { return bodies_.has_value(); }
   bool shoulder_lifts() const { return bodies_ && bodies_->face; }
+  /// Turned as the load case has it.
+  FullModel model() const { return model(load_case_, turn_of(contacts_.mechanism, load_case_)); }
+  FullModel model(const LoadCase& at, const Turn& turn) const {
+    FullModel model = full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_,
+                                 at, c_.deviations, turn);
+    model.push = push_;
+    return model;
+  }
+  /// The carrier alone has turned.
   FullModel model(double carrier_angle) const {
     LoadCase at = load_case_;
     at.spatial.carrier_angle = carrier_angle;
-    FullModel model = full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_,
-                                 at, c_.deviations);
-    model.push = push_;
-    return model;
+    return model(at, {});
   }
   FullDistribution solved(const FullModel& model, Detail detail) const {
     return bodies_ ? solve(model, *bodies_, detail) : solver_.solve(model, detail);
@@ -361,6 +368,97 @@ class AllRollers {
   std::optional<FullBodies> bodies_;
 };
 
+/// Quasi-static positions of the turning mechanism at rest.
+TravelResult travelled(const AllRollers& all, const LoadCase& load_case, const Mechanism& m) {
+  const Travel& wanted = *load_case.travel;
+  const auto turn = [&](double theta) { return turn_of(m, wanted, theta); };
+  TravelModel model{[&](double theta) { return all.model(load_case, turn(theta)); }, {}, {}};
+  if (all.influence()) {
+    model.solver = [&] {
+      return [&](const FullModel& f) { return all.solved(f, Detail::complete); };
+    };
+  } else {
+    model.carrier = [&](double theta) { return turn(theta).carrier - turn(wanted.from).carrier; };
+    model.solver = [] {
+      return [solver = std::make_shared<FullSolver>(FullStart::onwards)](const FullModel& f) {
+        return solver->solve(f, Detail::complete);
+      };
+    };
+  }
+  return travel(model, m, wanted);
+}
+
+/// Natural modes at the equilibrium d, and at positions of the travel.
+ModesResult vibrating(const AllRollers& all, const FullModel& f, const FullDistribution& d,
+                      const LoadCase& load_case, const Conditions& c, const Mechanism& m) {
+  const Travel at_rest;
+  const Travel& turning = load_case.travel ? *load_case.travel : at_rest;
+  const Modes& wanted = *load_case.modes;
+  const auto at = [&](const FullModel& model, const FullDistribution& loads) {
+    if (loads.screw_end.compliance.size() > 0)
+      return modes({model, loads, m, *c.structure, *c.materials, slip_ratio(m, turning)}, wanted);
+    ModesResult none;
+    none.left_out = loads.screw_end.left_out;
+    return none;
+  };
+  ModesResult result = at(f, d);
+  if (!result.left_out.empty() || !wanted.positions) return result;
+  ModesResult::AlongTravel along;
+  FullSolver solver;
+  const double positions = *wanted.positions;
+  for (int k = 0; k < *wanted.positions; ++k) {
+    const double theta =
+        turning.angle(static_cast<int>(std::floor(k * turning.last() / positions + 0.5)));
+    const FullModel there = all.model(load_case, turn_of(m, turning, theta));
+    const FullDistribution loads = solver.solve(there, Detail::complete);
+    ModesResult found;
+    found.left_out = "there is no equilibrium";
+    if (loads.solve.converged()) found = at(there, loads);
+    if (!found.left_out.empty()) {
+      result.along_travel_left_out =
+          fmt::format("{} at {:.6g} deg", found.left_out, theta * 180.0 / std::numbers::pi);
+      return result;
+    }
+    along.angle.push_back(theta);
+    along.frequency.emplace_back();
+    for (const Mode& mode : found.modes) along.frequency.back().push_back(mode.frequency);
+  }
+  result.along_travel = std::move(along);
+  return result;
+}
+
+/// A disc whose gyroscopic moment is this share of its tilting inertia splits pairs by per cents.
+constexpr double kGyroscopic = 0.02;
+
+void warn_of_modes(const ModesResult& modes, const Structure& structure,
+                   const std::optional<double>& speed, std::vector<Warning>& warnings) {
+  if (!modes.idle_rollers.empty())
+    warnings.push_back(Warning{"", "modes_without_idle_rollers",
+                               "{value} rollers carry nothing and have no part in the modes"}
+                           .with(static_cast<double>(modes.idle_rollers.size())));
+  if (!modes.left_out.empty())
+    warnings.push_back({"", "no_modes", fmt::format("the modes are left out: {}", modes.left_out)});
+  if (!modes.along_travel_left_out.empty())
+    warnings.push_back(
+        {"", "no_modes_along_travel",
+         fmt::format("the modes along the travel are left out: {}", modes.along_travel_left_out)});
+  if (modes.buckled > 0)
+    warnings.push_back({"", "buckled",
+                        "the screw buckles under the axial force: a mode without frequency is left "
+                        "out",
+                        "lower the force or hold the screw closer"});
+  if (!speed || modes.modes.empty()) return;
+  const double omega = 2.0 * std::numbers::pi * modes.modes.front().frequency;
+  for (std::size_t k = 0; k < structure.masses.size(); ++k) {
+    const ExtraMass& m = structure.masses[k];
+    if (m.carrier == ExtraMass::Carrier::screw &&
+        std::abs(*speed) * m.inertia.x > kGyroscopic * omega * (m.inertia.y + m.inertia.z))
+      warnings.push_back({fmt::format("structure.masses[{}]", k), "gyroscopic",
+                          "turns so fast that gyroscopic moments, which the modes leave out, split "
+                          "pairs of frequencies by per cents"});
+  }
+}
+
 /// What belongs to no single thread, but the orbit.
 FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution& d,
                      const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
@@ -368,7 +466,8 @@ FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution
   FullLoads full;
   full.freedoms = d.freedoms;
   full.rollers = f.rollers;
-  full.carrier_angle = load_case.spatial.carrier_angle;
+  full.carrier_angle =
+      load_case.spatial.carrier_angle + turn_of(contacts.mechanism, load_case).carrier;
   for (const int roller : d.idle_rollers) full.idle_rollers.push_back(roller + 1);
   full.missing_rollers = c.deviations.missing_rollers;
   full.screw_end = std::move(d.screw_end);
@@ -411,7 +510,7 @@ FullDistribution full_distribution(const LoadCase& load_case, const Conditions& 
                                    FullSolver& solver, Detail detail,
                                    const std::vector<RollerPush>& push) {
   const AllRollers all(load_case, c, contacts, laws, solver, push);
-  return all.solved(all.model(load_case.spatial.carrier_angle), detail);
+  return all.solved(all.model(), detail);
 }
 
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
@@ -435,6 +534,10 @@ std::string text(const Orbit::Failure& failure) {
                      failure.carrier_angle * 180.0 / std::numbers::pi);
 }
 
+bool travels(const LoadCaseResult& result) {
+  return !result.full || !result.full->travel || result.full->travel->converged();
+}
+
 Warning no_orbit(const Orbit::Failure& failure) {
   return {"", "no_orbit", fmt::format("the orbit is left out: {}", text(failure))};
 }
@@ -444,8 +547,8 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
                            const std::vector<RollerPush>& push) {
   const SpatialLoad& load = load_case.spatial;
   const AllRollers all(load_case, c, contacts, laws, solver, push);
-  const FullModel f = all.model(load.carrier_angle);
-  FullDistribution d = all.solved(f, detail);
+  const FullModel f = all.model();
+  FullDistribution d = all.solved(f, load_case.modes ? Detail::complete : detail);
   LoadDistribution flattened;
   flattened.solve = d.solve;
   flattened.axial_displacement = d.axial_displacement;
@@ -459,6 +562,19 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   if (!d.reason.empty()) warnings.push_back({"", "no_equilibrium", d.reason});
   if (!result.threads) return result;
 
+  std::optional<ModesResult> found_modes;
+  std::optional<TravelResult> moved;
+  if ((load_case.travel && load_case.travel->turns != 0) || load_case.modes) {
+    const AllRollers at_rest(load_case, c, contacts, laws, solver);
+    if (load_case.travel && load_case.travel->turns != 0)
+      moved = travelled(at_rest, load_case, contacts.mechanism);
+    if (load_case.modes) {
+      const FullModel still = at_rest.model();
+      found_modes =
+          vibrating(at_rest, still, push.empty() ? d : at_rest.solved(still, Detail::complete),
+                    load_case, c, contacts.mechanism);
+    }
+  }
   FullLoads full = full_loads(all, f, d, load_case, c, contacts, laws);
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*result.threads)[i];
@@ -471,6 +587,23 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
       full.orbit = std::move(turned);
     else
       warnings.push_back(no_orbit(*turned.failure));
+  }
+  if (moved && !moved->converged())
+    warnings.push_back(
+        {"", "no_travel",
+         fmt::format("no equilibrium at {:.6g} deg of the travel: {}",
+                     moved->failure->angle * 180.0 / std::numbers::pi, moved->failure->why)});
+  if (moved && moved->left_out_at)
+    warnings.push_back({"", "no_travel_stiffness",
+                        fmt::format("the stiffness over the travel is left out: there is none at "
+                                    "{:.6g} deg",
+                                    *moved->left_out_at * 180.0 / std::numbers::pi)});
+  full.travel = std::move(moved);
+  if (found_modes) {
+    std::optional<double> speed = load_case.speed;
+    if (!speed && c.operation) speed = c.operation->speed;
+    warn_of_modes(*found_modes, *c.structure, speed, warnings);
+    if (found_modes->left_out.empty()) full.modes = std::move(found_modes);
   }
   if (detail == Detail::complete && full.screw_end.compliance.size() == 0)
     warnings.push_back({"", "no_screw_end_stiffness",

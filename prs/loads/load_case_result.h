@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prs/loads/result.h"
-#include "prs/mechanism/full_distribution.h"
+#include "prs/mechanism/modes.h"
 #include "simd/instruction_set.h"
 
 namespace prs {
@@ -76,6 +76,8 @@ struct FullLoads {
   SymmetricLoads symmetric;
   double symmetric_stiffness = 0.0;  ///< Force over displacement [N/m].
   std::optional<Orbit> orbit;
+  std::optional<TravelResult> travel;
+  std::optional<ModesResult> modes;
 };
 
 /// The answer to a load case on all rollers. `push`: on each roller present, of bars and refined
@@ -100,6 +102,9 @@ Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts&
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                  const PerInterface<ContactLaw>& laws, FullSolver& solver,
                  const SpatialLoad::Orbit& wanted);
+
+/// Whether a travel that was asked for came to its end.
+bool travels(const LoadCaseResult& result);
 
 Warning no_orbit(const Orbit::Failure& failure);
 /// Why a position of the carrier has no equilibrium, and which.

@@ -468,6 +468,7 @@ Pictures load_pictures(const Result& r) {
                 "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged",
                 of_result(r, butterfly)}};
   std::ranges::move(roller_pictures(r), std::back_inserter(all));
+  std::ranges::move(motion_pictures(r), std::back_inserter(all));
   all.push_back({"convergence", "at most a few load cases, not of equal shares",
                  of_result(r, convergence), has_failed(r) ? always : with_all});
   return all;

@@ -71,6 +71,9 @@ struct OfThreads {
 Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options,
                        ColourScale colours, const OfThreads& of);
 
+/// Of travels and modes.
+Pictures motion_pictures(const Result& result);
+
 // What each command can show. The result must outlive the list.
 Pictures contact_pictures(const Result& result);
 Pictures solve_pictures(const Result& result);

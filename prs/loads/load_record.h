@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/loads/result.h"
+#include "prs/mechanism/modes.h"
 #include "prs/record/record.h"
 
 namespace prs {
@@ -11,6 +12,8 @@ Record<RunningLoads::AtRest> record_of(Type<RunningLoads::AtRest>);
 Record<InterfaceLoads> record_of(Type<InterfaceLoads>);
 Record<RollerShares> record_of(Type<RollerShares>);
 Record<FullLoads> record_of(Type<FullLoads>);
+Record<TravelResult> record_of(Type<TravelResult>);
+Record<ModesResult> record_of(Type<ModesResult>);
 Record<fe::NewtonIteration> record_of(Type<fe::NewtonIteration>);
 Record<LoadCaseResult> record_of(Type<LoadCaseResult>);
 

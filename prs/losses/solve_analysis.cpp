@@ -1,6 +1,7 @@
 #include "prs/losses/solve_analysis.h"
 
 #include "prs/loads/case_table.h"
+#include "prs/loads/load_case_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/model/check_case.h"
@@ -10,8 +11,29 @@
 namespace prs {
 namespace {
 
+/// Travels and modes at a glance.
+std::string motion_lines(const Result& result) {
+  std::string text;
+  for (const LoadCaseResult& r : result.load_cases) {
+    if (!r.full) continue;
+    const std::string name = case_name_cell(r);
+    if (const auto& t = r.full->travel; t && t->converged())
+      text += fmt::format("\n{}: travel deviation e_0a {}, v_ua {}, v_2pia {}", name,
+                          fixed_with_unit(t->bands.mean, "µm", 3),
+                          fixed_with_unit(t->bands.variation, "µm", 3),
+                          fixed_with_unit(t->bands.variation_one_turn, "µm", 3));
+    if (const auto& m = r.full->modes; m && !m->modes.empty()) {
+      text += fmt::format("\n{}: natural frequencies", name);
+      for (std::size_t k = 0; k < std::min<std::size_t>(m->modes.size(), 6); ++k)
+        text += fmt::format("{} {:.5g}", k ? "," : "", m->modes[k].frequency);
+      text += " Hz";
+    }
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 std::string solve_text(const Result& result) {
-  std::string text = load_case_table(result);
+  std::string text = load_case_table(result) + motion_lines(result);
   if (result.load_cases.size() <= kMostCharts)
     for (const LoadCaseResult& r : result.load_cases)
       text.append("\n").append(load_distribution_chart(r));
@@ -75,7 +97,12 @@ const Analysis<Result>& solve_analysis() {
       .pictures = [](const Result& r,
                      const Case& c) { return with_drawings(solve_pictures(r), c, r); },
       .converged = all_converged,
-      .headlines = overloads,
+      .headlines =
+          [](const Result& r) {
+            std::vector<Headline> all = overloads(r);
+            std::ranges::move(frequencies(r), std::back_inserter(all));
+            return all;
+          },
       .all_warnings = all_warnings,
       .responses = kSolveResponses,
       .takes_load_cases_apart = true};

@@ -424,6 +424,14 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
   if (detail == Detail::complete)
     m.back_driving_efficiency = prs::back_driving_efficiency(c, contacts, result);
   if (speed && *speed > 0.0) m.speed_safety = ratio(measures.critical_speed, speed);
+  const std::optional<ModesResult> none;
+  const std::optional<ModesResult>& modes = result.full ? result.full->modes : none;
+  if (modes && !modes->modes.empty() && !c.structure->masses.empty()) {
+    m.lowest_frequency = modes->modes.front().frequency;
+    for (const MotionOrder& order : modes->orders)
+      m.speeds_to_avoid.push_back(2.0 * std::numbers::pi * *m.lowest_frequency / order.order);
+    std::ranges::sort(m.speeds_to_avoid);
+  }
   return m;
 }
 

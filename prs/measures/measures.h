@@ -96,6 +96,9 @@ struct LoadMeasures {
   std::optional<double> thread_static_safety;  ///< With the shares under this load.
   std::optional<StaticLimit> static_safety_limit, thread_static_safety_limit;
   std::optional<double> buckling_safety;  ///< Where the load compresses the screw.
+  // Of a full mechanism with masses whose modes are asked for
+  std::optional<double> lowest_frequency;  ///< [Hz]
+  std::vector<double> speeds_to_avoid;     ///< At which an order meets it, ascending [rad/s].
   // Life under this load alone, equal shares
   std::optional<double> life;         ///< L10 [revolutions].
   std::optional<double> life_hours;   ///< At the operation's speed [h].

@@ -84,6 +84,8 @@ constexpr Quantity<Measures> kMeasures[] = {
 };
 
 constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
+    {"lowest_frequency_Hz", of<&LoadMeasures::lowest_frequency>},
+    {"speeds_to_avoid_rpm", filled<&LoadMeasures::speeds_to_avoid>},
     {"hertz_stiffness_screw_N_per_um", of_side<&LoadMeasures::hertz_stiffness, Interface::screw>},
     {"hertz_stiffness_nut_N_per_um", of_side<&LoadMeasures::hertz_stiffness, Interface::nut>},
     {"thread_stiffness_N_per_um", of<&LoadMeasures::thread_stiffness>},

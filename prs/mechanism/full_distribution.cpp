@@ -1,4 +1,4 @@
-#include "prs/mechanism/full_distribution.h"
+#include "prs/mechanism/linearised.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +21,10 @@ constexpr int kMostOfTrial = 30;
 
 /// Tangents count at least this share of that of equal shares.
 constexpr double kLeastTangent = 1e-7;
+
+/// Change of a contact's tangent with which the last factorization still gives the stiffness of one
+/// position after the other, in three refinements.
+constexpr double kNearTangent = 1e-3;
 
 /// Shares of the mean below which a thread or a roller carries nothing.
 constexpr double kUnloaded = 1e-6;
@@ -198,36 +202,11 @@ class Solution {
   std::vector<double> needed_;  ///< External force that each freedom needs for equilibrium.
 };
 
-/// The loaded mechanism as linear springs in place of its contacts.
-struct Linearised {
-  std::vector<double> tangent;  ///< Of each spring [N/m].
-  std::vector<bool> closed;     ///< Whether it carries a load that counts.
-
-  bool all_closed() const { return std::ranges::find(closed, false) == closed.end(); }
-};
-
-/// Contacts of idle rollers carry nothing.
-Linearised linearised(const FullModel& f, const FullDistribution& d) {
-  const double share = kUnloaded * f.axial_force / (static_cast<double>(f.rollers) * f.threads());
-  Linearised l;
-  for (const FullModel::Roller& r : f.present) {
-    const bool idle = std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
-    for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < static_cast<std::size_t>(f.threads()); ++k) {
-        const auto j = static_cast<std::size_t>(r.number);
-        const fe::PowerLawSpring law{f.sector.hertz_constant[i], 0.0,
-                                     f.sector.contact_compliance(i, k)};
-        const double approach = std::min(d.approach[i][j][k], fe::largest_deflection(law));
-        l.tangent.push_back(idle ? 0.0 : fe::response_in_series(law, approach).tangent);
-        l.closed.push_back(!idle && d.normal_load[i][j][k] * f.sector.cosine[i] > share);
-      }
-  }
-  return l;
-}
-
-/// K and B'tB condensed to the freedoms of the loaded section.
-void condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
-              fe::NewtonSolver& solver, const Linearised& linear, FullDistribution& d) {
+/// K and B'tB condensed to the freedoms of the loaded section; false where K is singular to
+/// rounding.
+bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
+              fe::NewtonSolver& solver, const Linearised& linear, double near,
+              FullDistribution& d) {
   const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
   const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
                                             {end.y_plane, Dof::v, 1.0},
@@ -243,9 +222,9 @@ void condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
     loads.push_back(equations.load_vector({unit}));
   }
   std::vector<Eigen::VectorXd> rates;
-  if (!solver.solve_linear(linear.tangent, loads, rates)) {
-    d.screw_end.left_out = "the tangent is singular to rounding";
-    return;
+  if (!solver.solve_linear(linear.tangent, loads, rates, near)) {
+    d.screw_end.freedoms.clear();
+    return false;
   }
   const auto count = static_cast<Eigen::Index>(loads.size());
   d.screw_end.compliance.resize(count, count);
@@ -256,6 +235,7 @@ void condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
   d.screw_end.compliance(0, 0) += f.offset_compliance();
   d.screw_end.stiffness = d.screw_end.compliance.inverse();
   d.tangent_stiffness = 1.0 / axial_compliance(d.screw_end, f.load.eccentricity);
+  return true;
 }
 
 std::string why_left_out(const FreeMotions& free) {
@@ -265,8 +245,9 @@ std::string why_left_out(const FreeMotions& free) {
 
 /// Idle rollers bend between the rings that they tie to each other; along the axis, where nothing
 /// holds them, they are pinned.
-FullStructure with_pinned(const FullModel& f, const std::vector<int>& idle_rollers) {
-  FullStructure s = full_structure(f);
+FullStructure with_pinned(const FullModel& f, const std::vector<int>& idle_rollers,
+                          const std::optional<FullMesh>& mesh = {}) {
+  FullStructure s = full_structure(f, mesh);
   for (std::size_t r = 0; r < s.rollers.size(); ++r)
     if (std::ranges::find(idle_rollers, f.present[r].number) != idle_rollers.end())
       s.model.constraints.push_back({s.rollers[r].nodes.front(), Dof::u, {}, 0.0});
@@ -292,21 +273,51 @@ Assembled& take(const fe::Model& model, std::unique_ptr<Assembled>& kept) {
 
 /// Nothing where the loaded threads alone leave a motion free.
 void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
-                    fe::NewtonSolver& solver, std::unique_ptr<Assembled>& kept_pinned,
+                    fe::NewtonSolver& solver, std::unique_ptr<Assembled>& kept_pinned, double near,
                     FullDistribution& d) {
   const Linearised linear = linearised(f, d);
-  if (linear.all_closed()) return condense(f, s, equations, solver, linear, d);
+  const auto with_near_nodes_joined = [&] {
+    const FullStructure joined =
+        with_pinned(f, d.idle_rollers, FullMesh{{}, {}, std::numeric_limits<double>::infinity()});
+    Assembled of_joined(joined.model);
+    if (!condense(f, joined, of_joined.equations, of_joined.newton, linear, near, d))
+      d.screw_end.left_out = "the tangent is singular to rounding";
+  };
+  if (linear.all_closed()) {
+    if (!condense(f, s, equations, solver, linear, near, d)) with_near_nodes_joined();
+    return;
+  }
   const FullStructure pinned = with_pinned(f, d.idle_rollers);
   if (const FreeMotions free = free_motions(f, pinned, linear.closed); free.count > 0) {
     d.screw_end.left_out = why_left_out(free);
     return;
   }
-  if (d.idle_rollers.empty()) return condense(f, s, equations, solver, linear, d);
-  Assembled& of_pinned = take(pinned.model, kept_pinned);
-  condense(f, pinned, of_pinned.equations, of_pinned.newton, linear, d);
+  Assembled* of_pinned = d.idle_rollers.empty() ? nullptr : &take(pinned.model, kept_pinned);
+  const bool done =
+      of_pinned ? condense(f, pinned, of_pinned->equations, of_pinned->newton, linear, near, d)
+                : condense(f, s, equations, solver, linear, near, d);
+  if (!done) with_near_nodes_joined();
 }
 
 }  // namespace
+
+Linearised linearised(const FullModel& f, const FullDistribution& d) {
+  const double share = kUnloaded * f.axial_force / (static_cast<double>(f.rollers) * f.threads());
+  Linearised l;
+  for (const FullModel::Roller& r : f.present) {
+    const bool idle = std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(f.threads()); ++k) {
+        const auto j = static_cast<std::size_t>(r.number);
+        const fe::PowerLawSpring law{f.sector.hertz_constant[i], 0.0,
+                                     f.sector.contact_compliance(i, k)};
+        const double approach = std::min(d.approach[i][j][k], fe::largest_deflection(law));
+        l.tangent.push_back(idle ? 0.0 : fe::response_in_series(law, approach).tangent);
+        l.closed.push_back(!idle && d.normal_load[i][j][k] * f.sector.cosine[i] > share);
+      }
+  }
+  return l;
+}
 
 double axial_compliance(const ScrewEnd& end, const Lateral& eccentricity) {
   const std::array<double, 5> load{1.0, 0.0, 0.0, eccentricity.z, -eccentricity.y};
@@ -361,6 +372,31 @@ struct FullSolver::Parts {
     };
     return std::move(*std::ranges::min_element(candidates, {}, left));
   }
+  /// The last state, or a straight line or a parabola through the last ones, whichever leaves
+  /// least of the load.
+  std::optional<fe::State> onwards(const Eigen::VectorXd& load) const {
+    const std::size_t n = last.size();
+    if (n == 0) return std::nullopt;
+    std::vector<fe::State> candidates{last[n - 1].state};
+    const auto ahead = [&](const Eigen::VectorXd& step) {
+      candidates.push_back(last[n - 1].state);
+      candidates.back().set_to_step(last[n - 1].state, -1.0, step);
+    };
+    const auto change = [&](std::size_t k) -> Eigen::VectorXd {
+      return (last[n - k].state.head - last[n - k - 1].state.head) +
+             (last[n - k].state.tail - last[n - k - 1].state.tail);
+    };
+    if (n > 1) ahead(change(1));
+    if (n > 2) ahead(2.0 * change(1) - change(2));
+    if (n > 3) ahead(3.0 * (change(1) - change(2)) + change(3));
+    const fe::Equations& equations = assembled->equations;
+    Eigen::VectorXd residual(equations.size());
+    const auto left = [&](const fe::State& state) {
+      equations.energy_and_residual(state, load, residual);
+      return residual.cwiseAbs().maxCoeff();
+    };
+    return std::move(*std::ranges::min_element(candidates, {}, left));
+  }
   void keep(double force, const fe::State& state) {
     constexpr std::size_t kFewest = 8, kNumbers = 4'000'000;
     const auto size = static_cast<std::size_t>(std::max(1, assembled->equations.size()));
@@ -378,7 +414,9 @@ FullDistribution solve(const FullModel& f, Detail detail) { return FullSolver().
 
 FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   FullStructure s = full_structure(f);
-  if (std::optional<FullDistribution> d = mechanism(f, s)) return *d;
+  const bool goes_on = start_ == FullStart::onwards && parts_;
+  if (!goes_on)  // Supports and contacts stay as they are.
+    if (std::optional<FullDistribution> d = mechanism(f, s)) return *d;
   FullDistribution d;
   if (!parts_) parts_ = std::make_unique<Parts>();
   const Assembled* before = parts_->assembled.get();
@@ -390,10 +428,15 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   fe::State q;
   const Eigen::VectorXd load = equations.load_vector(s.loads);
   const double force = f.sense() * f.axial_force;
-  if (std::optional<fe::State> near = parts_->nearest(force, load))
+  const auto from_linear = [&] {
+    if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
+      q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
+  };
+  if (std::optional<fe::State> near =
+          goes_on ? parts_->onwards(load) : parts_->nearest(force, load))
     q = std::move(*near);
-  else if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
-    q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
+  else
+    from_linear();
   fe::NewtonOptions options = newton_options(f);
   if (!s.per_force.empty()) {
     q = parts_->last.back().state;
@@ -412,6 +455,11 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   d.solve = solver.solve(load, options, q,
                          [&] { return !is_trial && load_left(f, s) <= kSurelyNotHeld; });
   if (is_trial && !d.solve.converged()) return d;
+  if (goes_on && !d.solve.converged() && !parts_->last.empty()) {
+    parts_->last.clear();
+    from_linear();
+    d.solve = solver.solve(load, options, q, [&] { return load_left(f, s) <= kSurelyNotHeld; });
+  }
   if (d.solve.status == fe::NewtonStatus::no_equilibrium && load_left(f, s) < kSurelyHeld) {
     // What holds is so soft that it moves far.
     options.largest_approach = std::numeric_limits<double>::infinity();
@@ -424,9 +472,11 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   add_offset_energy(d.solve, f.offset_compliance(), f.axial_force);
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;
-  if (start_ == FullStart::neighbour) parts_->keep(force, q);
+  if (start_ != FullStart::linear) parts_->keep(force, q);
   Solution(f, s, equations, q).read(d);
-  if (detail == Detail::complete) add_compliance(f, s, equations, solver, parts_->pinned, d);
+  if (detail == Detail::complete)
+    add_compliance(f, s, equations, solver, parts_->pinned,
+                   start_ == FullStart::onwards ? kNearTangent : 0.0, d);
   return d;
 }
 

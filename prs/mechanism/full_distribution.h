@@ -70,9 +70,10 @@ FullDistribution solve(const FullModel& model, Detail detail = Detail::complete)
 
 /// Where the iteration of one model after the other begins.
 enum class FullStart {
-  linear,    ///< As if each were the first: no answer depends on those before.
-  neighbour  ///< The nearest of the last states: fewer iterations to the same loads, within the
-             ///< tolerance of Newton's method.
+  linear,     ///< As if each were the first: no answer depends on those before.
+  neighbour,  ///< The nearest of the last states: fewer iterations to the same loads, within the
+              ///< tolerance of Newton's method.
+  onwards     ///< What the last states, all under one load, go on to.
 };
 
 /// `solve` for one model after the other: those that differ in numbers only share the numbering,

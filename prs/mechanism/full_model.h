@@ -54,8 +54,9 @@ struct FullModel {
   };
 
   SectorModel sector;  ///< One roller's share: laws, sense, pitch, sections of the rollers.
-  double centre_distance = 0.0;  ///< a [m]
-  int rollers = 0;               ///< Missing ones included.
+  PerInterface<double> smallest_gap;  ///< What was taken off the gaps [m].
+  double centre_distance = 0.0;       ///< a [m]
+  int rollers = 0;                    ///< Missing ones included.
   std::vector<Roller> present;
   std::vector<BodyPiece> screw, nut;  ///< Along x, without gaps between them; at least one.
   std::optional<NutWall> nut_wall;    ///< Of refined bodies.
@@ -78,13 +79,47 @@ struct FullModel {
   bool floating_rings() const { return ring_stiffness < kRigid; }
 };
 
+/// How far the parts have turned from where the file states them, and travelled [rad].
+struct Turn {
+  double screw = 0.0, nut = 0.0;
+  double carrier = 0.0;
+  double travel = 0.0;  ///< Of the screw against the nut, along x [m].
+
+  /// Of the part to which gears tie the rollers, by the starts.
+  double geared(Mechanism::Type type) const {
+    return type == Mechanism::Type::standard ? nut : screw;
+  }
+};
+
+/// d_S/(d_S + d_N), or what is stated; the mechanism must be complete.
+double slip_ratio(const Mechanism& mechanism, const Travel& travel);
+
+/// With the screw turned by theta against the nut: one of both turns, the carrier by the slip
+/// ratio.
+Turn turn_of(const Mechanism& mechanism, const Travel& travel, double theta);
+
+/// The turn of a load case: that of its travel's start.
+Turn turn_of(const Mechanism& mechanism, const LoadCase& load_case);
+
 /// The mechanism under one load case. The case must have passed `check_case`. Gaps are those of
 /// `initial_gaps`, with the index errors, eccentricities and deviations of each roller, less the
 /// smallest of each interface over all rollers present.
 FullModel full_model(const Mechanism& mechanism, const Structure& structure,
                      const Materials& materials, const ModelOptions& options,
                      const PerInterface<ContactLaw>& laws, const LoadCase& load_case,
-                     const Deviations& deviations);
+                     const Deviations& deviations, const Turn& turn);
+/// Turned as the load case has it.
+inline FullModel full_model(const Mechanism& mechanism, const Structure& structure,
+                            const Materials& materials, const ModelOptions& options,
+                            const PerInterface<ContactLaw>& laws, const LoadCase& load_case,
+                            const Deviations& deviations) {
+  return full_model(mechanism, structure, materials, options, laws, load_case, deviations,
+                    turn_of(mechanism, load_case));
+}
+
+/// The same seen from axes that have turned by `angle` from y towards z, for parts that stand
+/// around the axis alike.
+void turn_axes(FullModel& model, double angle);
 
 /// A node of screw or nut at x: (u, y, y') and (-, z, z') as two plane nodes. The wall of a nut has
 /// u, its radial displacement and tilt of its own, and those of its harmonics.
@@ -154,7 +189,20 @@ Lateral rigid_offset(const FullModel& model, double x);
 /// Its slopes y' and z' [rad].
 Lateral rigid_slope(const FullModel& model);
 
-FullStructure full_structure(const FullModel& model);
+/// Stations that a structure has besides those that its loads and supports need.
+struct FullMesh {
+  std::vector<double> screw, nut;  ///< x [m]
+  double longest = 0.0;            ///< Longer pieces of screw and nut are divided evenly [m].
+};
+
+/// With a mesh, nodes of screw and nut that lie closer than `kNearNodes` are not joined by a beam
+/// whose stiffness would drown the rest: one follows the other, and what a beam between them gives
+/// way by is a freedom of its own.
+FullStructure full_structure(const FullModel& model, const std::optional<FullMesh>& mesh = {});
+inline constexpr double kNearNodes = 2e-4;  // [m]
+
+/// The section of a body at x.
+const RollerSection<double>& section_at(const std::vector<BodyPiece>& pieces, double x);
 
 /// Motions of rigid parts that nothing resists: no contact, guide, bearing or spring.
 struct FreeMotions {

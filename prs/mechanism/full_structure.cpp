@@ -25,8 +25,8 @@ void add_along(LinearForm& form, const SpatialNode& n, Dof dof, Direction2 e, do
 
 class Builder {
  public:
-  explicit Builder(const FullModel& model)
-      : f_(model), same_(kSamePlace * model.sector.nut_length) {}
+  Builder(const FullModel& model, const std::optional<FullMesh>& mesh)
+      : f_(model), mesh_(mesh), same_(kSamePlace * model.sector.nut_length) {}
 
   FullStructure build() {
     s_.screw = body(screw_stations(), f_.screw);
@@ -65,6 +65,7 @@ class Builder {
     for (const Bearing& b : f_.bearings) x.push_back(b.position);
     for (const auto& at : {f_.load.side_force.at, f_.load.moment.at})
       if (at) x.push_back(*at);
+    if (mesh_) x.insert(x.end(), mesh_->screw.begin(), mesh_->screw.end());
     return x;
   }
   std::vector<double> nut_stations() const {
@@ -78,6 +79,7 @@ class Builder {
     const auto [first, last] = std::ranges::minmax(x);
     for (const BodyPiece& piece : f_.nut)
       if (piece.from > first && piece.from < last) x.push_back(piece.from);
+    if (mesh_) x.insert(x.end(), mesh_->nut.begin(), mesh_->nut.end());
     return x;
   }
 
@@ -86,24 +88,85 @@ class Builder {
     std::ranges::sort(x);
     x.erase(std::unique(x.begin(), x.end(), [&](double a, double b) { return b - a < same_; }),
             x.end());
+    if (mesh_) divide(x);
     std::vector<SpatialNode> nodes;
     for (const double at : x) {
       const int y_plane = s_.model.add_node(), z_plane = s_.model.add_node();
       hold_still(z_plane, Dof::u);
       nodes.push_back({at, y_plane, z_plane, y_plane});
-      if (nodes.size() == 1) continue;
-      const SpatialNode& before = nodes[nodes.size() - 2];
-      const double middle = 0.5 * (before.x + at);
-      const auto piece = std::ranges::find_if(pieces.begin(), pieces.end() - 1,
-                                              [&](const BodyPiece& p) { return middle < p.to; });
-      const RollerSection<double>& section = piece->section;
-      s_.model.beams.push_back({before.y_plane,
-                                y_plane,
-                                {section.axial, section.bending, section.shear, at - before.x}});
-      s_.model.beams.push_back(
-          {before.z_plane, z_plane, {0.0, section.bending, section.shear, at - before.x}});
+    }
+    std::vector<bool> placed(nodes.size(), false);
+    if (mesh_) join_near(nodes, pieces, placed);
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      if (placed[i]) continue;
+      const SpatialNode &a = nodes[i - 1], &b = nodes[i];
+      const RollerSection<double>& section = section_at(pieces, 0.5 * (a.x + b.x));
+      s_.model.beams.push_back({a.y_plane, b.y_plane, beam(section, b.x - a.x, true)});
+      s_.model.beams.push_back({a.z_plane, b.z_plane, beam(section, b.x - a.x, false)});
     }
     return nodes;
+  }
+  static fe::Beam beam(const RollerSection<double>& section, double length, bool has_bar) {
+    return {has_bar ? section.axial : 0.0, section.bending, section.shear, length};
+  }
+
+  void divide(std::vector<double>& x) const {
+    std::vector<double> all{x.front()};
+    for (std::size_t i = 1; i < x.size(); ++i) {
+      const double from = x[i - 1], length = x[i] - from;
+      const double pieces = std::max(1.0, std::ceil(length / mesh_->longest - 1e-9));
+      for (double k = 1.0; k < pieces; ++k) all.push_back(from + length * k / pieces);
+      all.push_back(x[i]);
+    }
+    x = std::move(all);
+  }
+
+  /// Of nodes in a row that lie close, those that may be held stay free and the others follow.
+  /// `done`: of the pieces before each node.
+  void join_near(const std::vector<SpatialNode>& nodes, const std::vector<BodyPiece>& pieces,
+                 std::vector<bool>& done) {
+    const auto near = [&](std::size_t i) { return nodes[i].x - nodes[i - 1].x < kNearNodes; };
+    const auto may_be_held = [&](double x) {
+      const auto there = [&](double held) { return std::abs(x - held) <= same_; };
+      return there(f_.thrust) || there(f_.loaded_section) ||
+             std::ranges::any_of(f_.bearings, [&](const Bearing& b) { return there(b.position); });
+    };
+    for (std::size_t first = 0, end = 1; first < nodes.size(); first = end++) {
+      while (end < nodes.size() && near(end)) ++end;
+      std::size_t root = first;
+      for (std::size_t i = first; i < end; ++i)
+        if (may_be_held(nodes[i].x)) root = i;
+      for (std::size_t i = root; i-- > first && !may_be_held(nodes[i].x);) {
+        follow(nodes[i + 1], nodes[i], section_at(pieces, 0.5 * (nodes[i].x + nodes[i + 1].x)));
+        done[i + 1] = true;
+      }
+      for (std::size_t i = root + 1; i < end; ++i) {
+        follow(nodes[i - 1], nodes[i], section_at(pieces, 0.5 * (nodes[i].x + nodes[i - 1].x)));
+        done[i] = true;
+      }
+    }
+  }
+  /// `node` is moved rigidly by `before`, and by the end of a beam that is clamped there.
+  void follow(const SpatialNode& before, const SpatialNode& node,
+              const RollerSection<double>& section) {
+    const double arm = node.x - before.x;
+    const int clamped = s_.model.add_node();
+    for (const Dof dof : {Dof::u, Dof::v, Dof::theta}) hold_still(clamped, dof);
+    for (const bool y : {true, false}) {
+      const int from = y ? before.y_plane : before.z_plane, to = y ? node.y_plane : node.z_plane;
+      const int own = s_.model.add_node();
+      if (y)
+        s_.model.constraints.push_back(
+            {to, Dof::u, {{from, Dof::u, 1.0}, {own, Dof::u, 1.0}}, 0.0});
+      else
+        hold_still(own, Dof::u);
+      s_.model.constraints.push_back(
+          {to, Dof::v, {{from, Dof::v, 1.0}, {from, Dof::theta, arm}, {own, Dof::v, 1.0}}, 0.0});
+      s_.model.constraints.push_back(
+          {to, Dof::theta, {{from, Dof::theta, 1.0}, {own, Dof::theta, 1.0}}, 0.0});
+      s_.model.beams.push_back(
+          {arm > 0.0 ? clamped : own, arm > 0.0 ? own : clamped, beam(section, std::abs(arm), y)});
+    }
   }
 
   /// Puts the nut's u into its wall, and the wall's harmonics, cos before sin, behind it.
@@ -341,6 +404,7 @@ class Builder {
   }
 
   const FullModel& f_;
+  const std::optional<FullMesh>& mesh_;
   double same_;
   FullStructure s_;
 };
@@ -501,7 +565,15 @@ Lateral rigid_offset(const FullModel& f, double x) {
           f.load.nut_offset.z + slope.z * (x - f.thrust)};
 }
 
-FullStructure full_structure(const FullModel& model) { return Builder(model).build(); }
+FullStructure full_structure(const FullModel& model, const std::optional<FullMesh>& mesh) {
+  return Builder(model, mesh).build();
+}
+
+const RollerSection<double>& section_at(const std::vector<BodyPiece>& pieces, double x) {
+  return std::ranges::find_if(pieces.begin(), pieces.end() - 1,
+                              [&](const BodyPiece& p) { return x < p.to; })
+      ->section;
+}
 
 double load_left(const FullModel& f, const FullStructure& s) {
   const Motions motions(f, s);

@@ -59,7 +59,13 @@ void require_loads(const Case& c, Command command, Problems& problems) {
 void need_solve(const Case& c, Problems& problems) {
   require_load_cases(c, Command::solve, problems);
   require_loads(c, Command::solve, problems);
-  if (c.model.loads == ModelOptions::Loads::running) require_slip(c, problems);
+  const auto needs_slip = [](const LoadCase& load) {
+    return load.travel && std::isnan(load.travel->stated_slip_ratio) &&
+           load.travel->slip_ratio == Travel::SlipRatio::solved;
+  };
+  if (c.model.loads == ModelOptions::Loads::running ||
+      std::ranges::any_of(c.load_cases, needs_slip))
+    require_slip(c, problems);
 }
 
 void need_compare(const Case& c, Problems& problems) {

@@ -28,6 +28,88 @@ struct EndRelief {
   int threads = 1;    ///< Contacts at each end that it reaches over.
 };
 
+/// An error that turns with its part: `amount` at the azimuth `angle` of the part.
+struct TurningError {
+  double amount = 0.0;  ///< [m], [rad]
+  double angle = 0.0;   ///< [rad]
+
+  bool operator==(const TurningError&) const = default;
+};
+
+/// amplitude sin(order alpha + phase) over a turn of the part.
+struct LeadHarmonic {
+  int order = 1;
+  double amplitude = 0.0;  ///< [m]
+  double phase = 0.0;      ///< [rad]
+
+  bool operator==(const LeadHarmonic&) const = default;
+};
+
+/// amplitude sin(2 pi xi/length + phase) along the part.
+struct LeadWave {
+  double length = 0.0;     ///< [m]
+  double amplitude = 0.0;  ///< [m]
+  double phase = 0.0;      ///< [rad]
+
+  bool operator==(const LeadWave&) const = default;
+};
+
+/// A lead error as it was measured, straight between places.
+struct MeasuredLead {
+  std::vector<double> at;         ///< xi, rising [m].
+  std::vector<double> deviation;  ///< [m]
+
+  bool operator==(const MeasuredLead&) const = default;
+};
+
+/// Errors of the thread of screw or nut that turn with it. A place xi along the part is counted
+/// from where the first contact stands before anything turns.
+struct TurningThread {
+  TurningError eccentricity;
+  TurningError wobble;
+  std::optional<double> wobble_at;  ///< xi that the wobble leaves in place; the middle if absent.
+  double per_300_mm = 0.0;          ///< Lead deviation over 300 mm, > 0: threads too far apart [m].
+  std::vector<LeadHarmonic> harmonics;
+  std::vector<LeadWave> waves;
+  std::optional<MeasuredLead> measured;
+
+  bool operator==(const TurningThread&) const = default;
+};
+
+/// One value for all rollers, or one for each.
+struct RollerValue {
+  double one = 0.0;
+  std::vector<double> many;
+
+  double of(std::size_t roller) const { return many.empty() ? one : many[roller]; }
+  bool operator==(const RollerValue&) const = default;
+};
+
+/// Errors of the rollers' threads that turn with them.
+struct TurningRollers {
+  struct Error {
+    RollerValue amount, angle;
+    bool operator==(const Error&) const = default;
+  };
+  struct Harmonic {
+    int order = 1;
+    RollerValue amplitude, phase;
+    bool operator==(const Harmonic&) const = default;
+  };
+  Error eccentricity, wobble;
+  std::vector<Harmonic> harmonics;
+
+  bool operator==(const TurningRollers&) const = default;
+};
+
+/// Errors that turn with their part, of a full mechanism.
+struct Turning {
+  PerInterface<TurningThread> thread;
+  TurningRollers rollers;
+
+  bool operator==(const Turning&) const = default;
+};
+
 /// Errors of position beyond this share of the pitch are other threads, or other units.
 inline constexpr double kMostDeviation = 0.25;
 
@@ -48,6 +130,7 @@ struct Deviations {
   /// Axial position error of each start, or none [m].
   PerInterface<std::vector<double>> index_error;
   PerInterface<Lateral> thread_eccentricity;  ///< Axis of the thread on screw and nut [m].
+  Turning turning;
 };
 
 }  // namespace prs

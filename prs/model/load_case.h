@@ -49,6 +49,48 @@ struct SpatialLoad {
   bool operator==(const SpatialLoad&) const = default;
 };
 
+/// Positions of the turning mechanism, full mechanism only.
+struct Travel {
+  enum class Part { screw, nut };
+  enum class SlipRatio {
+    rolling,  ///< Of pitch cylinders that roll: d_S/(d_S + d_N).
+    ideal,    ///< For which the sliding interface slides least.
+    solved,   ///< That of slip.
+  };
+  int turns = 1;      ///< Of the screw against the nut; < 0 back.
+  int steps = 36;     ///< Positions in a turn.
+  double from = 0.0;  ///< [rad]
+  Part part = Part::screw;
+  SlipRatio slip_ratio = SlipRatio::rolling;
+  double stated_slip_ratio = std::numeric_limits<double>::quiet_NaN();  ///< In place of it.
+
+  /// M: the travel has one position more.
+  int last() const { return std::abs(turns) * steps; }
+  /// theta of position k [rad].
+  double angle(int k) const {
+    return from + (turns < 0 ? -2.0 : 2.0) * std::numbers::pi * k / steps;
+  }
+};
+
+/// What holds the mechanism along its axis while it vibrates.
+struct AxialSupport {
+  enum class At {
+    nut,
+    screw,         ///< The loaded section; the nut is free along the axis.
+    screw_spring,  ///< The same on a spring.
+  };
+  At at = At::nut;
+  double stiffness = 0.0;  ///< Of the spring [N/m].
+};
+
+/// Natural frequencies that are asked for, full mechanism only.
+struct Modes {
+  int count = 10;
+  AxialSupport axial_support;
+  bool prestress = false;
+  std::optional<int> positions;  ///< Of the travel with frequencies of their own.
+};
+
 /// One load on the mechanism. A range in the input has been expanded to one case per point.
 struct LoadCase {
   /// How the load spreads over the threads: solved from the structure, or equal by assumption.
@@ -61,6 +103,8 @@ struct LoadCase {
   Share share = Share::solved;
   std::optional<double> speed = {};  ///< [rad/s], overrides the operation's.
   SpatialLoad spatial = {};
+  std::optional<Travel> travel = {};
+  std::optional<Modes> modes = {};
   std::string input_path = {};  ///< Path of the case in the input, e.g. `load_cases[2]`.
 
   bool is_solved() const { return share == Share::solved; }

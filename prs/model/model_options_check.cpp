@@ -162,11 +162,14 @@ void refuse_in_sector(const Case& c, Problems& problems) {
   refuse(!d.missing_rollers.empty(), "deviations", "missing_rollers");
   refuse(!d.index_error.screw.empty() || !d.index_error.nut.empty(), "deviations", "index_error");
   refuse(d.thread_eccentricity != PerInterface<Lateral>{}, "deviations", "thread_eccentricity");
+  refuse(d.turning != Turning{}, "deviations", "turning");
   refuse(!d.pitch_error.roller.lists.empty(), "deviations", "pitch_error.roller.list");
   if (c.structure) {
     const Structure& s = *c.structure;
     refuse(s.screw.far_length != 0.0, "structure", "screw.far_length");
     refuse(!s.screw.bearings.empty(), "structure", "screw.bearings");
+    refuse(s.screw.drive.has_value(), "structure", "screw.drive");
+    refuse(!s.masses.empty(), "structure", "masses");
     refuse(s.roller.rings != Rings{}, "structure", "roller.rings");
     refuse(s.nut.housing != Housing{}, "structure", "nut.housing");
   }
@@ -174,6 +177,8 @@ void refuse_in_sector(const Case& c, Problems& problems) {
   const SpatialLoad nothing;
   for (const LoadCase& load : c.load_cases) {
     const SpatialLoad& s = load.spatial;
+    refuse(load.travel.has_value(), load.input_path, "travel");
+    refuse(load.modes.has_value(), load.input_path, "modes");
     if (s == nothing) continue;
     refuse(s.carrier_angle != 0.0, load.input_path, "carrier_angle");
     refuse(s.eccentricity != nothing.eccentricity, load.input_path, "eccentricity");
@@ -265,8 +270,9 @@ void check_missing_rollers(const Case& c, Problems& problems) {
 void check_equal_shares(const Case& c, Problems& problems) {
   const SpatialLoad none;
   for (const LoadCase& load : c.load_cases) {
-    if (load.share != LoadCase::Share::equal || load.spatial == none) continue;
     const SpatialLoad& s = load.spatial;
+    if (load.share != LoadCase::Share::equal || (s == none && !load.travel && !load.modes))
+      continue;
     const auto refuse = [&](bool stands, std::string_view key) {
       if (stands)
         problems.add(fmt::format("{}.{}", load.input_path, key),
@@ -278,6 +284,154 @@ void check_equal_shares(const Case& c, Problems& problems) {
     refuse(s.eccentricity != Lateral{}, "eccentricity");
     refuse(s.nut_tilt != Lateral{} || s.nut_offset != Lateral{}, "misalignment");
     refuse(s.orbit.has_value(), "orbit");
+    refuse(load.travel.has_value(), "travel");
+    refuse(load.modes.has_value(), "modes");
+  }
+}
+
+/// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].
+constexpr double kMostRotation = 5.0 * std::numbers::pi / 180.0;
+
+/// Values that turn with screw, nut and rollers.
+void check_turning(const Case& c, Problems& problems) {
+  const Turning& t = c.deviations.turning;
+  if (t == Turning{}) return;
+  const Mechanism& m = c.mechanism;
+  const std::string root = "deviations.turning.";
+  const auto check = [&](const std::string& path, const RollerValue& v, bool is_length) {
+    check_list(path, v.many.size(), m.rollers, "roller", problems);
+    if (!is_length) return;
+    check_offset(path.c_str(), v.one, m, problems);
+    for (const double value : v.many) check_offset(path.c_str(), value, m, problems);
+  };
+  const auto check_tilt = [&](std::string path, double tilt) {
+    if (std::abs(tilt) > kMostRotation)
+      problems.add(std::move(path),
+                   "got {:.7g} deg; expected at most 5 deg, as the model is for small rotations; "
+                   "check the unit",
+                   tilt * 180.0 / std::numbers::pi);
+  };
+  const TurningRollers& r = t.rollers;
+  check(root + "roller.eccentricity.amount", r.eccentricity.amount, true);
+  check(root + "roller.eccentricity.angle", r.eccentricity.angle, false);
+  check(root + "roller.wobble.amount", r.wobble.amount, false);
+  check(root + "roller.wobble.angle", r.wobble.angle, false);
+  check_tilt(root + "roller.wobble.amount", r.wobble.amount.one);
+  for (const double tilt : r.wobble.amount.many) check_tilt(root + "roller.wobble.amount", tilt);
+  for (std::size_t k = 0; k < r.harmonics.size(); ++k) {
+    const std::string path = fmt::format("{}roller.lead.harmonics[{}].", root, k);
+    check(path + "amplitude", r.harmonics[k].amplitude, true);
+    check(path + "phase", r.harmonics[k].phase, false);
+  }
+  for (const Interface i : kInterfaces) {
+    const TurningThread& thread = t.thread[i];
+    const std::string path = fmt::format("{}{}.", root, name(i));
+    check_offset((path + "eccentricity.amount").c_str(), thread.eccentricity.amount, m, problems);
+    check_tilt(path + "wobble.amount", thread.wobble.amount);
+    for (std::size_t k = 0; k < thread.harmonics.size(); ++k)
+      check_offset(fmt::format("{}lead.harmonics[{}].amplitude", path, k).c_str(),
+                   thread.harmonics[k].amplitude, m, problems);
+    for (std::size_t k = 0; k < thread.waves.size(); ++k)
+      check_offset(fmt::format("{}lead.waves[{}].amplitude", path, k).c_str(),
+                   thread.waves[k].amplitude, m, problems);
+    if (!thread.measured) continue;
+    const MeasuredLead& lead = *thread.measured;
+    if (lead.at.size() != lead.deviation.size())
+      problems.add(path + "lead.measured.deviation",
+                   "got {} values; expected {}, one for each place of `at`; add or delete some",
+                   lead.deviation.size(), lead.at.size());
+    for (std::size_t k = 1; k < lead.at.size(); ++k)
+      if (!(lead.at[k] > lead.at[k - 1]))
+        problems.add(path + "lead.measured.at",
+                     "got {} behind {}; expected places that rise; sort them with their "
+                     "deviations",
+                     mm(lead.at[k]), mm(lead.at[k - 1]));
+    for (const double value : lead.deviation)
+      check_offset((path + "lead.measured.deviation").c_str(), value, m, problems);
+  }
+}
+
+/// What was measured must reach over all contacts at all positions of a load case.
+void check_measured(const Case& c, Problems& problems) {
+  const Mechanism& m = c.mechanism;
+  const bool standard = m.type == Mechanism::Type::standard;
+  const bool helical = c.model.contact_phase == ModelOptions::ContactPhase::helical;
+  const double margin = helical ? 0.5 * axial_pitch(m) : 0.0;
+  for (const Interface i : kInterfaces) {
+    const auto& measured = c.deviations.turning.thread[i].measured;
+    if (!measured || measured->at.size() < 2) continue;
+    double least = 0.0, most = 0.0;
+    for (const LoadCase& load : c.load_cases) {
+      if (!load.travel) continue;
+      const Travel& t = *load.travel;
+      for (const double theta : {t.from, t.angle(t.last())}) {
+        const double lambda = m.lead * theta / (2.0 * std::numbers::pi);
+        const double moved = (standard ? 0.0 : lambda) - (i == Interface::screw ? lambda : 0.0);
+        least = std::min(least, moved);
+        most = std::max(most, moved);
+      }
+    }
+    const double from = least - margin;
+    const double to = most + (m.contacts_per_roller - 1) * axial_pitch(m) + margin;
+    const double tolerance = 1e-9 * (to - from) + 1e-12;
+    if (measured->at.front() > from + tolerance || measured->at.back() < to - tolerance)
+      problems.add(fmt::format("deviations.turning.{}.lead.measured.at", name(i)),
+                   "got places from {} to {}; expected the whole thread that comes into contact, "
+                   "{} to {}; measure further, or travel less",
+                   mm(measured->at.front()), mm(measured->at.back()), mm(from), mm(to));
+  }
+}
+
+void check_masses(const Case& c, Problems& problems) {
+  const Structure& s = *c.structure;
+  const double tolerance = kSamePlace * s.nut.length;
+  for (std::size_t k = 0; k < s.masses.size(); ++k) {
+    const ExtraMass& m = s.masses[k];
+    const std::string path = fmt::format("structure.masses[{}]", k);
+    if (m.mass == 0.0 && m.inertia.x == 0.0 && m.inertia.y == 0.0 && m.inertia.z == 0.0)
+      problems.add(path + ".mass",
+                   "got 0 kg and no inertia; expected one of them; write it, or delete the mass");
+    if (m.carrier == ExtraMass::Carrier::nut &&
+        (m.position < -tolerance || m.position > s.nut.length + tolerance))
+      problems.add(path + ".position",
+                   "got {}; expected a place on the nut, 0 mm to {}; move it, or write "
+                   "`carried_by: screw`",
+                   mm(m.position), mm(s.nut.length));
+  }
+}
+
+void check_motion(const Case& c, Problems& problems) {
+  for (const LoadCase& load : c.load_cases) {
+    if (load.travel && load.travel->turns == 0)
+      problems.add(load.input_path + ".travel.turns",
+                   "got 0; expected a whole number other than 0, < 0 to turn back; write `turns: "
+                   "1`, for example");
+    if (load.travel && std::abs(static_cast<double>(load.travel->turns)) * load.travel->steps > 1e5)
+      problems.add(load.input_path + ".travel.steps",
+                   "got {} steps in each of {} turns; expected at most 100,000 positions; take "
+                   "fewer",
+                   load.travel->steps, load.travel->turns);
+    if (!load.modes) continue;
+    const std::string path = load.input_path + ".modes";
+    if (c.model.bodies != ModelOptions::Bodies::bars)
+      problems.add(path,
+                   "stands with `model.bodies` other than bars, whose masses are not in the model; "
+                   "expected no such key there; delete it, or write `bodies: bars`");
+    if (load.modes->positions && !load.travel)
+      problems.add(path + ".positions",
+                   "got {} without `travel`; expected the travel that they lie on; add `travel: "
+                   "{{turns: 1}}`, or delete it",
+                   *load.modes->positions);
+    else if (load.modes->positions && *load.modes->positions > load.travel->last())
+      problems.add(path + ".positions",
+                   "got {}; expected at most {}, the steps of the travel; take fewer",
+                   *load.modes->positions, load.travel->last());
+    for (const Part part : kParts)
+      if (c.materials && !(*c.materials)[part].density)
+        problems.add("materials",
+                     "the {} lacks `density`; expected it for `modes`; add `density: 7810 kg/m^3`, "
+                     "for example",
+                     name(part));
   }
 }
 
@@ -295,9 +449,6 @@ void check_bearings(const std::vector<Bearing>& bearings, double same_place, Pro
                      mm(b.position), i);
     }
 }
-
-/// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].
-constexpr double kMostRotation = 5.0 * std::numbers::pi / 180.0;
 
 void check_rotation(std::string path, const Lateral& rotation, Problems& problems) {
   for (const double value : {rotation.y, rotation.z})
@@ -360,6 +511,10 @@ void check_places(const Case& c, Problems& problems) {
     if (load.spatial.side_force.at)
       check(load.input_path + ".side_force.at", *load.spatial.side_force.at);
     if (load.spatial.moment.at) check(load.input_path + ".moment.at", *load.spatial.moment.at);
+    if (s.screw.drive) check("structure.screw.drive.position", s.screw.drive->position);
+    for (std::size_t k = 0; k < s.masses.size(); ++k)
+      if (s.masses[k].carrier == ExtraMass::Carrier::screw)
+        check(fmt::format("structure.masses[{}].position", k), s.masses[k].position);
   }
 }
 
@@ -381,7 +536,11 @@ void check_full_mechanism(const Case& c, Problems& problems) {
   check_missing_rollers(c, problems);
   check_equal_shares(c, problems);
   check_small_motions(c, problems);
+  check_turning(c, problems);
+  check_motion(c, problems);
+  check_measured(c, problems);
   if (!c.structure) return;
+  check_masses(c, problems);
   const Rings& rings = c.structure->roller.rings;
   if (c.model.roller == ModelOptions::Roller::rigid_bending &&
       rings.carrier != Rings::Carrier::housing)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "prs/model/part.h"
@@ -44,6 +45,30 @@ struct Housing {
   bool operator==(const Housing&) const = default;
 };
 
+/// What turns the screw of a full mechanism, for its vibration.
+struct Drive {
+  double position = 0.0;      ///< x, on the nut's axis [m].
+  double inertia = 0.0;       ///< [kg m^2]
+  double stiffness = kRigid;  ///< Against turning of the screw there [N m/rad].
+};
+
+/// Along x, y and z.
+struct Spatial {
+  double x = 0.0, y = 0.0, z = 0.0;
+};
+
+/// A rigid mass on a section of screw or nut, for vibration.
+struct ExtraMass {
+  enum class Carrier { screw, nut };
+
+  std::optional<std::string> name;
+  Carrier carrier = Carrier::nut;
+  double position = 0.0;  ///< x of the section, on the nut's axis [m].
+  double mass = 0.0;      ///< [kg]
+  Spatial centre;         ///< Of mass, from the axis at the section [m].
+  Spatial inertia;        ///< About the centre [kg m^2].
+};
+
 /// The parts between and around the threads (one sector of Abevi 2015). Axial positions on the nut
 /// are measured from the nut's end that faces the loaded end of the screw. SI units.
 struct Structure {
@@ -52,6 +77,7 @@ struct Structure {
     double free_length = 0.0;  ///< From the loaded section to the first contact [m].
     double far_length = 0.0;   ///< Behind the last contact, full mechanism [m].
     std::vector<Bearing> bearings = {};
+    std::optional<Drive> drive = {};
   };
   struct Roller {
     double end_length = 0.0;    ///< [m]
@@ -87,6 +113,7 @@ struct Structure {
   Screw screw;
   Roller roller;
   Nut nut;
+  std::vector<ExtraMass> masses = {};
 };
 
 /// Outer diameter of the nut between flanges or of the flange there; 0 beyond its ends [m].

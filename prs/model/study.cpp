@@ -13,7 +13,14 @@ bool Factor::is_numeric() const {
 
 bool is_sampled(Plan plan) {
   return plan == Plan::latin_hypercube || plan == Plan::sobol || plan == Plan::monte_carlo ||
-         plan == Plan::sobol_indices;
+         plan == Plan::sobol_indices || plan == Plan::tolerances;
+}
+
+std::vector<std::size_t> blocks_of(const Study& study) {
+  std::vector<std::size_t> blocks;
+  for (std::size_t i = 0; i < study.factors.size(); ++i)
+    if (!study.factors[i].with_previous) blocks.push_back(i);
+  return blocks;
 }
 
 std::vector<DrawnInput> drawn_inputs(const Study& study) {

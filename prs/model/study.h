@@ -64,6 +64,7 @@ enum class Plan {
   monte_carlo,      ///< Independent draws.
   sobol_indices,    ///< Saltelli's design for first and total indices of variance.
   derivatives,      ///< The base case with the derivatives by every factor.
+  tolerances,       ///< Independent draws, and the same with each factor's deviation halved.
 };
 
 /// One value of a factor as it would stand in the file, and where it lies on an axis.
@@ -96,6 +97,8 @@ struct Factor {
   Distribution distribution = {};
   /// The entry of a list that is drawn entry by entry, as pitch errors are.
   bool entry_of_list = false;
+  bool with_previous = false;  ///< Counts as one with the entry of the list before.
+  bool kept = false;           ///< Drawn in a plan of tolerances, never halved.
   /// Between two levels any number may stand: a quantity, no word and no whole number.
   bool continuous = false;
   /// Inputs that change with this one, level by level: as many levels, no companions of their own.
@@ -115,6 +118,9 @@ struct Study {
   std::uint64_t seed = 1;
   std::optional<Envelope> envelope = {};  ///< Only for `grid` with two factors.
 };
+
+/// Factors that count as one are a block. The first factor of each block.
+std::vector<std::size_t> blocks_of(const Study& study);
 
 /// Whether the designs are drawn, not listed.
 bool is_sampled(Plan plan);

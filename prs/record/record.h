@@ -60,6 +60,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_rpm", "rpm", 30.0 / std::numbers::pi},
     {"_deg", "deg", 180.0 / std::numbers::pi},
     {"_km", "km", 1e-3},
+    {"_Hz", "Hz", 1.0},
     {"_kg", "kg", 1.0},
     {"_kN", "kN", 1e-3},
     {"_mm", "mm", 1e3},

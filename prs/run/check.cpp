@@ -10,6 +10,7 @@
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/losses/life_analysis.h"
+#include "prs/mechanism/travel.h"
 #include "prs/model/check_case.h"
 #include "prs/run/commands.h"
 #include "prs/slip/slip.h"
@@ -27,6 +28,8 @@ constexpr Quantity<Mechanism> kDerived[] = {
     {"roller_spacing_mm", always<[](auto& m) {
        return 2.0 * *m.centre_distance * std::sin(std::numbers::pi / m.rollers);
      }>},
+    {"turns_until_repeat",
+     of<[](const Mechanism& m) { return turns_until_repeat(m, slip_ratio(m, Travel{})); }>},
 };
 
 std::vector<const Problem*> problems_of(const CheckResult& result) {

@@ -640,6 +640,8 @@ LoadCaseResult RunningSolver::of_all_rollers(const LoadCase& load_case, Detail d
                                              std::optional<SlipEquilibrium>& slip) {
   LoadCase here = load_case;
   here.spatial.orbit.reset();
+  here.modes.reset();
+  if (here.travel) here.travel->turns = 0;  // Parts as turned, without positions.
   FullSolver solver(FullStart::neighbour);
   AllRunning all = all_rollers_at(here, solver);
   slip = std::move(all.slip);
@@ -714,7 +716,44 @@ std::optional<Warning> guides_without_play(const Conditions& c,
       .with(std::abs(change(i)), kMuch, text_unit::percent);
 }
 
+namespace {
+
+bool has_slip_ratio_to_find(const LoadCase& load) {
+  return load.travel && std::isnan(load.travel->stated_slip_ratio) &&
+         load.travel->slip_ratio != Travel::SlipRatio::rolling;
+}
+
+}  // namespace
+
+std::optional<Conditions> with_slip_ratios(const Conditions& c, const Contacts& contacts) {
+  if (std::ranges::none_of(c.load_cases, has_slip_ratio_to_find)) return std::nullopt;
+  Conditions stated = c;
+  for (LoadCase& load : stated.load_cases) {
+    if (!has_slip_ratio_to_find(load)) continue;
+    double& found = load.travel->stated_slip_ratio;
+    if (load.travel->slip_ratio == Travel::SlipRatio::ideal) {
+      found = ideal_slip_ratio(kinematic_geometry(contacts, axial_force_on_nut(load)));
+      continue;
+    }
+    Conditions alone = c;
+    alone.load_cases = {load};
+    alone.load_cases.front().travel.reset();
+    alone.load_cases.front().modes.reset();
+    const Result result = analyze_slip(alone, contacts, {.detail = Detail::numbers});
+    const std::optional<SlipResult>& slip = result.load_cases.front().slip;
+    if (!slip || !slip->converged())
+      throw CaseError(
+          path_in(load, "travel.slip_ratio"),
+          "got solved, but `slip` finds none for this load case; expected a number from "
+          "0 to 1, rolling or ideal; write one of them");
+    found = slip->slip_ratio;
+  }
+  return stated;
+}
+
 Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+  if (const auto stated = with_slip_ratios(c, contacts))
+    return analyze_loads(*stated, std::move(contacts), options);
   const auto runs = [&](const LoadCase& load) {
     return solve_takes_running_loads(c.model, load.share);
   };

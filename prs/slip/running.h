@@ -78,6 +78,10 @@ class RunningSolver {
 std::optional<Warning> guides_without_play(const Conditions& c,
                                            const PerInterface<double>& over_static);
 
+/// The conditions with the slip ratios of travels that are `ideal` or `solved` as numbers; nothing
+/// where there is none. Throws CaseError where slip finds none.
+std::optional<Conditions> with_slip_ratios(const Conditions& c, const Contacts& contacts);
+
 /// What `analyze` delivers, on the loads that `model.loads` asks of `solve`.
 Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
 inline Result analyze_loads(const Case& c, AnalysisOptions options = {}) {

@@ -589,6 +589,8 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
                     const std::optional<Oils>& oils) {
+  if (const auto stated = with_slip_ratios(c, contacts))
+    return analyze_slip(*stated, std::move(contacts), options, oils);
   Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)

@@ -21,6 +21,8 @@ PerInterface<ContactFrameOf<double>> frames_of(const Contacts& contacts, double 
   return frames;
 }
 
+}  // namespace
+
 KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
   KinematicGeometry g;
   g.type = contacts.mechanism.type;
@@ -31,6 +33,8 @@ KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
     g.points[i] = touching(contacts.interfaces[i].geometry, force).point.position;
   return g;
 }
+
+namespace {
 
 /// Mass of a roller [kg], with heads as long as their bearings where its ends are not given; 0
 /// without density.

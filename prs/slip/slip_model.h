@@ -71,4 +71,7 @@ class SlipModels {
   mutable PerDirection<std::optional<RollerGuides>> roller_guides_;
 };
 
+/// Of the faces that a force closes, > 0 in tension [N].
+KinematicGeometry kinematic_geometry(const Contacts& contacts, double force);
+
 }  // namespace prs

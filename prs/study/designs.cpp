@@ -114,33 +114,40 @@ struct Sample {
   static constexpr std::size_t kAll = static_cast<std::size_t>(-2);
 
   std::size_t index = 0;
-  std::size_t from_second = kNone;
+  std::size_t from_second = kNone;  ///< Block.
+  std::size_t halved = kNone;       ///< Block whose deviation is, see `halved_blocks`.
 };
 
 /// Designs of each sample: one, or of `sobol_indices` A, B, and A with each column from B in turn
 /// (Saltelli et al. 2010, Computer Physics Communications 181, table 2).
+/// Those of `tolerances` are all drawn, and with each block halved in turn.
 std::size_t designs_per_sample(const Study& study) {
-  return study.plan == Plan::sobol_indices ? study.factors.size() + 2 : 1;
+  if (study.plan == Plan::tolerances) return 1 + halved_blocks(study).size();
+  return study.plan == Plan::sobol_indices ? blocks_of(study).size() + 2 : 1;
 }
 
 Sample sample_of(const Study& study, std::size_t k) {
   const std::size_t each = designs_per_sample(study);
   const std::size_t which = (k - 1) % each;
+  if (study.plan == Plan::tolerances)
+    return {(k - 1) / each, Sample::kNone,
+            which == 0 ? Sample::kNone : halved_blocks(study)[which - 1]};
   const std::size_t from_second = which == 0   ? Sample::kNone
                                   : which == 1 ? Sample::kAll
                                                : which - 2;
-  return {(k - 1) / each, from_second};
+  return {(k - 1) / each, from_second, Sample::kNone};
 }
 
 /// Where in (0, 1) of its distribution a factor lies.
-double share(const Study& study, std::size_t factor, const Sample& sample) {
+double share(const Study& study, std::size_t factor, std::size_t block, const Sample& sample) {
   switch (study.plan) {
     case Plan::latin_hypercube:
       return latin_hypercube_number(study.seed, factor, sample.index, study.samples);
     case Plan::monte_carlo:
+    case Plan::tolerances:
       return monte_carlo_number(study.seed, factor, sample.index);
     case Plan::sobol_indices: {
-      const bool second = sample.from_second == Sample::kAll || sample.from_second == factor;
+      const bool second = sample.from_second == Sample::kAll || sample.from_second == block;
       return sobol_number(study.seed, factor + (second ? study.factors.size() : 0), sample.index);
     }
     default:
@@ -238,6 +245,30 @@ double value_of(const Factor& factor, const FactorColumn& column, const Draw& dr
 
 }  // namespace
 
+namespace {
+
+std::string of_list(const Study& study, std::size_t factor, const std::string& of_entry) {
+  const bool several = factor + 1 < study.factors.size() && study.factors[factor + 1].with_previous;
+  return several ? of_entry.substr(0, of_entry.rfind('[')) : of_entry;
+}
+
+}  // namespace
+
+std::string path_of_block(const Study& study, std::size_t factor) {
+  return of_list(study, factor, study.factors[factor].path);
+}
+std::string label_of_block(const Study& study, std::size_t factor) {
+  return of_list(study, factor, study.factors[factor].label);
+}
+
+std::vector<std::size_t> halved_blocks(const Study& study) {
+  const std::vector<std::size_t> blocks = blocks_of(study);
+  std::vector<std::size_t> halved;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    if (!study.factors[blocks[b]].kept) halved.push_back(b);
+  return halved;
+}
+
 std::size_t design_count(const Study& study) {
   if (study.plan == Plan::derivatives) return 1;
   if (is_sampled(study.plan)) return 1 + study.samples * designs_per_sample(study);
@@ -264,8 +295,14 @@ void set_draws(const Study& study, std::size_t k, std::vector<Draw>& draws) {
     draw_combination(study, k, draws);
   } else {
     const Sample sample = sample_of(study, k);
-    for (std::size_t i = 0; i < draws.size(); ++i)
-      draws[i] = drawn(study.factors[i], share(study, i, sample));
+    std::size_t block = 0;
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      const Factor& factor = study.factors[i];
+      if (i > 0 && !factor.with_previous) ++block;
+      draws[i] = drawn(factor, share(study, i, block, sample));
+      if (block == sample.halved && factor.base && factor.base->number)
+        draws[i].number = *factor.base->number + 0.5 * (draws[i].number - *factor.base->number);
+    }
   }
 }
 

@@ -52,6 +52,13 @@ double normal_quantile(double u);
 /// Stands for a number that a design does not have.
 inline constexpr double kNoResponse = std::numeric_limits<double>::quiet_NaN();
 
+/// The path or the label of a factor, of a block that of its list.
+std::string path_of_block(const Study& study, std::size_t factor);
+std::string label_of_block(const Study& study, std::size_t factor);
+
+/// Blocks that a plan of tolerances halves, see `blocks_of`.
+std::vector<std::size_t> halved_blocks(const Study& study);
+
 /// Number of designs, the base case included.
 std::size_t design_count(const Study& study);
 

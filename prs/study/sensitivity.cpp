@@ -359,9 +359,10 @@ void FollowedFactors::add(std::span<const double> row, std::size_t design) {
     add_to_grid(row, design);
   } else if (study_.plan == Plan::sobol_indices && design > 0) {
     // Both points of a sample, then the first one with a factor of the second.
-    const std::size_t k = (design - 1) % (study_.factors.size() + 2);
+    const std::vector<std::size_t> blocks = blocks_of(study_);
+    const std::size_t k = (design - 1) % (blocks.size() + 2);
     if (k == 0) return keep();
-    if (k >= 2) compare(seen_[k - 2], row);
+    if (k >= 2) compare(seen_[blocks[k - 2]], row);
   }
 }
 

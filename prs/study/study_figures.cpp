@@ -225,6 +225,13 @@ void add_estimate(const Estimate& estimate, double at, Series& bars, Series& int
     intervals.parts.push_back({{end, at - kCap}, {end, at + kCap}});
 }
 
+std::string block_name(const Study& study, std::size_t factor) {
+  Factor block = study.factors[factor];
+  block.path = path_of_block(study, factor);
+  block.label = label_of_block(study, factor);
+  return factor_name(block);
+}
+
 Figure variance_figure(const StudyResult& result, std::size_t response,
                        const ResponseIndices& indices) {
   Figure figure = kind_of_figure(result, response, "variance");
@@ -237,12 +244,35 @@ Figure variance_figure(const StudyResult& result, std::size_t response,
   std::vector<std::string> names;
   for (std::size_t k = 0; k < bars; ++k) {
     const FactorIndices& factor = indices.factors[k];
-    names.push_back(factor_name(result.study.factors[factor.factor]));
+    names.push_back(block_name(result.study, factor.factor));
     add_estimate(factor.first, rank_position(k, bars) + 0.2, first, intervals);
     add_estimate(factor.total, rank_position(k, bars) - 0.2, total, intervals);
   }
   Panel panel;
   panel.series = {std::move(first), std::move(total), std::move(intervals)};
+  panel.references.push_back({figure.add(kZeroStyle), 0.0, true});
+  figure.y = ranked_axis(names);
+  figure.aspect = 0.08 + 0.065 * static_cast<double>(bars);
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+Figure gain_figure(const StudyResult& result, std::size_t response,
+                   const std::vector<ToleranceGain>& gains) {
+  Figure figure = kind_of_figure(result, response, "tolerances");
+  figure.title += ": what half the deviation of a factor buys";
+  figure.x = {"Less of what 95 % of the designs stay below", "%"};
+  Series series{figure.add("gain", area_of(Colour::blue))};
+  const std::size_t bars = std::min(gains.size(), kMostBars);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < bars; ++k) {
+    names.push_back(block_name(result.study, gains[k].factor));
+    const double at = rank_position(k, bars), gain = 100.0 * gains[k].gain();
+    series.parts.push_back(
+        rectangle(std::min(gain, 0.0), std::max(gain, 0.0), at - 0.36, at + 0.36));
+  }
+  Panel panel;
+  panel.series = {std::move(series)};
   panel.references.push_back({figure.add(kZeroStyle), 0.0, true});
   figure.y = ranked_axis(names);
   figure.aspect = 0.08 + 0.065 * static_cast<double>(bars);
@@ -361,6 +391,8 @@ Figures study_maps(const StudyResult& result, const FigureOptions& options) {
 Figures contributions(const StudyResult& result, const FigureOptions& options) {
   return figures_of(result.study.responses, options, [&](std::size_t k) -> std::optional<Figure> {
     const std::vector<ResponseIndices>& indices = result.summary.indices;
+    const auto& gains = result.summary.tolerances;
+    if (!gains.empty() && !gains[k].empty()) return gain_figure(result, k, gains[k]);
     if (!indices.empty() && !indices[k].factors.empty())
       return variance_figure(result, k, indices[k]);
     const LinearFit* fit = fit_of(result, k);

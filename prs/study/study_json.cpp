@@ -155,8 +155,12 @@ constexpr Quantity<Estimate> kEstimate[] = {
     {"half_width_95", of<&Estimate::half_width>},
 };
 
+constexpr auto path_of_list = [](const auto& part) {
+  return path_of_block(part.whole->study, part.item->factor);
+};
+
 constexpr Quantity<In<FactorIndices>> kFactorIndices[] = {
-    {"path", always<path>},
+    {"path", always<path_of_list>},
     {"first", always_table<kEstimate, its<&FactorIndices::first>>},
     {"total", always_table<kEstimate, its<&FactorIndices::total>>},
 };
@@ -166,6 +170,14 @@ constexpr Quantity<In<ResponseIndices>> kIndices[] = {
     {"samples_left_out", always<its<&ResponseIndices::left_out>>},
     {"variance", always<its<&ResponseIndices::variance>>},
     {"factors", always_table<kFactorIndices, parts<&ResponseIndices::factors>>},
+};
+
+constexpr Quantity<In<ToleranceGain>> kGain[] = {
+    {"path", always<path_of_list>},
+    {"quantile_95", always<its<&ToleranceGain::quantile>>},
+    {"quantile_95_halved", always<its<&ToleranceGain::halved>>},
+    {"gain_percent", of<its<&ToleranceGain::gain>>,
+     "100 (1 - halved/quantile): what half the tolerance buys"},
 };
 
 constexpr Quantity<StudyResult> kSummary[] = {
@@ -182,6 +194,14 @@ constexpr Quantity<StudyResult> kSummary[] = {
     {"sobol_indices",
      filled_table<kIndices,
                   [](auto& r) { return by_key(r.study.responses, within(r, r.summary.indices)); }>},
+    {"tolerances",
+     filled_table<kGain,
+                  [](auto& r) {
+                    return by_key(r.study.responses,
+                                  each(r.summary.tolerances,
+                                       [&](const auto& gains) { return within(r, gains); }));
+                  }>,
+     "what halving each deviation does to each response, the largest gain first"},
 };
 
 // The envelope.
@@ -326,7 +346,7 @@ PRS_RECORD(StudyDocument, "Study", "What a study finds.", study_document::kDocum
 
 std::string_view name(Plan plan) {
   constexpr std::array kNames{"one_at_a_time", "grid",          "latin_hypercube", "sobol",
-                              "monte_carlo",   "sobol_indices", "derivatives"};
+                              "monte_carlo",   "sobol_indices", "derivatives",     "tolerances"};
   return kNames.at(static_cast<std::size_t>(plan));
 }
 

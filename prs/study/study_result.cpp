@@ -155,8 +155,11 @@ struct StudyAnalysis::Parts {
       factors.clear();
     }
     regression = LinearRegression(factors.size(), study.responses.size());
+    if (study.plan == Plan::tolerances)
+      drawn.assign(1 + halved_blocks(study).size(),
+                   std::vector<std::vector<double>>(study.responses.size()));
     if (study.plan != Plan::sobol_indices) return;
-    const std::size_t d = study.factors.size();
+    const std::size_t d = blocks_of(study).size();
     indices.assign(study.responses.size(), VarianceIndices(d, study.samples));
     sample.assign(study.responses.size(), std::vector<double>(d + 2));
   }
@@ -165,6 +168,12 @@ struct StudyAnalysis::Parts {
     followed.add(row, design);
     if (design == 0) return;
     if (!indices.empty() && !add_to_sample(row, design)) return;
+    if (!drawn.empty()) {
+      const std::size_t k = (design - 1) % drawn.size();
+      for (std::size_t j = 0; j < row.size(); ++j)
+        if (std::isfinite(row[j])) drawn[k][j].push_back(row[j]);
+      if (k > 0) return;
+    }
     if (!any_finite(row)) return;
     for (std::size_t j = 0; j < row.size(); ++j)
       if (std::isfinite(row[j])) moments[j].add(row[j], design);
@@ -180,7 +189,7 @@ struct StudyAnalysis::Parts {
 
   /// Whether the design is one of the two that are drawn independently of each other.
   bool add_to_sample(std::span<const double> row, std::size_t design) {
-    const std::size_t designs = study.factors.size() + 2, k = (design - 1) % designs;
+    const std::size_t designs = sample.front().size(), k = (design - 1) % designs;
     for (std::size_t j = 0; j < row.size(); ++j) {
       sample[j][k] = row[j];
       if (k + 1 == designs) indices[j].add(sample[j]);
@@ -201,7 +210,20 @@ struct StudyAnalysis::Parts {
   std::vector<double> x;                    ///< Normalised factors of one design.
   std::vector<VarianceIndices> indices;     ///< One per response, for plan sobol_indices.
   std::vector<std::vector<double>> sample;  ///< A response of the designs of one sample.
-  std::optional<GridMapCollector> maps;     ///< For a study with an envelope.
+  /// For plan tolerances: values as drawn and with each factor halved, by responses.
+  std::vector<std::vector<std::vector<double>>> drawn;
+
+  std::vector<ToleranceGain> gains(std::size_t response) {
+    std::vector<ToleranceGain> all;
+    const std::vector<std::size_t> blocks = blocks_of(study), halved = halved_blocks(study);
+    for (std::size_t k = 1; k < drawn.size(); ++k)
+      if (!drawn[0][response].empty() && !drawn[k][response].empty())
+        all.push_back({blocks[halved[k - 1]], quantiles(drawn[0][response])[3],
+                       quantiles(drawn[k][response])[3]});
+    std::ranges::stable_sort(all, std::greater<>(), &ToleranceGain::gain);
+    return all;
+  }
+  std::optional<GridMapCollector> maps;  ///< For a study with an envelope.
 };
 
 StudyAnalysis::StudyAnalysis(const Study& study) : parts_(std::make_unique<Parts>(study)) {}
@@ -243,8 +265,14 @@ StudySummary StudyAnalysis::summary() const {
   if (!parts_->factors.empty())
     summary.surfaces = response_surfaces(parts_->regression, parts_->factors, parts_->study);
   if (!parts_->reason.empty()) summary.surfaces = ResponseSurfaces{0, parts_->reason};
-  for (const VarianceIndices& indices : parts_->indices)
+  for (const VarianceIndices& indices : parts_->indices) {
     summary.indices.push_back(indices.result());
+    for (FactorIndices& f : summary.indices.back().factors)
+      f.factor = blocks_of(parts_->study)[f.factor];
+  }
+  if (!parts_->drawn.empty())
+    for (std::size_t j = 0; j < parts_->moments.size(); ++j)
+      summary.tolerances.push_back(parts_->gains(j));
   summary.idle_factors = parts_->followed.idle();
   if (parts_->maps && parts_->maps->maps()) {
     summary.maps = parts_->maps->maps();

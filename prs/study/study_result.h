@@ -114,11 +114,22 @@ struct ResponseStatistics {
   std::size_t values_kept = 0;  ///< Values behind quantiles and histogram.
 };
 
+/// What half the deviation of a factor from the file's value buys.
+struct ToleranceGain {
+  std::size_t factor = 0;  ///< The first of its block.
+  double quantile = 0.0;   ///< 95 % of the response as drawn.
+  double halved = 0.0;     ///< With the factor's deviation halved.
+
+  double gain() const { return 1.0 - halved / quantile; }
+};
+
 /// Summary of the rows of a study.
 struct StudySummary {
   std::vector<ResponseStatistics> statistics;     ///< One per response.
   std::optional<ResponseSurfaces> surfaces = {};  ///< For sampled plans with numeric factors.
   std::vector<ResponseIndices> indices = {};      ///< One per response, for plan sobol_indices.
+  /// Of each response the largest gain first, for plan tolerances.
+  std::vector<std::vector<ToleranceGain>> tolerances = {};
   /// Factors that no response follows, as far as designs that differ in one factor alone tell.
   std::vector<std::size_t> idle_factors = {};
   std::optional<GridMaps> maps = {};  ///< For a study with an envelope.

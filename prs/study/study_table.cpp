@@ -214,7 +214,7 @@ std::string ranking(const Study& study, const std::vector<Ranked>& factors, doub
     const Ranked& f = factors[k];
     if (k > 0 && share(f) < least) break;
     text += ended(fmt::format("  {:>3}  {}  {}  {}", k + 1,
-                              fitted(printable(study.factors[f.factor].label), kMaxName, true),
+                              fitted(printable(label_of_block(study, f.factor)), kMaxName, true),
                               numbers(f), bar(share(f) / share(factors[0]))));
   }
   if (k == factors.size()) return text;
@@ -254,6 +254,21 @@ std::string variance_shares(const Study& study, std::size_t response,
                     });
 }
 
+std::string gains(const Study& study, std::size_t response,
+                  const std::vector<ToleranceGain>& gains) {
+  const TableResponse shown = table_response(study.responses[response]);
+  return fmt::format(
+             "\n{}: 95 % of the designs stay below {}; with half the deviation of one "
+             "factor\n",
+             shown.text(), significant(shown.factor * gains.front().quantile, 4)) +
+         ranking(
+             study, gains, -1.0, [](const ToleranceGain& g) { return g.gain(); },
+             [&](const ToleranceGain& g) {
+               return fmt::format("{:>10}  {:+7.2f} %", significant(shown.factor * g.halved, 4),
+                                  100.0 * g.gain());
+             });
+}
+
 /// What matters most to each response.
 std::string rankings(const StudyResult& result) {
   const Study& study = result.study;
@@ -263,7 +278,9 @@ std::string rankings(const StudyResult& result) {
     text += fmt::format("\nno response surface: {}\n", printable(summary.surfaces->reason));
   const std::size_t shown = std::min(study.responses.size(), kMostRankings);
   for (std::size_t k = 0; k < shown; ++k) {
-    if (!summary.indices.empty() && !summary.indices[k].factors.empty())
+    if (!summary.tolerances.empty() && !summary.tolerances[k].empty())
+      text += gains(study, k, summary.tolerances[k]);
+    else if (!summary.indices.empty() && !summary.indices[k].factors.empty())
       text += variance_shares(study, k, summary.indices[k]);
     else if (summary.surfaces && !summary.surfaces->fits.empty() && summary.surfaces->fits[k])
       text += contributions(study, k, *summary.surfaces->fits[k]);

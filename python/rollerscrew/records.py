@@ -485,6 +485,304 @@ class Orbit(Record):
     axial_error_um: float
 
 
+class TravelSpectrum(Record):
+    """Amplitudes of the travel deviation by orders.
+
+    order: periods in a turn
+    amplitude_um [µm]: of the deviation, less its drift
+    """
+
+    __slots__ = ()
+    order: Array
+    amplitude_um: Array
+
+
+class TravelOrder(Record):
+    """Amplitude of the travel deviation at an order of a part.
+
+    name: turn | carrier | carrier_on_screw | roller_spin | rollers_past_nut | rollers_past_screw
+    order: periods in a turn
+    amplitude_um [µm]: by one least-squares fit of all orders
+    """
+
+    __slots__ = ()
+    name: str
+    order: float
+    amplitude_um: float
+
+
+class TravelEnd(Record):
+    """The loaded section of the screw over a travel.
+
+    displacement_um [µm]: x: the deviation; y, z as at rest, at each position
+    rotation_mrad [mrad]: about y and z, at each position
+    """
+
+    __slots__ = ()
+    displacement_um: Array
+    rotation_mrad: Array
+
+
+class TravelNut(Record):
+    """The nut's seat over a travel.
+
+    force_N [N]: x, y, z, of the housing on the nut, at each position
+    moment_Nm [N m]: about y and z, at each position
+    """
+
+    __slots__ = ()
+    force_N: Array
+    moment_Nm: Array
+
+
+class TravelBearing(Record):
+    """A bearing over a travel.
+
+    at_mm [mm]: x
+    force_N [N]: y, z, of the bearing on the screw, at each position
+    moment_Nm [N m]: about y and z, at each position
+    """
+
+    __slots__ = ()
+    at_mm: float
+    force_N: Array
+    moment_Nm: Array
+
+
+class TravelLoads(Record):
+    """Normal loads over a travel at an interface.
+
+    largest_normal_load_N [N]: of all rollers, threads and positions
+    at_angle_deg [deg]: turn at which it acts
+    largest_roller: where it acts, from 1
+    largest_thread: where it acts, from 1
+    least_normal_load_N [N]: of all rollers, threads and positions
+    mean_normal_load_N [N]: over the positions, by roller and thread
+    ripple_normal_load_N [N]: largest less least over the positions, by roller and thread
+    """
+
+    __slots__ = ()
+    largest_normal_load_N: float
+    at_angle_deg: float
+    largest_roller: int
+    largest_thread: int
+    least_normal_load_N: float
+    mean_normal_load_N: Array
+    ripple_normal_load_N: Array
+
+
+class Travel(Record):
+    """Positions of the turning mechanism, whose parts carry their errors along.
+
+    converged: whether every position has an equilibrium
+    status: how the first position without equilibrium ended
+    at_angle_deg [deg]: turn of the first position without equilibrium
+    turns: of the screw against the nut
+    steps: in a turn
+    positions: both ends included
+    slip_ratio: turn of the carrier against the nut over that of the screw
+    angle_deg [deg]: turn of the screw against the nut
+    deviation_um [µm]: of the loaded section along x, less its mean
+    peak_to_peak_um [µm]: of the deviation
+    mean_travel_deviation_um [µm]: e_0a: rise of the least-squares line over the travel; > 0 goes too far; ISO 3408-3, names of its actual values
+    variation_um [µm]: v_ua: width of the band along that line; ISO 3408-3, names of its actual values
+    variation_300_mm_um [µm]: v_300a: largest over 300 mm; absent of a shorter travel; ISO 3408-3, names of its actual values
+    variation_one_turn_um [µm]: v_2pia: largest over a turn; ISO 3408-3, names of its actual values
+    spectrum: of the deviation
+    orders: amplitudes of the orders of the parts
+    tangent_stiffness_N_per_um [N/µm]: derivative of the force by the displacement, at each position
+    stiffness_ripple_percent [%]: largest less least stiffness over the mean
+    screw_end: the loaded section of the screw
+    nut_reaction: of the nut's seat
+    bearings: as the file has them
+    side_force_ripple_N [N]: largest distance of the nut's force across the axis from its mean
+    tilt_ripple_mrad [mrad]: largest distance of the rotation of the screw's end from its mean
+    screw: contacts at the screw
+    nut: contacts at the nut
+    """
+
+    __slots__ = ()
+    converged: bool
+    status: str
+    at_angle_deg: float | None
+    turns: int | None
+    steps: int | None
+    positions: int | None
+    slip_ratio: float | None
+    angle_deg: Array | None
+    deviation_um: Array | None
+    peak_to_peak_um: float | None
+    mean_travel_deviation_um: float | None
+    variation_um: float | None
+    variation_300_mm_um: float | None
+    variation_one_turn_um: float | None
+    spectrum: TravelSpectrum | None
+    orders: list[TravelOrder] | None
+    tangent_stiffness_N_per_um: Array | None
+    stiffness_ripple_percent: float | None
+    screw_end: TravelEnd | None
+    nut_reaction: TravelNut | None
+    bearings: list[TravelBearing] | None
+    side_force_ripple_N: float | None
+    tilt_ripple_mrad: float | None
+    screw: TravelLoads | None
+    nut: TravelLoads | None
+
+
+class AlongAxes(Record):
+    """A number for each axis.
+
+    x: along the axis
+    y: across it
+    z: across it
+    """
+
+    __slots__ = ()
+    x: float
+    y: float
+    z: float
+
+
+class MotionOrder(Record):
+    """How often a motion comes back in a turn.
+
+    name: as those of `travel`
+    order: periods in a turn of screw against nut
+    """
+
+    __slots__ = ()
+    name: str
+    order: float
+
+
+class KineticEnergy(Record):
+    """Where the kinetic energy of a mode is.
+
+    screw: of the screw
+    nut: of the nut
+    rollers: of the rollers, also as they orbit and spin
+    masses: of masses and drive
+    """
+
+    __slots__ = ()
+    screw: float
+    nut: float
+    rollers: float
+    masses: float
+
+
+class StrainEnergy(Record):
+    """Where the strain energy of a mode is.
+
+    screw: of the screw
+    nut: of the nut
+    rollers: of the rollers
+    screw_contacts: of the contacts at the screw
+    nut_contacts: of the contacts at the nut
+    supports: of springs of supports, rings and drive
+    prestress: of axial forces in bending; < 0 in compression
+    """
+
+    __slots__ = ()
+    screw: float
+    nut: float
+    rollers: float
+    screw_contacts: float
+    nut_contacts: float
+    supports: float
+    prestress: float | None
+
+
+class BodyShape(Record):
+    """Displacements of screw or nut in a mode.
+
+    x_mm [mm]: of the nodes
+    displacement: x, y, z
+    """
+
+    __slots__ = ()
+    x_mm: Array
+    displacement: Array
+
+
+class RollerShape(Record):
+    """Displacements of the rollers in a mode.
+
+    axial: of the middle of each roller
+    radial: of the middle of each roller
+    """
+
+    __slots__ = ()
+    axial: Array
+    radial: Array
+
+
+class ModeShape(Record):
+    """Shape of a mode.
+
+    screw: of the screw
+    nut: of the nut
+    rollers: of the rollers
+    """
+
+    __slots__ = ()
+    screw: BodyShape
+    nut: BodyShape
+    rollers: RollerShape
+
+
+class Mode(Record):
+    """A natural mode.
+
+    frequency_Hz [Hz]: natural frequency
+    effective_mass_kg [kg]: what takes part along each axis
+    kinetic_energy_percent [%]: shares of the parts
+    strain_energy_percent [%]: shares of parts, contacts and supports
+    shape: scaled so that its largest number is 1
+    critical_speed_rpm [rpm]: of screw against nut, at which each of `orders` meets the frequency
+    """
+
+    __slots__ = ()
+    frequency_Hz: float
+    effective_mass_kg: AlongAxes
+    kinetic_energy_percent: KineticEnergy
+    strain_energy_percent: StrainEnergy
+    shape: ModeShape
+    critical_speed_rpm: Array
+
+
+class ModesAlongTravel(Record):
+    """Natural frequencies at positions of the travel.
+
+    angle_deg [deg]: turn of the screw against the nut
+    frequency_Hz [Hz]: natural frequencies at each, from the lowest
+    """
+
+    __slots__ = ()
+    angle_deg: Array
+    frequency_Hz: Array
+
+
+class Modes(Record):
+    """Natural vibration of the loaded mechanism, without damping.
+
+    mass_kg [kg]: that moves along each axis
+    dofs: freedoms of the model
+    idle_rollers: that have no part in it, from 1
+    orders: of the parts
+    mode: from the lowest frequency
+    along_travel: frequencies at positions of the travel
+    """
+
+    __slots__ = ()
+    mass_kg: AlongAxes
+    dofs: int
+    idle_rollers: Array
+    orders: list[MotionOrder]
+    mode: list[Mode]
+    along_travel: ModesAlongTravel | None
+
+
 class NewtonIteration(Record):
     """One linear solve of the load distribution.
 
@@ -886,6 +1184,8 @@ class SystemStiffness(Record):
 class LoadMeasures(Record):
     """Design measures under one load.
 
+    lowest_frequency_Hz [Hz]: of the modes; needs `modes` and `structure.masses`
+    speeds_to_avoid_rpm [rpm]: at which turn, carrier, rollers or their number meet the lowest frequency, screw against nut; needs `modes` and `structure.masses`
     hertz_stiffness_screw_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
     hertz_stiffness_nut_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
     thread_stiffness_N_per_um [N/µm]: N_r N/((h_S + h_N) f^(-1/3) + sum 1/k_tooth), teeth of screw, nut and twice the roller where measures.loaded_width is given; secant, equal shares; roller moves axially only; with teeth a lower bound, which may be below `solve`'s whole screw: the models of the bodies have Hertz contacts without Yamamoto's teeth, whose deflection Hertz has in part and whose nut ring each contact widens alone; Jung 2017, (3.45), (3.46), without the roller's teeth there
@@ -921,6 +1221,8 @@ class LoadMeasures(Record):
     """
 
     __slots__ = ()
+    lowest_frequency_Hz: float | None
+    speeds_to_avoid_rpm: Array | None
     hertz_stiffness_screw_N_per_um: float | None
     hertz_stiffness_nut_N_per_um: float | None
     thread_stiffness_N_per_um: float | None
@@ -984,6 +1286,8 @@ class LoadCase(Record):
     reactions: forces of the supports on the parts
     symmetric: the same screw with the axial force only: aligned, all rollers, nominal parts
     orbit: what a turn of the carrier does
+    travel: positions of the turning mechanism
+    modes: natural vibration about the equilibrium
     warnings: what is unusual about this load
     newton_history: one per linear solve; documents of many load cases leave it out
     heat: with `heat`: loads and slip are those at its temperatures
@@ -1018,6 +1322,8 @@ class LoadCase(Record):
     reactions: Reactions | None
     symmetric: SymmetricLoads | None
     orbit: Orbit | None
+    travel: Travel | None
+    modes: Modes | None
     warnings: list[str]
     newton_history: list[NewtonIteration] | None
     heat: Heat | None

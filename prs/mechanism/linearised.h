@@ -1,0 +1,18 @@
+#pragma once
+
+#include "prs/mechanism/full_distribution.h"
+
+namespace prs {
+
+/// The loaded mechanism as linear springs in place of its contacts.
+struct Linearised {
+  std::vector<double> tangent;  ///< Of each spring [N/m].
+  std::vector<bool> closed;     ///< Whether it carries a load that counts.
+
+  bool all_closed() const { return std::ranges::find(closed, false) == closed.end(); }
+};
+
+/// Contacts of idle rollers carry nothing.
+Linearised linearised(const FullModel& model, const FullDistribution& d);
+
+}  // namespace prs

@@ -1,0 +1,282 @@
+#include "prs/mechanism/travel.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <functional>
+
+namespace prs {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// What is within this of a limit is on it.
+constexpr double kOnLimit = 1e-9;
+
+/// Positions that are solved one after the other.
+constexpr int kChunk = 64;
+
+/// Loads that differ by less are the same load, as rounding has it.
+constexpr double kSameNormalLoad = 1e-9;
+
+double spin_order(const Mechanism& m, double slip_ratio) {
+  const double of_carrier = m.type == Mechanism::Type::standard ? slip_ratio : 1.0 - slip_ratio;
+  return static_cast<double>(m.starts.screw) / m.starts.roller * of_carrier;
+}
+
+/// Largest width of `values` over so many of them in a row.
+double widest(const std::vector<double>& values, std::size_t count) {
+  double width = 0.0;
+  std::vector<std::size_t> low, high;  // Candidates for the extremes, the first of each at `from`.
+  std::size_t low_from = 0, high_from = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const auto push = [&](std::vector<std::size_t>& queue, std::size_t& from, auto beats) {
+      while (queue.size() > from && !beats(values[queue.back()], values[k])) queue.pop_back();
+      queue.push_back(k);
+      if (queue[from] + count <= k) ++from;
+    };
+    push(low, low_from, std::less<>());
+    push(high, high_from, std::greater<>());
+    if (k + 1 >= count) width = std::max(width, values[high[high_from]] - values[low[low_from]]);
+  }
+  return width;
+}
+
+Lateral turned_by(double y, double z, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * y - s * z, s * y + c * z};
+}
+
+double farthest_from_mean(const std::vector<Lateral>& points) {
+  Lateral mean;
+  for (const Lateral& p : points) {
+    mean.y += p.y / static_cast<double>(points.size());
+    mean.z += p.z / static_cast<double>(points.size());
+  }
+  double farthest = 0.0;
+  for (const Lateral& p : points)
+    farthest = std::max(farthest, std::hypot(p.y - mean.y, p.z - mean.z));
+  return farthest;
+}
+
+void add_support(TravelSupport& s, const SupportForce& f, double angle) {
+  const Lateral across = turned_by(f.force[1], f.force[2], angle);
+  s.position = f.position;
+  s.force.emplace_back(f.force[0], across.y, across.z);
+  s.moment.push_back(turned_by(f.moment.y, f.moment.z, angle));
+}
+
+/// Normal loads position by position.
+class Collected {
+ public:
+  explicit Collected(const FullModel& f) : f_(f) {
+    loads.mean = RollerThreads(static_cast<std::size_t>(f.rollers),
+                               std::vector<double>(static_cast<std::size_t>(f.threads()), 0.0));
+    loads.ripple = most_ = loads.mean;
+    least_ = RollerThreads(
+        loads.mean.size(),
+        std::vector<double>(loads.mean[0].size(), std::numeric_limits<double>::infinity()));
+  }
+
+  TravelLoads loads;
+
+  void add(const RollerThreads& normal_load, double angle, double share) {
+    if (1.0 / share < kMostShown) all_.push_back(normal_load);
+    for (const FullModel::Roller& r : f_.present) {
+      const auto j = static_cast<std::size_t>(r.number);
+      for (std::size_t k = 0; k < normal_load[j].size(); ++k) {
+        const double load = normal_load[j][k];
+        loads.mean[j][k] += share * load;
+        least_[j][k] = std::min(least_[j][k], load);
+        most_[j][k] = std::max(most_[j][k], load);
+        if (load <= loads.largest * (1.0 + kSameNormalLoad)) continue;
+        loads.largest = load;
+        loads.angle = angle;
+        loads.roller = r.number + 1;
+        loads.thread = static_cast<int>(k) + 1;
+      }
+    }
+  }
+  TravelLoads finished() && {
+    loads.least = std::numeric_limits<double>::infinity();
+    for (const FullModel::Roller& r : f_.present) {
+      const auto j = static_cast<std::size_t>(r.number);
+      for (std::size_t k = 0; k < loads.mean[j].size(); ++k) {
+        loads.ripple[j][k] = most_[j][k] - least_[j][k];
+        loads.least = std::min(loads.least, least_[j][k]);
+      }
+    }
+    for (const RollerThreads& at : all_)
+      loads.of_roller.push_back(at[static_cast<std::size_t>(loads.roller - 1)]);
+    return std::move(loads);
+  }
+
+ private:
+  static constexpr double kMostShown = 5000.0;  ///< Positions whose loads are all kept.
+
+  const FullModel& f_;
+  RollerThreads least_, most_;
+  std::vector<RollerThreads> all_;
+};
+
+}  // namespace
+
+std::vector<MotionOrder> motion_orders(const Mechanism& m, double epsilon) {
+  return {{"turn", 1.0},
+          {"carrier", epsilon},
+          {"carrier_on_screw", 1.0 - epsilon},
+          {"roller_spin", spin_order(m, epsilon)},
+          {"rollers_past_nut", m.rollers * epsilon},
+          {"rollers_past_screw", m.rollers * (1.0 - epsilon)}};
+}
+
+std::optional<int> turns_until_repeat(const Mechanism& m, double epsilon) {
+  const auto whole = [](double x) { return std::abs(x - std::round(x)) <= kOnLimit; };
+  for (int turns = 1; turns <= 1000; ++turns)
+    if (whole(turns * epsilon) && whole(turns * spin_order(m, epsilon))) return turns;
+  return std::nullopt;
+}
+
+TravelBands travel_bands(const std::vector<double>& d, double sense, int one_turn, int in_300_mm) {
+  const double last = static_cast<double>(d.size()) - 1.0;
+  double mean = 0.0, slope = 0.0, square = 0.0;
+  for (const double value : d) mean += value / (last + 1.0);
+  for (std::size_t k = 0; k < d.size(); ++k) {
+    const double from_middle = static_cast<double>(k) - 0.5 * last;
+    slope += from_middle * (d[k] - mean);
+    square += from_middle * from_middle;
+  }
+  slope /= square;
+  TravelBands bands;
+  bands.mean = sense * slope * last;
+  std::vector<double> left;
+  for (std::size_t k = 0; k < d.size(); ++k) {
+    bands.line.push_back(mean + slope * (static_cast<double>(k) - 0.5 * last));
+    left.push_back(d[k] - bands.line.back());
+  }
+  const auto [least, most] = std::ranges::minmax(left);
+  bands.variation = most - least;
+  bands.variation_one_turn = widest(left, static_cast<std::size_t>(one_turn) + 1);
+  if (in_300_mm > 0) bands.variation_300_mm = widest(left, static_cast<std::size_t>(in_300_mm) + 1);
+  return bands;
+}
+
+std::vector<OrderAmplitude> travel_spectrum(const std::vector<double>& d, int turns) {
+  const std::size_t count = d.size() - 1;
+  std::vector<double> x(count), cosine(count), sine(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(count);
+    x[k] = d[k] - d.front() - (d.back() - d.front()) * share;
+    cosine[k] = std::cos(kTurn * share);
+    sine[k] = std::sin(kTurn * share);
+  }
+  std::vector<OrderAmplitude> spectrum;
+  for (std::size_t k = 1; k <= count / 2; ++k) {
+    double real = 0.0, imaginary = 0.0;
+    for (std::size_t i = 0, at = 0; i < count; ++i, at = (at + k) % count) {
+      real += x[i] * cosine[at];
+      imaginary += x[i] * sine[at];
+    }
+    const double amplitude = 2.0 * std::hypot(real, imaginary) / static_cast<double>(count);
+    spectrum.push_back({{},
+                        static_cast<double>(k) / std::abs(turns),
+                        2 * k == count ? 0.5 * amplitude : amplitude});
+  }
+  return spectrum;
+}
+
+std::vector<OrderAmplitude> fitted_orders(const std::vector<double>& d, const Travel& t,
+                                          const std::vector<MotionOrder>& orders) {
+  const double resolution = 1.0 / std::abs(t.turns);
+  std::vector<OrderAmplitude> kept;
+  for (const MotionOrder& o : orders) {
+    const bool apart = std::ranges::all_of(kept, [&](const OrderAmplitude& k) {
+      return std::abs(o.order - k.order) >= resolution - kOnLimit;
+    });
+    if (apart && o.order >= resolution - kOnLimit &&
+        o.order <= 0.5 * t.steps - resolution + kOnLimit)
+      kept.push_back({std::string(o.name), o.order, 0.0});
+  }
+  const auto rows = static_cast<Eigen::Index>(d.size());
+  Eigen::MatrixXd a(rows, 2 + 2 * static_cast<Eigen::Index>(kept.size()));
+  a.col(0).setOnes();
+  a.col(1).setLinSpaced(rows, -1.0, 1.0);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    for (Eigen::Index k = 0; k < rows; ++k) {
+      const double phase = kept[i].order * kTurn * static_cast<double>(k) / t.steps;
+      a(k, 2 + 2 * static_cast<Eigen::Index>(i)) = std::cos(phase);
+      a(k, 3 + 2 * static_cast<Eigen::Index>(i)) = std::sin(phase);
+    }
+  const Eigen::VectorXd fit =
+      a.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(d.data(), rows));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto at = 2 + 2 * static_cast<Eigen::Index>(i);
+    kept[i].amplitude = std::hypot(fit[at], fit[at + 1]);
+  }
+  return kept;
+}
+
+std::vector<double> TravelResult::deviation() const {
+  std::vector<double> less_mean = displacement;
+  for (double& d : less_mean) d -= mean_displacement;
+  return less_mean;
+}
+
+TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& wanted) {
+  TravelResult r;
+  r.travel = wanted;
+  r.slip_ratio = slip_ratio(m, wanted);
+  r.lead = m.lead;
+  const int count = wanted.last() + 1;
+  const FullModel first = model.model(wanted.from);
+  PerInterface<Collected> collected{Collected(first), Collected(first)};
+  std::vector<Lateral> side_force;
+  std::function<FullDistribution(const FullModel&)> solver;
+  for (int k = 0; k < count; ++k) {
+    if (k % kChunk == 0) solver = model.solver();
+    const double theta = wanted.angle(k), turned = model.carrier ? model.carrier(theta) : 0.0;
+    FullModel f = model.model(theta);
+    if (model.carrier) {
+      turn_axes(f, turned);
+      for (std::size_t j = 0; j < f.present.size(); ++j)  // Rounding would make other zeros.
+        f.present[j].azimuth = first.present[j].azimuth;
+    }
+    const FullDistribution d = solver(f);
+    if (!d.solve.converged()) {
+      r.failure = {theta, d.reason.empty() ? std::string(fe::name(d.solve.status)) : d.reason,
+                   d.solve.status};
+      return r;
+    }
+    const auto& q = d.screw_end.displacement;
+    double displacement = q[0];
+    for (const Interface i : kInterfaces)
+      displacement += f.sense() * f.smallest_gap[i] / f.sector.cosine[i];
+    r.angle.push_back(theta);
+    r.displacement.push_back(displacement);
+    r.mean_displacement += displacement / count;
+    r.end_displacement.push_back(turned_by(q[1], q[2], turned));
+    r.end_rotation.push_back(turned_by(q[3], q[4], turned));
+    add_support(r.nut, d.nut, turned);
+    side_force.push_back({r.nut.force.back()[1], r.nut.force.back()[2]});
+    r.bearings.resize(d.bearings.size());
+    for (std::size_t b = 0; b < r.bearings.size(); ++b)
+      add_support(r.bearings[b], d.bearings[b], turned);
+    if (d.tangent_stiffness)
+      r.tangent_stiffness.push_back(*d.tangent_stiffness);
+    else if (!r.left_out_at)
+      r.left_out_at = theta;
+    for (const Interface i : kInterfaces) collected[i].add(d.normal_load[i], theta, 1.0 / count);
+  }
+  if (r.left_out_at) r.tangent_stiffness.clear();
+  r.side_force_ripple = farthest_from_mean(side_force);
+  r.tilt_ripple = farthest_from_mean(r.end_rotation);
+  const double in_300_mm = std::floor(0.3 * wanted.steps / std::abs(m.lead) + kOnLimit);
+  r.bands =
+      travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0, wanted.steps,
+                   in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
+  r.spectrum = travel_spectrum(r.displacement, wanted.turns);
+  r.orders = fitted_orders(r.displacement, wanted, motion_orders(m, r.slip_ratio));
+  for (const Interface i : kInterfaces) r.loads[i] = std::move(collected[i]).finished();
+  return r;
+}
+
+}  // namespace prs

@@ -1,0 +1,110 @@
+#pragma once
+
+#include "prs/mechanism/full_distribution.h"
+
+namespace prs {
+
+/// A motion of the mechanism that comes back so many times in a turn of the screw against the nut.
+struct MotionOrder {
+  std::string_view name;
+  double order = 0.0;
+};
+
+/// Orders of the parts' motions, of a slip ratio epsilon: turn 1, carrier epsilon, carrier on the
+/// screw 1 - epsilon, spin of the rollers against the carrier, rollers past nut and screw.
+std::vector<MotionOrder> motion_orders(const Mechanism& mechanism, double slip_ratio);
+
+/// Turns up to 1,000 after which all that does not depend on places along the parts repeats.
+std::optional<int> turns_until_repeat(const Mechanism& mechanism, double slip_ratio);
+
+/// Deviations of a travel, after ISO 3408-3 [m].
+struct TravelBands {
+  double mean = 0.0;       ///< e_0a: rise of the least-squares line, > 0 goes too far.
+  double variation = 0.0;  ///< v_ua: width of the band along that line.
+  std::optional<double> variation_300_mm;  ///< v_300a
+  double variation_one_turn = 0.0;         ///< v_2pia
+  std::vector<double> line;                ///< At each position.
+};
+
+/// Bands of the displacements d_k at equal distances. `sense`: > 0 where the travel goes along x;
+/// `one_turn` and `in_300_mm`: steps of these, 0 where the travel is shorter.
+TravelBands travel_bands(const std::vector<double>& d, double sense, int one_turn, int in_300_mm);
+
+struct OrderAmplitude {
+  std::string name;
+  double order = 0.0;
+  double amplitude = 0.0;  ///< [m]
+};
+
+/// Amplitudes of the orders k/turns, by a discrete Fourier transform of the displacements less the
+/// line through the first and the last.
+std::vector<OrderAmplitude> travel_spectrum(const std::vector<double>& d, int turns);
+
+/// Amplitudes by one least-squares fit of 1, k and all orders. Orders that the travel cannot tell
+/// are left out.
+std::vector<OrderAmplitude> fitted_orders(const std::vector<double>& d, const Travel& travel,
+                                          const std::vector<MotionOrder>& orders);
+
+/// Normal loads over a travel.
+struct TravelLoads {
+  double largest = 0.0;                        ///< [N]
+  double angle = 0.0;                          ///< Theta of the largest load [rad].
+  int roller = 0, thread = 0;                  ///< Of the largest load, from 1.
+  double least = 0.0;                          ///< [N]
+  RollerThreads mean, ripple;                  ///< Ripple: largest less least [N].
+  std::vector<std::vector<double>> of_roller;  ///< Of the roller of the largest load, at each
+                                               ///< position one for each thread [N].
+};
+
+/// A support over a travel.
+struct TravelSupport {
+  double position = 0.0;               ///< x [m]
+  std::vector<Eigen::Vector3d> force;  ///< On the part [N].
+  std::vector<Lateral> moment;         ///< [N m]
+};
+
+/// Quasi-static positions of the turning mechanism. SI units.
+struct TravelResult {
+  struct Failure {
+    double angle = 0.0;  ///< Theta [rad].
+    std::string why;
+    fe::NewtonStatus status = fe::NewtonStatus::no_equilibrium;
+  };
+  std::optional<Failure> failure;  ///< The first position without equilibrium.
+  bool converged() const { return !failure; }
+
+  Travel travel;
+  double slip_ratio = 0.0;
+  double lead = 0.0;                 ///< Of the screw [m].
+  std::vector<double> angle;         ///< Theta [rad].
+  std::vector<double> displacement;  ///< u_x of the loaded section [m].
+  double mean_displacement = 0.0;
+  TravelBands bands;
+  std::vector<OrderAmplitude> spectrum, orders;
+  std::vector<double> tangent_stiffness;  ///< Empty where a position has none [N/m].
+  std::optional<double> left_out_at;      ///< Theta of the first position without stiffness.
+  std::vector<Lateral> end_displacement, end_rotation;
+  TravelSupport nut;
+  std::vector<TravelSupport> bearings;
+  double side_force_ripple = 0.0;  ///< [N]
+  double tilt_ripple = 0.0;        ///< [rad]
+  PerInterface<TravelLoads> loads;
+
+  int positions() const { return static_cast<int>(angle.size()); }
+  /// Less the mean [m].
+  std::vector<double> deviation() const;
+};
+
+/// A mechanism at each theta, and what solves positions one after the other.
+struct TravelModel {
+  std::function<FullModel(double theta)> model;
+  /// Turn of the carrier since the start; where it is given, models are solved in axes that turn
+  /// with it, and what is read off is turned back.
+  std::function<double(double theta)> carrier;
+  /// A fresh one for each chunk of positions, so that no number depends on the threads.
+  std::function<std::function<FullDistribution(const FullModel&)>()> solver;
+};
+
+TravelResult travel(const TravelModel& model, const Mechanism& mechanism, const Travel& wanted);
+
+}  // namespace prs
