@@ -67,9 +67,8 @@ struct Study {
     return sum * batch / static_cast<double>(results.size());
   }
   bool all_converged() const {
-    return std::ranges::all_of(results, [](const auto& r) {
-      return r.solve.converged() && r.solve.relative_residual <= 1e-10;
-    });
+    return std::ranges::all_of(results,
+                               [](const auto& r) { return r.solve.converged() && r.solve.relative_residual <= 1e-10; });
   }
 
   static prs::SectorModel draw(std::mt19937_64& random) {
@@ -95,8 +94,7 @@ struct Study {
       c.laws[i].hertz_constant = about(c.laws[i].hertz_constant, 0.3);
       c.laws[i].normal_angle = about(c.laws[i].normal_angle, 0.2);
     }
-    c.direction = std::bernoulli_distribution(0.5)(random) ? prs::Direction::tension
-                                                           : prs::Direction::compression;
+    c.direction = std::bernoulli_distribution(0.5)(random) ? prs::Direction::tension : prs::Direction::compression;
     return c.model();
   }
 
@@ -106,10 +104,8 @@ struct Study {
   static double draw_force(const prs::SectorModel& s, std::mt19937_64& random) {
     const double modulus = 209e9 / (2.0 * (1.0 - 0.09)), pressure = 2.5e9;
     const double root = 0.75 * s.hertz_constant.screw / modulus;  // R^(1/2)
-    const double thread =
-        std::pow(std::numbers::pi * pressure, 3) * std::pow(root, 4) / (6.0 * modulus * modulus);
-    const double share =
-        std::exp(std::uniform_real_distribution<double>(std::log(0.01), 0.0)(random));
+    const double thread = std::pow(std::numbers::pi * pressure, 3) * std::pow(root, 4) / (6.0 * modulus * modulus);
+    const double share = std::exp(std::uniform_real_distribution<double>(std::log(0.01), 0.0)(random));
     return share * thread * s.cosine.screw * s.rollers * s.contacts();
   }
 };
@@ -160,8 +156,7 @@ void StudyOfRandomDesigns(benchmark::State& state) {
   if (!study.all_converged()) return state.SkipWithError("not converged");
   // Counters are summed over the threads, rates are per time of one of them.
   const double designs = static_cast<double>(state.iterations()) * kDesigns;
-  const double flops =
-      designs * study.lock_step_iterations(batch_size(set)) * 20.0 * flops_per_station();
+  const double flops = designs * study.lock_step_iterations(batch_size(set)) * 20.0 * flops_per_station();
   using benchmark::Counter;
   state.counters["designs"] = Counter(designs, Counter::kIsRate);
   state.counters["flop/s"] = Counter(flops, Counter::kIsRate);
@@ -185,20 +180,18 @@ void FunctionFloor(benchmark::State& state) {
   for (std::size_t i = 0; i < kNumbers; ++i) x[i] = 0.1 + 1e-3 * static_cast<double>(i);
   const auto function = static_cast<Function>(state.range(0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        xsimd::dispatch<simd::Architectures>(FunctionKernel{})(function, x.data(), x.size()));
+    benchmark::DoNotOptimize(xsimd::dispatch<simd::Architectures>(FunctionKernel{})(function, x.data(), x.size()));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kNumbers));
 }
 BENCHMARK(FunctionFloor)->ArgName("function")->DenseRange(0, static_cast<int>(Function::asinh));
 
 template <class Arch>
 void multiply_adds(benchmark::State& state, int lanes) {
-  if (xsimd::available_architectures().best < Arch::version())
-    return state.SkipWithError("not on this processor");
+  if (xsimd::available_architectures().best < Arch::version()) return state.SkipWithError("not on this processor");
   constexpr int kRounds = 10000;
   for (auto _ : state) benchmark::DoNotOptimize(MultiplyAddKernel{}(Arch{}, kRounds));
-  const double flops = 2.0 * MultiplyAddKernel::kIndependent * lanes * kRounds *
-                       static_cast<double>(state.iterations());
+  const double flops =
+      2.0 * MultiplyAddKernel::kIndependent * lanes * kRounds * static_cast<double>(state.iterations());
   state.counters["flop/s"] = benchmark::Counter(flops, benchmark::Counter::kIsRate);
 }
 

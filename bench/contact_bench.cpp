@@ -30,13 +30,11 @@ MechanismGeometry mechanism(bool inverted) {
   if (inverted) {
     const double p = 5 * mm / 3;
     return {MechanismType::inverted, thread(10.5 * mm, 3 * p, p, 0, false),
-            thread(3.5 * mm, -p, p, s / (3.5 * mm), false), thread(17.5 * mm, 3 * p, p, 0, true),
-            14 * mm};
+            thread(3.5 * mm, -p, p, s / (3.5 * mm), false), thread(17.5 * mm, 3 * p, p, 0, true), 14 * mm};
   }
   const double p = 2 * mm;
-  return {MechanismType::standard, thread(15 * mm, 5 * p, p, 0, false),
-          thread(5 * mm, p, p, s / (5 * mm), false), thread(25.05 * mm, 5 * p, p, 0, true),
-          20.02 * mm};
+  return {MechanismType::standard, thread(15 * mm, 5 * p, p, 0, false), thread(5 * mm, p, p, s / (5 * mm), false),
+          thread(25.05 * mm, 5 * p, p, 0, true), 20.02 * mm};
 }
 
 void EllipticityOnly(benchmark::State& state) {
@@ -73,10 +71,8 @@ void BothInterfaces(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(m);
     const MechanismContact contact = mechanism_contact(m, Configuration::i1_j2);
-    benchmark::DoNotOptimize(
-        hertz_constants(contact.screw.relative.first, contact.screw.relative.second, 115e9));
-    benchmark::DoNotOptimize(
-        hertz_constants(contact.nut.relative.first, contact.nut.relative.second, 115e9));
+    benchmark::DoNotOptimize(hertz_constants(contact.screw.relative.first, contact.screw.relative.second, 115e9));
+    benchmark::DoNotOptimize(hertz_constants(contact.nut.relative.first, contact.nut.relative.second, 115e9));
   }
 }
 BENCHMARK(BothInterfaces)->ArgName("standard")->Arg(0)->Arg(1);

@@ -29,8 +29,7 @@ prs::FullModel model_of(double carrier_angle = 0.0, std::mt19937_64* random = nu
   load.position = c.position;
   load.spatial.side_force.value = {1e3, -500.0};
   load.spatial.carrier_angle = carrier_angle;
-  return prs::full_model(c.mechanism, c.structure, c.materials, c.options, c.laws, load,
-                         c.deviations);
+  return prs::full_model(c.mechanism, c.structure, c.materials, c.options, c.laws, load, c.deviations);
 }
 
 /// The tangent with the stiffness of equal shares.
@@ -39,9 +38,7 @@ struct Tangent {
   fe::Equations equations{structure.model};
   fe::SparseSymmetric matrix = equations.linear_stiffness();
 
-  Tangent() {
-    equations.secant_stiffness(std::vector<double>(equations.springs().size(), 3e8), matrix);
-  }
+  Tangent() { equations.secant_stiffness(std::vector<double>(equations.springs().size(), 3e8), matrix); }
 };
 
 void FullStructure(benchmark::State& state) {
@@ -121,8 +118,7 @@ prs::FullBodies made_up_bodies(const prs::FullModel& model) {
   add_sections(b.screw, prs::screw_stations(model));
   add_sections(b.nut, prs::nut_stations(model));
   b.roller = Eigen::MatrixXd::Zero(2 * threads, 2 * threads);
-  b.roller.topLeftCorner(threads, threads) = b.roller.bottomRightCorner(threads, threads) =
-      decaying(1e-9);
+  b.roller.topLeftCorner(threads, threads) = b.roller.bottomRightCorner(threads, threads) = decaying(1e-9);
   return b;
 }
 
@@ -140,18 +136,17 @@ void FullDesignOfUnequalRollers(benchmark::State& state) {
   std::mt19937_64 random(1);
   prs::FullSolver solver;
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        solver.solve(model_of(0.0, &random), prs::Detail::numbers).axial_displacement);
+    benchmark::DoNotOptimize(solver.solve(model_of(0.0, &random), prs::Detail::numbers).axial_displacement);
 }
 BENCHMARK(FullDesignOfUnequalRollers);
 
 void FullOrbitOfEightPositions(benchmark::State& state) {
   for (auto _ : state) {
     prs::FullSolver solver;
-    benchmark::DoNotOptimize(prs::orbit(
-        [](double angle) { return model_of(angle); },
-        [&](const prs::FullModel& model) { return solver.solve(model, prs::Detail::numbers); },
-        {8, 3.0}, 0.0, {.alike = true}));
+    benchmark::DoNotOptimize(
+        prs::orbit([](double angle) { return model_of(angle); },
+                   [&](const prs::FullModel& model) { return solver.solve(model, prs::Detail::numbers); }, {8, 3.0},
+                   0.0, {.alike = true}));
   }
 }
 BENCHMARK(FullOrbitOfEightPositions);
@@ -174,18 +169,16 @@ void FullTravel(benchmark::State& state) {
   wanted.turns = 27;
   wanted.steps = 37;
   const auto turn = [&](double theta) { return prs::turn_of(c.mechanism, wanted, theta); };
-  const prs::TravelModel model{
-      [&](double theta) {
-        return prs::full_model(c.mechanism, c.structure, c.materials, c.options, c.laws, load,
-                               c.deviations, turn(theta));
-      },
-      [&](double theta) { return turn(theta).carrier; },
-      [] {
-        return [solver = std::make_shared<prs::FullSolver>(prs::FullStart::onwards)](
-                   const prs::FullModel& f) { return solver->solve(f); };
-      }};
-  for (auto _ : state)
-    benchmark::DoNotOptimize(prs::travel(model, c.mechanism, wanted).mean_displacement);
+  const prs::TravelModel model{[&](double theta) {
+                                 return prs::full_model(c.mechanism, c.structure, c.materials, c.options, c.laws, load,
+                                                        c.deviations, turn(theta));
+                               },
+                               [&](double theta) { return turn(theta).carrier; },
+                               [] {
+                                 return [solver = std::make_shared<prs::FullSolver>(prs::FullStart::onwards)](
+                                            const prs::FullModel& f) { return solver->solve(f); };
+                               }};
+  for (auto _ : state) benchmark::DoNotOptimize(prs::travel(model, c.mechanism, wanted).mean_displacement);
 }
 BENCHMARK(FullTravel)->Unit(benchmark::kMillisecond);
 
@@ -200,8 +193,7 @@ void FullModes(benchmark::State& state) {
   wanted.count = 30;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        prs::modes({model, loads, c.mechanism, c.structure, c.materials, 0.375}, wanted)
-            .modes.size());
+        prs::modes({model, loads, c.mechanism, c.structure, c.materials, 0.375}, wanted).modes.size());
 }
 BENCHMARK(FullModes)->Unit(benchmark::kMillisecond);
 

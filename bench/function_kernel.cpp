@@ -3,8 +3,7 @@
 #include "simd/asinh.h"
 
 template <class Arch>
-double FunctionKernel::operator()(Arch, Function function, const double* x,
-                                  std::size_t size) const {
+double FunctionKernel::operator()(Arch, Function function, const double* x, std::size_t size) const {
   using Batch = xsimd::batch<double, Arch>;
   const auto sum_of = [&](auto f) {
     Batch sum(0.0);
@@ -33,5 +32,4 @@ double FunctionKernel::operator()(Arch, Function function, const double* x,
   return 0.0;
 }
 
-template double FunctionKernel::operator()(PRS_SIMD_ARCHITECTURE, Function, const double*,
-                                           std::size_t) const;
+template double FunctionKernel::operator()(PRS_SIMD_ARCHITECTURE, Function, const double*, std::size_t) const;

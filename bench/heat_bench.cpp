@@ -28,8 +28,7 @@ void SlipEquilibriumOfTheActuator(benchmark::State& state) {
   const Case c = one_load(LoadCase::Share::equal);
   const Contacts contacts = checked_contacts(c, Detail::numbers);
   const SlipModels models(c, contacts, oils_at(*c.lubricant, {330.0, 330.0}));
-  for (auto _ : state)
-    benchmark::DoNotOptimize(find_slip_equilibrium(models.equal_shares(c.load_cases[0])));
+  for (auto _ : state) benchmark::DoNotOptimize(find_slip_equilibrium(models.equal_shares(c.load_cases[0])));
 }
 BENCHMARK(SlipEquilibriumOfTheActuator)->Unit(benchmark::kMicrosecond);
 
@@ -37,16 +36,11 @@ void heat_balance(benchmark::State& state, LoadCase::Share share) {
   const Case c = one_load(share);
   const Contacts contacts = checked_contacts(c, Detail::numbers);
   int evaluations = 0;
-  for (auto _ : state)
-    evaluations = analyze_heat(c, contacts, kManyDesigns).load_cases[0].heat->evaluations;
+  for (auto _ : state) evaluations = analyze_heat(c, contacts, kManyDesigns).load_cases[0].heat->evaluations;
   state.counters["evaluations"] = evaluations;
 }
-void HeatBalanceEqualShares(benchmark::State& state) {
-  heat_balance(state, LoadCase::Share::equal);
-}
-void HeatBalanceSolvedShares(benchmark::State& state) {
-  heat_balance(state, LoadCase::Share::solved);
-}
+void HeatBalanceEqualShares(benchmark::State& state) { heat_balance(state, LoadCase::Share::equal); }
+void HeatBalanceSolvedShares(benchmark::State& state) { heat_balance(state, LoadCase::Share::solved); }
 BENCHMARK(HeatBalanceEqualShares)->Unit(benchmark::kMicrosecond);
 BENCHMARK(HeatBalanceSolvedShares)->Unit(benchmark::kMicrosecond);
 
@@ -54,18 +48,13 @@ BENCHMARK(HeatBalanceSolvedShares)->Unit(benchmark::kMicrosecond);
 void duty_of_an_hour(benchmark::State& state, LoadCase::Share share) {
   Case c = actuator(share);
   c.heat->duty.clear();
-  for (int k = 0; k < 3600; ++k)
-    c.heat->duty.push_back({c.load_cases[k % 3 == 0 ? 0 : 1].name, 1.0, {}});
+  for (int k = 0; k < 3600; ++k) c.heat->duty.push_back({c.load_cases[k % 3 == 0 ? 0 : 1].name, 1.0, {}});
   const Contacts contacts = checked_contacts(c, Detail::numbers);
   std::vector<Warning> warnings;
   for (auto _ : state) benchmark::DoNotOptimize(periodic_heat_cycle(c, contacts, warnings));
 }
-void DutyOfAnHourEqualShares(benchmark::State& state) {
-  duty_of_an_hour(state, LoadCase::Share::equal);
-}
-void DutyOfAnHourSolvedShares(benchmark::State& state) {
-  duty_of_an_hour(state, LoadCase::Share::solved);
-}
+void DutyOfAnHourEqualShares(benchmark::State& state) { duty_of_an_hour(state, LoadCase::Share::equal); }
+void DutyOfAnHourSolvedShares(benchmark::State& state) { duty_of_an_hour(state, LoadCase::Share::solved); }
 BENCHMARK(DutyOfAnHourEqualShares)->Unit(benchmark::kMillisecond);
 BENCHMARK(DutyOfAnHourSolvedShares)->Unit(benchmark::kMillisecond);
 

@@ -61,15 +61,13 @@ void ReadCsv(benchmark::State& state) {
   const prs::input::Source source{"case.yaml", prs::input::kAbevi + kLife, {}};
   const prs::Case c = prs::input::read_case_text(source.text, source.name, {}, prs::Command::life);
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        prs::input::parse_force_history(text, "day.csv", *c.life->history, source));
+    benchmark::DoNotOptimize(prs::input::parse_force_history(text, "day.csv", *c.life->history, source));
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
 }
 BENCHMARK(ReadCsv)->Unit(benchmark::kMillisecond);
 
 void AnalyzeLife(benchmark::State& state) {
-  const prs::Case c =
-      prs::input::read_case_text(prs::input::kAbevi + kLife, "case.yaml", {}, prs::Command::life);
+  const prs::Case c = prs::input::read_case_text(prs::input::kAbevi + kLife, "case.yaml", {}, prs::Command::life);
   for (auto _ : state) {
     const prs::LifeResult r = prs::analyze_life(c, day());
     state.counters["equilibria"] = r.flanks.tension->solves + r.flanks.compression->solves;

@@ -116,8 +116,7 @@ BENCHMARK(CaseColdRefined);
 void SweepOf100Loads(benchmark::State& state) {
   prs::SectorSolver solver(test::abevi().build());
   for (auto _ : state)
-    for (int k = 1; k <= 100; ++k)
-      benchmark::DoNotOptimize(solver.solve(kForce * k / 100.0).axial_displacement);
+    for (int k = 1; k <= 100; ++k) benchmark::DoNotOptimize(solver.solve(kForce * k / 100.0).axial_displacement);
   state.SetItemsProcessed(state.iterations() * 100);
 }
 BENCHMARK(SweepOf100Loads)->Unit(benchmark::kMicrosecond);

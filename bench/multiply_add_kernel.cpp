@@ -9,8 +9,7 @@ double MultiplyAddKernel::operator()(Arch, int rounds) const {
   Batch a[kIndependent];
   fe::unroll<kIndependent>([&](auto i) { a[i] = Batch(0.1 * i); });
   for (int k = 0; k < rounds; ++k)
-    fe::unroll<kIndependent>([&](auto i)
-                                 __attribute__((always_inline)) { a[i] = a[i] * factor + term; });
+    fe::unroll<kIndependent>([&](auto i) __attribute__((always_inline)) { a[i] = a[i] * factor + term; });
   Batch sum = a[0];
   for (int i = 1; i < kIndependent; ++i) sum += a[i];
   return hadd(sum);

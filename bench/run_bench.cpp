@@ -21,9 +21,7 @@ void RunContact(benchmark::State& state) {
 }
 BENCHMARK(RunContact);
 
-void RunSolve(benchmark::State& state) {
-  measure(state, prs::Command::solve, "configs/05_standard_screw.yaml");
-}
+void RunSolve(benchmark::State& state) { measure(state, prs::Command::solve, "configs/05_standard_screw.yaml"); }
 BENCHMARK(RunSolve);
 
 }  // namespace

@@ -20,15 +20,14 @@ constexpr std::size_t kDesigns = 1000, kThreads = 2;
 SizeInput requirement(const char* loads) {
   return read_requirement(input::source_of_text(
       "bench.yaml",
-      std::string(
-          "motion: {segments: [{duration: 0.2 s, end_speed: 200 mm/s, force: 8 kN}, {duration: 2 "
-          "s, end_speed: 200 mm/s, force: 8 kN}, {duration: 0.2 s, end_speed: 0 mm/s, force: 8 "
-          "kN}, {duration: 0.2 s, end_speed: -200 mm/s, force: 2 kN}, {duration: 0.2 s, end_speed: "
-          "0 mm/s, force: 2 kN}]}\nload: {moved_mass: 50 kg, inclination: 90 deg}\n"
-          "life: {hours: 10000 h}\nlimits: {temperature: 80 degC}\n"
-          "motor: {rated_torque: 15 N m, peak_torque: 40 N m}\n"
-          "candidates: {designs: {screw_diameter: {from: 20 mm, to: 60 mm, steps: 40}, lead: "
-          "{from: 5 mm, to: 15 mm, steps: 25}}}\nmodel: {loads: ") +
+      std::string("motion: {segments: [{duration: 0.2 s, end_speed: 200 mm/s, force: 8 kN}, {duration: 2 "
+                  "s, end_speed: 200 mm/s, force: 8 kN}, {duration: 0.2 s, end_speed: 0 mm/s, force: 8 "
+                  "kN}, {duration: 0.2 s, end_speed: -200 mm/s, force: 2 kN}, {duration: 0.2 s, end_speed: "
+                  "0 mm/s, force: 2 kN}]}\nload: {moved_mass: 50 kg, inclination: 90 deg}\n"
+                  "life: {hours: 10000 h}\nlimits: {temperature: 80 degC}\n"
+                  "motor: {rated_torque: 15 N m, peak_torque: 40 N m}\n"
+                  "candidates: {designs: {screw_diameter: {from: 20 mm, to: 60 mm, steps: 40}, lead: "
+                  "{from: 5 mm, to: 15 mm, steps: 25}}}\nmodel: {loads: ") +
           loads + "}\n",
       {}));
 }
@@ -45,12 +44,12 @@ void size_of_a_thousand(benchmark::State& state, const char* loads) {
 void study_of_as_many(benchmark::State& state, const char* loads) {
   const SizeInput in = requirement(loads);
   const SizeResult r = size_screws(in, {.threads = kThreads});
-  const input::StudyInput study = input::read_study_input(input::source_of_text(
-      "bench.yaml",
-      written_candidate(in, r.candidates.front()) +
-          "study: {command: slip, plan: monte_carlo, samples: 1000, factors: [{path: "
-          "materials.youngs_modulus, within: 3 %}], responses: [slip.efficiency]}\n",
-      {}));
+  const input::StudyInput study = input::read_study_input(
+      input::source_of_text("bench.yaml",
+                            written_candidate(in, r.candidates.front()) +
+                                "study: {command: slip, plan: monte_carlo, samples: 1000, factors: [{path: "
+                                "materials.youngs_modulus, within: 3 %}], responses: [slip.efficiency]}\n",
+                            {}));
   const DesignEngine engine(study);
   for (auto _ : state) {
     std::atomic<std::size_t> next = 1;
@@ -66,17 +65,9 @@ void study_of_as_many(benchmark::State& state, const char* loads) {
   }
 }
 
-BENCHMARK_CAPTURE(size_of_a_thousand, at_rest, "static")
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(size_of_a_thousand, running, "running")
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(study_of_as_many, at_rest, "static")
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(study_of_as_many, running, "running")
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK_CAPTURE(size_of_a_thousand, at_rest, "static")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(size_of_a_thousand, running, "running")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(study_of_as_many, at_rest, "static")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(study_of_as_many, running, "running")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

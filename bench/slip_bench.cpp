@@ -29,8 +29,7 @@ Result unequal_loads(const Case& c) {
   loaded.load_case.share = LoadCase::Share::solved;
   for (const Interface i : kInterfaces) {
     std::vector<double>& load = (*loaded.threads)[i].axial_load;
-    for (std::size_t k = 0; k < load.size(); ++k)
-      load[k] *= 1.0 + 0.5 * (static_cast<double>(k) / 9.5 - 1.0);
+    for (std::size_t k = 0; k < load.size(); ++k) load[k] *= 1.0 + 0.5 * (static_cast<double>(k) / 9.5 - 1.0);
   }
   return result;
 }
@@ -40,8 +39,7 @@ void SlipEquilibriumPerThread(benchmark::State& state) {
   const Case c = reference();
   const Result result = unequal_loads(c);
   const SlipModels models(c, result.contacts);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(find_slip_equilibrium(models.of(result.load_cases[0])));
+  for (auto _ : state) benchmark::DoNotOptimize(find_slip_equilibrium(models.of(result.load_cases[0])));
   const SlipEquilibrium found = find_slip_equilibrium(models.of(result.load_cases[0]));
   state.counters["evaluations"] = found.evaluations;
 }
@@ -51,8 +49,7 @@ void SlipEquilibriumEqualShares(benchmark::State& state) {
   const Case c = reference();
   const Result result = analyze_slip(c);
   const SlipModels models(c, result.contacts);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(find_slip_equilibrium(models.of(result.load_cases[0])));
+  for (auto _ : state) benchmark::DoNotOptimize(find_slip_equilibrium(models.of(result.load_cases[0])));
 }
 BENCHMARK(SlipEquilibriumEqualShares)->Unit(benchmark::kMicrosecond);
 
@@ -77,17 +74,15 @@ void AsinhOfOnePatch(benchmark::State& state) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1e3 * static_cast<double>(i);
   for (auto _ : state) {
     x[0] += 1e-6;
-    benchmark::DoNotOptimize(xsimd::dispatch<simd::Architectures>(FunctionKernel{})(
-        Function::asinh, x.data(), x.size()));
+    benchmark::DoNotOptimize(
+        xsimd::dispatch<simd::Architectures>(FunctionKernel{})(Function::asinh, x.data(), x.size()));
   }
 }
 BENCHMARK(AsinhOfOnePatch);
 
 /// Slip of 120 loads on a sector of 20 threads, static and running.
 void SlipOfManyLoads(benchmark::State& state, ModelOptions::Loads loads) {
-  Case c = input::read_case_input(input::load_source("configs/09_slip_and_dissipation.yaml", {}),
-                                  Command::slip)
-               .values;
+  Case c = input::read_case_input(input::load_source("configs/09_slip_and_dissipation.yaml", {}), Command::slip).values;
   LoadCase load = *std::ranges::find_if(c.load_cases, &LoadCase::is_solved);
   c.load_cases.clear();
   c.model.loads = loads;
@@ -97,9 +92,7 @@ void SlipOfManyLoads(benchmark::State& state, ModelOptions::Loads loads) {
   }
   for (auto _ : state) benchmark::DoNotOptimize(analyze_slip(c));
 }
-BENCHMARK_CAPTURE(SlipOfManyLoads, at_rest, ModelOptions::Loads::at_rest)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(SlipOfManyLoads, running, ModelOptions::Loads::running)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(SlipOfManyLoads, at_rest, ModelOptions::Loads::at_rest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(SlipOfManyLoads, running, ModelOptions::Loads::running)->Unit(benchmark::kMillisecond);
 
 }  // namespace

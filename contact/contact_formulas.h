@@ -20,16 +20,14 @@ Relief<Real> operator+(const Relief<Real>& a, const Relief<Real>& b) {
 }
 template <class Real>
 Relief<Real> select(const simd::Lanes<Real>& which, const Relief<Real>& a, const Relief<Real>& b) {
-  return {
-      {select(which, a.slope.x, b.slope.x), select(which, a.slope.y, b.slope.y)},
-      {select(which, a.curvature.xx, b.curvature.xx), select(which, a.curvature.xy, b.curvature.xy),
-       select(which, a.curvature.yy, b.curvature.yy)}};
+  return {{select(which, a.slope.x, b.slope.x), select(which, a.slope.y, b.slope.y)},
+          {select(which, a.curvature.xx, b.curvature.xx), select(which, a.curvature.xy, b.curvature.xy),
+           select(which, a.curvature.yy, b.curvature.yy)}};
 }
 
 /// `point` is measured from the thread's own axis.
 template <class Real>
-Relief<Real> relief(const Flank<Real>& flank, const Real& side, const Real& twist,
-                    const Vector2<Real>& point) {
+Relief<Real> relief(const Flank<Real>& flank, const Real& side, const Real& twist, const Vector2<Real>& point) {
   const Real r = point.norm();
   const Real c = point.x / r, s = point.y / r;
   const ProfileAt<Real> f = flank.profile(r);
@@ -70,8 +68,7 @@ Vector2<Real> descent_direction(TensorOf<Real> h, const Vector2<Real>& slope) {
   const auto definite = trace > 0.0 && h.determinant() > 1e-9 * trace * trace;
   if (any(!definite)) {
     const PrincipalOf<Real> p = principal_ascending(h);
-    const Real shift = select(definite, Real(0.0),
-                              Real(1e-3 * max(Real(abs(p.first)), Real(abs(p.second))) - p.first));
+    const Real shift = select(definite, Real(0.0), Real(1e-3 * max(Real(abs(p.first)), Real(abs(p.second))) - p.first));
     h.xx += shift;
     h.yy += shift;
   }
@@ -89,8 +86,7 @@ struct Descent {
 
 /// Newton's method in those lanes that are `wanted`, each with its own convergence.
 template <class Real>
-Descent<Real> descend(const FlankPair<Real>& pair, const Vector2<Real>& start,
-                      const simd::Lanes<Real>& wanted) {
+Descent<Real> descend(const FlankPair<Real>& pair, const Vector2<Real>& start, const simd::Lanes<Real>& wanted) {
   constexpr int kMaxIterations = 50;
   constexpr int kMaxHalvings = 20;
   constexpr double kRounding = std::numeric_limits<double>::epsilon();
@@ -116,8 +112,7 @@ Descent<Real> descend(const FlankPair<Real>& pair, const Vector2<Real>& start,
       const Vector2<Real> trial = d.point + step;
       const Relief<Real> there = pair.clearance(trial);
       // Past the minimum along the step and steeper than before: too far.
-      const auto taken =
-          searching && pair.exists_at(trial) && !(there.slope.dot(step) * length > 0.9 * descent);
+      const auto taken = searching && pair.exists_at(trial) && !(there.slope.dot(step) * length > 0.9 * descent);
       d.point = {select(taken, trial.x, d.point.x), select(taken, trial.y, d.point.y)};
       d.relief = select<Real>(taken, there, d.relief);
       searching = searching && !taken;
@@ -150,11 +145,9 @@ ContactPointOf<Real> contact_point(const FlankPair<Real>& pair) {
   const auto reachable = reach.smallest < reach.largest;
   const Real on_roller = c - body.side * roller.pitch_radius;
   const Real margin = 0.01 * (reach.largest - reach.smallest);
-  const Real start =
-      min(max(Real(0.5 * (body.pitch_radius + on_roller)), Real(reach.smallest + margin)),
-          Real(reach.largest - margin));
-  const Descent<Real> d =
-      descend<Real>(pair, {start, Real(0.0)}, simd::Lanes<Real>(curved && reachable));
+  const Real start = min(max(Real(0.5 * (body.pitch_radius + on_roller)), Real(reach.smallest + margin)),
+                         Real(reach.largest - margin));
+  const Descent<Real> d = descend<Real>(pair, {start, Real(0.0)}, simd::Lanes<Real>(curved && reachable));
   const Vector2<Real> from_roller = pair.from_roller(d.point);
 
   ContactPointOf<Real> p;
@@ -169,21 +162,16 @@ ContactPointOf<Real> contact_point(const FlankPair<Real>& pair) {
   const Real facing = select(external, Real(-1.0), Real(1.0));
   p.angle_on_body = atan2(d.point.y, d.point.x);
   const Real roller_turn = atan2(Real(facing * from_roller.y), Real(facing * from_roller.x));
-  p.angle_on_roller =
-      select(external, Real(roller_turn + pair.gamma * std::numbers::pi), roller_turn);
+  p.angle_on_roller = select(external, Real(roller_turn + pair.gamma * std::numbers::pi), roller_turn);
 
   const Vector2<Real> slope = pair.of_roller(d.point).slope;
-  p.normal =
-      Vector3<Real>{slope.x, slope.y, Real(-pair.gamma)}.over(Real(sqrt(1.0 + slope.dot(slope))));
+  p.normal = Vector3<Real>{slope.x, slope.y, Real(-pair.gamma)}.over(Real(sqrt(1.0 + slope.dot(slope))));
 
-  const Real value =
-      roller.profile(p.radius_on_roller).height +
-      body.side * body.profile(p.radius_on_body).height -
-      pair.gamma * (body.reduced_lead * p.angle_on_body - roller.reduced_lead * roller_turn);
+  const Real value = roller.profile(p.radius_on_roller).height + body.side * body.profile(p.radius_on_body).height -
+                     pair.gamma * (body.reduced_lead * p.angle_on_body - roller.reduced_lead * roller_turn);
   const Real backlash = 2.0 * value - select(external, roller.pitch, Real(0.0));
   // Its terms come from the radii, whose rounding stands for a play of zero.
-  const Real rounding =
-      4.0 * std::numeric_limits<double>::epsilon() * (p.radius_on_body + p.radius_on_roller + c);
+  const Real rounding = 4.0 * std::numeric_limits<double>::epsilon() * (p.radius_on_body + p.radius_on_roller + c);
   p.backlash = select(abs(backlash) <= rounding, Real(0.0), backlash);
 
   const auto beyond = [](const Flank<Real>& flank, const Real& radius) {
@@ -209,8 +197,7 @@ Vector3<Real> helix_tangent(const Flank<Real>& flank, const Vector2<Real>& from_
 
 /// Curvatures and directions at a point that is `ok`.
 template <class Real>
-InterfaceGeometryOf<Real> interface_at(const FlankPair<Real>& pair,
-                                       const ContactPointOf<Real>& point) {
+InterfaceGeometryOf<Real> interface_at(const FlankPair<Real>& pair, const ContactPointOf<Real>& point) {
   InterfaceGeometryOf<Real> g;
   g.point = point;
   const Vector3<Real>& n = point.normal;
@@ -219,8 +206,7 @@ InterfaceGeometryOf<Real> interface_at(const FlankPair<Real>& pair,
 
   // Both tensors in the frame (roller's helix tangent, n x it). A screw's own frame is seen from
   // its other side here, since its normal is -n; the air in a nut has the roller's normal.
-  const Real turn =
-      atan2(n.dot(g.helix_tangent.cross(body_tangent)), g.helix_tangent.dot(body_tangent));
+  const Real turn = atan2(n.dot(g.helix_tangent.cross(body_tangent)), g.helix_tangent.dot(body_tangent));
   const TensorOf<Real> of_roller = curvature_tensor(pair.roller, point.radius_on_roller);
   TensorOf<Real> in_own_frame = curvature_tensor(pair.body, point.radius_on_body);
   in_own_frame.xy = select(pair.body.side > 0.0, -in_own_frame.xy, in_own_frame.xy);

@@ -16,8 +16,8 @@ struct EllipseKernel {
   /// One load a lane; see `set_ellipses`.
   template <class Arch>
   void operator()(Arch, double semi_major_per_cbrt_load, double semi_minor_per_cbrt_load,
-                  std::span<const double> normal_load, const KnownApproach& approach,
-                  double* semi_major, double* semi_minor, double* peak_pressure) const;
+                  std::span<const double> normal_load, const KnownApproach& approach, double* semi_major,
+                  double* semi_minor, double* peak_pressure) const;
 };
 
 }  // namespace contact

@@ -43,8 +43,7 @@ struct ContactNumbers {
 template <class Real>
 ContactNumbers<Real> contact_numbers(const FlankPair<Real>& pair, const Real& modulus) {
   const InterfaceGeometryOf<Real> geometry = interface_at(pair, contact_point(pair));
-  return {geometry, normal_numbers(geometry.point.normal),
-          hertz_constants(geometry.relative, modulus)};
+  return {geometry, normal_numbers(geometry.point.normal), hertz_constants(geometry.relative, modulus)};
 }
 
 /// Both contacts of a mechanism (I1J2).
@@ -61,13 +60,10 @@ MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
     return (status == ThreadStatus::ok || status == ThreadStatus::beyond_sharp_limit) &&
            flank.smallest_radius < flank.largest_radius;
   };
-  const Flank<Real> screw = flank_of(m.screw, false), roller = flank_of(m.roller, false),
-                    nut = flank_of(m.nut, true);
+  const Flank<Real> screw = flank_of(m.screw, false), roller = flank_of(m.roller, false), nut = flank_of(m.nut, true);
   // I1J2: the top face of the roller touches the screw, the bottom face the nut.
-  const FlankPair<Real> at_screw{screw, roller, m.centre_distance, -1.0},
-      at_nut{nut, roller, m.centre_distance, 1.0};
-  return {select(sound(m.screw, screw) && sound(m.roller, roller) && sound(m.nut, nut), Real(1.0),
-                 Real(0.0)),
+  const FlankPair<Real> at_screw{screw, roller, m.centre_distance, -1.0}, at_nut{nut, roller, m.centre_distance, 1.0};
+  return {select(sound(m.screw, screw) && sound(m.roller, roller) && sound(m.nut, nut), Real(1.0), Real(0.0)),
           contact_numbers(at_screw, m.modulus_at_screw), contact_numbers(at_nut, m.modulus_at_nut)};
 }
 
@@ -88,8 +84,7 @@ struct KnownApproach {
 
 /// Ellipses and pressures under many loads, as many side by side as a batch has numbers.
 void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
-                  std::vector<double>& semi_major, std::vector<double>& semi_minor,
-                  std::vector<double>& peak_pressure, simd::InstructionSet set,
-                  const KnownApproach& known = {});
+                  std::vector<double>& semi_major, std::vector<double>& semi_minor, std::vector<double>& peak_pressure,
+                  simd::InstructionSet set, const KnownApproach& known = {});
 
 }  // namespace contact

@@ -5,14 +5,12 @@
 namespace contact {
 
 std::string_view name(ContactPointStatus status) {
-  constexpr std::string_view kNames[] = {"ok",           "not_computed",  "straight_on_straight",
-                                         "out_of_reach", "outside_flank", "not_a_minimum",
-                                         "not_converged"};
+  constexpr std::string_view kNames[] = {
+      "ok", "not_computed", "straight_on_straight", "out_of_reach", "outside_flank", "not_a_minimum", "not_converged"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
-void FlankViolations::add(const ThreadSurface& surface, bool of_roller, double innermost,
-                          double outermost) {
+void FlankViolations::add(const ThreadSurface& surface, bool of_roller, double innermost, double outermost) {
   const bool internal = surface.side < 0.0;
   const double beyond_inner = surface.smallest_radius - innermost;
   const double beyond_outer = outermost - surface.largest_radius;
@@ -25,10 +23,9 @@ void FlankViolations::add(const ThreadSurface& surface, bool of_roller, double i
 }
 
 ContactPoint find_contact_point(const ThreadPair& pair, RollerFace face) {
-  const ContactPoint p = contact_point<double>(
-      {pair.body, pair.roller, pair.centre_distance, static_cast<double>(face)});
-  if (p.status == ContactPointStatus::straight_on_straight ||
-      p.status == ContactPointStatus::out_of_reach)
+  const ContactPoint p =
+      contact_point<double>({pair.body, pair.roller, pair.centre_distance, static_cast<double>(face)});
+  if (p.status == ContactPointStatus::straight_on_straight || p.status == ContactPointStatus::out_of_reach)
     return {.status = p.status};
   return p;
 }
@@ -71,11 +68,8 @@ std::array<FlankSpot, 2> spots_on_flanks(const ThreadPair& pair, const Interface
 }
 
 /// Largest radial distance of the ellipse's points from its centre, in the tangent plane [m].
-double radial_reach(const InterfaceGeometry& g, const FlankSpot& spot, double semi_major,
-                    double semi_minor) {
-  const auto along = [&](const Vector3<double>& axis) {
-    return axis.x * spot.outwards.x + axis.y * spot.outwards.y;
-  };
+double radial_reach(const InterfaceGeometry& g, const FlankSpot& spot, double semi_major, double semi_minor) {
+  const auto along = [&](const Vector3<double>& axis) { return axis.x * spot.outwards.x + axis.y * spot.outwards.y; };
   return std::hypot(semi_major * along(g.major_axis), semi_minor * along(g.minor_axis));
 }
 
@@ -84,12 +78,11 @@ double radial_reach(const InterfaceGeometry& g, const FlankSpot& spot, double se
 InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face) {
   const ContactPoint point = find_contact_point(pair, face);
   if (!point.ok()) return {.point = point};
-  return interface_at<double>(
-      {pair.body, pair.roller, pair.centre_distance, static_cast<double>(face)}, point);
+  return interface_at<double>({pair.body, pair.roller, pair.centre_distance, static_cast<double>(face)}, point);
 }
 
-FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,
-                                      double semi_major, double semi_minor) {
+FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface, double semi_major,
+                                      double semi_minor) {
   FlankViolations violations;
   for (const FlankSpot& spot : spots_on_flanks(pair, interface)) {
     const double reach = radial_reach(interface, spot, semi_major, semi_minor);
@@ -98,18 +91,16 @@ FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeo
   return violations;
 }
 
-FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& interface,
-                             double semi_major, double semi_minor) {
+FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& interface, double semi_major,
+                             double semi_minor) {
   FlankEdge nearest{.scale = std::numeric_limits<double>::infinity()};
   for (const FlankSpot& spot : spots_on_flanks(pair, interface)) {
     const double reach = radial_reach(interface, spot, semi_major, semi_minor);
     const bool internal = spot.surface->side < 0.0;
     const double inwards = (spot.radius - spot.surface->smallest_radius) / reach;
     const double outwards = (spot.surface->largest_radius - spot.radius) / reach;
-    if (inwards < nearest.scale)
-      nearest = {spot.of_roller, internal ? FlankEnd::crest : FlankEnd::root, inwards};
-    if (outwards < nearest.scale)
-      nearest = {spot.of_roller, internal ? FlankEnd::root : FlankEnd::crest, outwards};
+    if (inwards < nearest.scale) nearest = {spot.of_roller, internal ? FlankEnd::crest : FlankEnd::root, inwards};
+    if (outwards < nearest.scale) nearest = {spot.of_roller, internal ? FlankEnd::root : FlankEnd::crest, outwards};
   }
   return nearest;
 }
@@ -117,9 +108,7 @@ FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& in
 InterfaceGeometry on_other_faces(const InterfaceGeometry& interface) {
   // A half turn about x, (x, y, z) -> (x, -y, -z), then all tangents reversed, so that the one of
   // the helix points to growing theta again. Angles about the normal stay.
-  const auto turned = [](const Vector3<double>& tangent) {
-    return Vector3<double>{-tangent.x, tangent.y, tangent.z};
-  };
+  const auto turned = [](const Vector3<double>& tangent) { return Vector3<double>{-tangent.x, tangent.y, tangent.z}; };
   InterfaceGeometry other = interface;
   other.point = on_other_faces(interface.point);
   other.helix_tangent = turned(interface.helix_tangent);

@@ -15,7 +15,7 @@ enum class ContactPointStatus : std::int64_t {
   out_of_reach,          ///< The axes are so far apart or so close that the flanks never overlap.
   outside_flank,         ///< The point lies beyond the end of a flank.
   not_a_minimum,         ///< The clearance has only a saddle there: the surfaces cut each other.
-  not_converged,  ///< The clearance has no minimum on the flanks that the descent could find.
+  not_converged,         ///< The clearance has no minimum on the flanks that the descent could find.
 };
 
 /// A roller next to the screw or inside the nut (the body). Frame of Sandu 2018, chapter 1: z
@@ -96,9 +96,7 @@ struct ContactPointOf {
 
   simd::Lanes<Real> ok() const { return status == ContactPointStatus::ok; }
   /// psi, between normal and axis, arccos|n_z| [rad].
-  Real normal_angle() const {
-    return atan2(Vector2<Real>{normal.x, normal.y}.norm(), Real(abs(normal.z)));
-  }
+  Real normal_angle() const { return atan2(Vector2<Real>{normal.x, normal.y}.norm(), Real(abs(normal.z))); }
 };
 using ContactPoint = ContactPointOf<double>;
 
@@ -152,9 +150,7 @@ struct InterfaceGeometryOf {
   /// closely and Hertz's half-space assumption fails.
   Real openness() const { return relative.first / abs(roller.second); }
   /// Acute angle between the first directions of body and roller [rad] (1.61).
-  Real first_directions_angle() const {
-    return std::abs(std::remainder(body.angle - roller.angle, std::numbers::pi));
-  }
+  Real first_directions_angle() const { return std::abs(std::remainder(body.angle - roller.angle, std::numbers::pi)); }
   /// The tangent direction that lies `angle` from the roller's helix tangent.
   Vector3<Real> direction(const Real& angle) const {
     const auto [sine, cosine] = sincos(angle);
@@ -172,8 +168,8 @@ InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face);
 
 /// How far a contact ellipse with those semi-axes [m] reaches beyond the ends of the two flanks,
 /// measured radially in the tangent plane.
-FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,
-                                      double semi_major, double semi_minor);
+FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface, double semi_major,
+                                      double semi_minor);
 
 /// The interface on the other two faces of the pair, by symmetry.
 InterfaceGeometry on_other_faces(const InterfaceGeometry& interface);
@@ -193,7 +189,7 @@ struct FlankEdge {
 /// e_r outwards from the axis of the flank's part, the reach by which `ellipse_beyond_flanks`
 /// measures. Flanks end at the heights of their threads where these are given, else where they
 /// meet their neighbours. As a and b grow with N^(1/3), the load at the edge is scale^3 N.
-FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& interface,
-                             double semi_major, double semi_minor);
+FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& interface, double semi_major,
+                             double semi_minor);
 
 }  // namespace contact

@@ -6,8 +6,7 @@
 
 namespace contact {
 
-using simd::abs, simd::atan2, simd::copysign, simd::fma, simd::hypot, simd::select, simd::sincos,
-    simd::sqrt;
+using simd::abs, simd::atan2, simd::copysign, simd::fma, simd::hypot, simd::select, simd::sincos, simd::sqrt;
 
 /// Symmetric 2 x 2 tensor in an orthonormal frame of a tangent plane. As a curvature tensor
 /// [1/m]: the surface of a body near a point, as depth below the tangent plane at (x, y), is
@@ -75,8 +74,7 @@ PrincipalOf<Real> principal_ascending(const TensorOf<Real>& t) {
   const Real turned = 0.5 * atan2(t.xy, difference) + 0.5 * std::numbers::pi;
   const Real angle = select(turned > 0.5 * std::numbers::pi, turned - std::numbers::pi, turned);
   const auto ascending = larger > smaller;
-  return {select(ascending, smaller, larger), select(ascending, larger, smaller),
-          select(isotropic, Real(0.0), angle)};
+  return {select(ascending, smaller, larger), select(ascending, larger, smaller), select(isotropic, Real(0.0), angle)};
 }
 
 /// |first| <= |second|, the papers' order for one body (Sandu 2018, (B.8)).
@@ -84,8 +82,7 @@ template <class Real>
 PrincipalOf<Real> principal_by_magnitude(const TensorOf<Real>& t) {
   const PrincipalOf<Real> p = principal_ascending(t);
   const auto swapped = abs(p.first) > abs(p.second);
-  const Real quarter =
-      select(p.angle > 0.0, Real(-0.5 * std::numbers::pi), Real(0.5 * std::numbers::pi));
+  const Real quarter = select(p.angle > 0.0, Real(-0.5 * std::numbers::pi), Real(0.5 * std::numbers::pi));
   return {select(swapped, p.second, p.first), select(swapped, p.first, p.second),
           select(swapped, p.angle + quarter, p.angle)};
 }

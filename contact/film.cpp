@@ -26,8 +26,7 @@ Film sandu_film(const Lubricant& lubricant, const FilmContact& contact, double r
   return film_of(sandu_parameter(moes), moes, contact);
 }
 
-Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact,
-                       double rolling_speed) {
+Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed) {
   if (rolling_speed <= 0.0) return {};
   const MoesNumbers moes = moes_numbers(lubricant, contact, rolling_speed);
   return film_of(film_parameter(film_regimes(moes, contact.curvature_ratio)), moes, contact);
@@ -44,21 +43,17 @@ double chittenden_film(const Lubricant& lubricant, const FilmContact& contact, d
   return chittenden_thickness(lubricant, contact, rolling_speed, along_major);
 }
 
-double central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed,
-                    double along_major) {
-  return contact.direction == FilmDirection::rolling
-             ? chittenden_film(lubricant, contact, rolling_speed, along_major)
-             : nijenbanning_film(lubricant, contact, rolling_speed).thickness;
+double central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed, double along_major) {
+  return contact.direction == FilmDirection::rolling ? chittenden_film(lubricant, contact, rolling_speed, along_major)
+                                                     : nijenbanning_film(lubricant, contact, rolling_speed).thickness;
 }
 
-double sliding_factor(const Lubricant& lubricant, const FilmContact& contact, const Film& film,
-                      double rolling_speed) {
+double sliding_factor(const Lubricant& lubricant, const FilmContact& contact, const Film& film, double rolling_speed) {
   if (film.parameter <= 0.0) return 0.0;
   return sliding_factor_of(lubricant, contact, film.parameter, rolling_speed);
 }
 
-WaltherLine walther_line(double temperature_1, double viscosity_1, double temperature_2,
-                         double viscosity_2) {
+WaltherLine walther_line(double temperature_1, double viscosity_1, double temperature_2, double viscosity_2) {
   assert(temperature_1 > 0.0 && temperature_2 > 0.0 && temperature_1 != temperature_2);
   assert(viscosity_1 > kLeastKinematicViscosity && viscosity_2 > kLeastKinematicViscosity);
   const double y_1 = ordinate(viscosity_1), y_2 = ordinate(viscosity_2);

@@ -77,14 +77,12 @@ struct MoesNumbersOf {
 using MoesNumbers = MoesNumbersOf<double>;
 
 template <class Number, class Real>
-MoesNumbersOf<Number> moes_numbers(const LubricantOf<Real>& lubricant,
-                                   const FilmContactOf<Real>& contact,
+MoesNumbersOf<Number> moes_numbers(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
                                    const Number& rolling_speed) {
   using simd::power;
   const Real e = contact.film_modulus();
   const Number u = lubricant.viscosity * rolling_speed * contact.curvature / e;
-  return {u,
-          contact.normal_load * contact.curvature * contact.curvature / (e * power(u, Real(0.75))),
+  return {u, contact.normal_load * contact.curvature * contact.curvature / (e * power(u, Real(0.75))),
           lubricant.pressure_viscosity * e * power(u, Real(0.25))};
 }
 
@@ -104,8 +102,7 @@ struct Film {
 
 /// h = H sqrt(U)/rho_x.
 template <class Number, class Real>
-Number film_thickness(const Number& parameter, const Number& speed_number,
-                      const FilmContactOf<Real>& contact) {
+Number film_thickness(const Number& parameter, const Number& speed_number, const FilmContactOf<Real>& contact) {
   using simd::sqrt;
   return parameter * sqrt(speed_number) / contact.curvature;
 }
@@ -155,8 +152,7 @@ Number power_sum(const Number& a, const Number& b, const Power& p) {
   const auto a_rules = (value(p) > Real(0.0)) == (value(a) > value(b));
   const Number ruling = select(a_rules, a, b), other = select(a_rules, b, a);
   const Number found = ruling * power(1.0 + power(other / ruling, p), 1.0 / p);
-  const auto alone =
-      value(ruling) == Real(0.0) || value(ruling) == Real(std::numeric_limits<double>::infinity());
+  const auto alone = value(ruling) == Real(0.0) || value(ruling) == Real(std::numeric_limits<double>::infinity());
   return select(alone, ruling, found);
 }
 
@@ -169,8 +165,7 @@ Number film_parameter(const FilmRegimesOf<Number>& h) {
   using Real = simd::ValueOf<Number>;
   using simd::exp;
   const Number isoviscous =
-      power_sum(h.rigid_isoviscous,
-                power_sum(h.elastic_isoviscous, Number(h.small_load), Real(-4.0)), Real(1.5));
+      power_sum(h.rigid_isoviscous, power_sum(h.elastic_isoviscous, Number(h.small_load), Real(-4.0)), Real(1.5));
   const Number piezoviscous = power_sum(h.rigid_piezoviscous, h.elastic_piezoviscous, Real(-8.0));
   const Number s = 1.5 * (1.0 + exp(Number(-1.2 * h.elastic_isoviscous / h.elastic_piezoviscous)));
   return power_sum(isoviscous, piezoviscous, s);
@@ -180,8 +175,7 @@ Number film_parameter(const FilmRegimesOf<Number>& h) {
 /// 1 for a circle, the film of a wide ellipse is thicker. Smooth surfaces, fully flooded,
 /// isothermal, Newtonian, viscosity exponential in pressure. Dimensionless numbers as above. All
 /// zero without rolling.
-Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact,
-                       double rolling_speed);
+Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed);
 
 /// Curvatures along the rolling and across it at the share `along_major` s of |u|^2 along the major
 /// axis:
@@ -192,11 +186,9 @@ struct RollingCurvatures {
   Number along, across;
 };
 template <class Number, class Real>
-RollingCurvatures<Number> rolling_curvatures(const FilmContactOf<Real>& contact,
-                                             const Number& along_major) {
+RollingCurvatures<Number> rolling_curvatures(const FilmContactOf<Real>& contact, const Number& along_major) {
   const Number turned = (1.0 - contact.curvature_ratio) * along_major;
-  return {contact.curvature * (1.0 - turned),
-          contact.curvature * (contact.curvature_ratio + turned)};
+  return {contact.curvature * (1.0 - turned), contact.curvature * (contact.curvature_ratio + turned)};
 }
 
 /// Radius of the relative curvature across the rolling over that along it, R_s/R_e.
@@ -234,21 +226,18 @@ Number chittenden_thickness(const LubricantOf<Real>& lubricant, const FilmContac
 }
 
 /// The film by the direction that the contact has: `nijenbanning_film` or `chittenden_film` [m].
-double central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed,
-                    double along_major);
+double central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed, double along_major);
 
 /// The same without a check; `rolling_speed` > 0.
 template <class Number, class Real>
 Number central_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
-                         const MoesNumbersOf<Number>& moes, const Number& rolling_speed,
-                         const Number& along_major) {
-  const Number along_minor = film_thickness(
-      film_parameter(film_regimes(moes, contact.curvature_ratio)), moes.speed, contact);
+                         const MoesNumbersOf<Number>& moes, const Number& rolling_speed, const Number& along_major) {
+  const Number along_minor =
+      film_thickness(film_parameter(film_regimes(moes, contact.curvature_ratio)), moes.speed, contact);
   using simd::any, simd::select;
   const auto follows = contact.direction == FilmDirection::rolling;
   if (!any(follows)) return along_minor;
-  return select(follows, chittenden_thickness(lubricant, contact, rolling_speed, along_major),
-                along_minor);
+  return select(follows, chittenden_thickness(lubricant, contact, rolling_speed, along_major), along_minor);
 }
 
 /// phi = phi_s phi_T, a film over that of a full and isothermal inlet, with phi_T that of shear
@@ -260,23 +249,20 @@ Number central_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf
 /// the numerator not below 0.05; u_m half of the sum velocity, v the sliding speed at the centre.
 /// `rolling_speed`: the sum |u|; 1 of phi_T without rolling.
 template <class Number, class Real>
-Number film_factor(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
-                   const Real& peak_pressure, const Number& rolling_speed,
-                   const Number& sliding_speed) {
+Number film_factor(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact, const Real& peak_pressure,
+                   const Number& rolling_speed, const Number& sliding_speed) {
   using simd::any, simd::power, simd::select, simd::value;
   const FilmThinningOf<Real>& t = contact.thinning;
   const Number cold(t.starvation), none(Real(0.0)), least(Real(0.05));
   const auto warms = t.conductivity > Real(0.0) && value(rolling_speed) > Real(0.0);
   if (!any(warms)) return cold;
   const Number mean = 0.5 * rolling_speed;
-  const Number loading =
-      lubricant.temperature_coefficient * lubricant.viscosity / t.conductivity * (mean * mean);
+  const Number loading = lubricant.temperature_coefficient * lubricant.viscosity / t.conductivity * (mean * mean);
   const auto slides = value(sliding_speed) > Real(0.0);
   const Number slip = select(slides, power(Number(sliding_speed / mean), Real(0.83)), none);
-  const Number pressure =
-      1.0 - 13.2 * peak_pressure / contact.film_modulus() * power(loading, Real(0.42));
-  const Number thermal = select(pressure < least, least, pressure) /
-                         (1.0 + 0.213 * (1.0 + 2.23 * slip) * power(loading, Real(0.64)));
+  const Number pressure = 1.0 - 13.2 * peak_pressure / contact.film_modulus() * power(loading, Real(0.42));
+  const Number thermal =
+      select(pressure < least, least, pressure) / (1.0 + 0.213 * (1.0 + 2.23 * slip) * power(loading, Real(0.64)));
   return select(warms, t.starvation * thermal, cold);
 }
 
@@ -295,8 +281,7 @@ Number boundary_share(const Number& film_ratio, const Real& exponent) {
 ///     mu_D = tau_0/p_D asinh(eta_bar(p_D) K |v_D|),  K = 2/(5 H_c tau_0) sqrt(eta_0 E' rho_x/|u|),
 ///
 /// with Sandu's film. Zero without rolling, where the no-slip contact does not slide either.
-double sliding_factor(const Lubricant& lubricant, const FilmContact& contact, const Film& film,
-                      double rolling_speed);
+double sliding_factor(const Lubricant& lubricant, const FilmContact& contact, const Film& film, double rolling_speed);
 
 /// The same for the film parameter H_c; `rolling_speed` > 0.
 template <class Number, class Real>
@@ -304,8 +289,7 @@ Number sliding_factor_of(const LubricantOf<Real>& lubricant, const FilmContactOf
                          const Number& parameter, const Number& rolling_speed) {
   using simd::sqrt;
   return 2.0 / (5.0 * parameter * lubricant.eyring_stress) *
-         sqrt(Number(lubricant.viscosity * contact.film_modulus() * contact.curvature /
-                     rolling_speed));
+         sqrt(Number(lubricant.viscosity * contact.film_modulus() * contact.curvature / rolling_speed));
 }
 
 /// Kinematic viscosity of an oil against temperature (Walther 1931; ASTM D341):
@@ -332,8 +316,7 @@ inline constexpr double kTypicalOilDensity = 870.0;
 /// [m^2/s], both above 0.3 mm^2/s so that the logarithms exist:
 ///
 ///     slope = (y_1 - y_2)/log10(T_2/T_1),  y = log10 log10(nu/(mm^2/s) + 0.7).
-WaltherLine walther_line(double temperature_1, double viscosity_1, double temperature_2,
-                         double viscosity_2);
+WaltherLine walther_line(double temperature_1, double viscosity_1, double temperature_2, double viscosity_2);
 
 /// Kinematic viscosity [m^2/s] at an absolute temperature [K]:
 ///

@@ -39,9 +39,8 @@ HertzContact at_load(const HertzConstants& constants, double normal_load) {
   HertzContact contact;
   if (normal_load <= 0.0) return contact;
   const double cbrt_approach = std::cbrt(normal_load / constants.hertz_constant);
-  const EllipseNumbers<double> ellipse =
-      ellipse_numbers(constants.semi_major_per_cbrt_load, constants.semi_minor_per_cbrt_load,
-                      normal_load, std::cbrt(normal_load));
+  const EllipseNumbers<double> ellipse = ellipse_numbers(
+      constants.semi_major_per_cbrt_load, constants.semi_minor_per_cbrt_load, normal_load, std::cbrt(normal_load));
   contact.normal_load = normal_load;
   contact.approach = cbrt_approach * cbrt_approach;
   contact.semi_major = ellipse.semi_major;
@@ -55,8 +54,7 @@ double AxisStress::largest_shear() const {
   return 0.5 * (largest - smallest);
 }
 
-AxisStress stress_on_axis(double semi_major, double semi_minor, double depth,
-                          double poisson_ratio) {
+AxisStress stress_on_axis(double semi_major, double semi_minor, double depth, double poisson_ratio) {
   const double a2 = semi_major * semi_major, b2 = semi_minor * semi_minor, z2 = depth * depth;
   const double a_outer = std::sqrt(a2 + z2), b_outer = std::sqrt(b2 + z2);
   const double ab = semi_major * semi_minor;

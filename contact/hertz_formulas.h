@@ -77,10 +77,8 @@ template <class Real>
 Real antoine_ellipticity(const Real& q) {
   const Real x = log10(q);
   const Real y = x * x;
-  const Real numerator =
-      1.0 + y * (0.40227436 + y * (3.7491752e-2 + y * (7.4855761e-4 + y * 2.1667028e-6)));
-  const Real denominator =
-      1.0 + y * (0.42678878 + y * (4.2605401e-2 + y * (9.0786922e-4 + y * 2.7868927e-6)));
+  const Real numerator = 1.0 + y * (0.40227436 + y * (3.7491752e-2 + y * (7.4855761e-4 + y * 2.1667028e-6)));
+  const Real denominator = 1.0 + y * (0.42678878 + y * (4.2605401e-2 + y * (9.0786922e-4 + y * 2.7868927e-6)));
   return exp(Real(2.0 / 3.0 * numerator / denominator * x * std::numbers::ln10));
 }
 
@@ -103,16 +101,15 @@ Real ellipticity_of(const Real& curvature_ratio) {
 }
 
 template <class Real>
-HertzConstantsOf<Real> hertz_constants(const PrincipalOf<Real>& relative,
-                                       const Real& contact_modulus) {
+HertzConstantsOf<Real> hertz_constants(const PrincipalOf<Real>& relative, const Real& contact_modulus) {
   using Status = simd::EnumOf<HertzStatus, Real>;
   using enum HertzStatus;
   constexpr double pi = std::numbers::pi;
   const Real kappa_1 = min(relative.first, relative.second);
   const Real kappa_2 = max(relative.first, relative.second);
-  const auto finite = (relative.first - relative.first) + (relative.second - relative.second) +
-                          (contact_modulus - contact_modulus) ==
-                      0.0;
+  const auto finite =
+      (relative.first - relative.first) + (relative.second - relative.second) + (contact_modulus - contact_modulus) ==
+      0.0;
   HertzConstantsOf<Real> h;
   h.status = select(contact_modulus > 0.0, Status(ok), Status(no_stiffness));
   h.status = select(kappa_1 == 0.0, Status(no_point_contact), h.status);
@@ -144,14 +141,12 @@ struct EllipseNumbers {
 
 /// Semi-axes and pressure under a load, of which the cube root is known; zero where it is open.
 template <class Real>
-EllipseNumbers<Real> ellipse_numbers(const Real& semi_major_per_cbrt_load,
-                                     const Real& semi_minor_per_cbrt_load, const Real& normal_load,
-                                     const Real& cbrt_load) {
+EllipseNumbers<Real> ellipse_numbers(const Real& semi_major_per_cbrt_load, const Real& semi_minor_per_cbrt_load,
+                                     const Real& normal_load, const Real& cbrt_load) {
   const auto loaded = normal_load > 0.0;
   const Real a = semi_major_per_cbrt_load * cbrt_load, b = semi_minor_per_cbrt_load * cbrt_load;
   const auto where_loaded = [&](const Real& value) { return select(loaded, value, Real(0.0)); };
-  return {where_loaded(a), where_loaded(b),
-          where_loaded(1.5 * normal_load / (std::numbers::pi * a * b))};
+  return {where_loaded(a), where_loaded(b), where_loaded(1.5 * normal_load / (std::numbers::pi * a * b))};
 }
 
 }  // namespace contact

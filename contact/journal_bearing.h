@@ -54,8 +54,7 @@ Number eccentricity_parameter(const Number& load_number) {
   if constexpr (std::is_same_v<Number, Real>)
     return select(heavy, s, Real(load / pi));
   else
-    return select(heavy, Number(s, Real(load_number.slope / (number * growth))),
-                  Number(load_number / Real(pi)));
+    return select(heavy, Number(s, Real(load_number.slope / (number * growth))), Number(load_number / Real(pi)));
 }
 
 /// Equilibrium of a journal that turns at `speed` [rad/s] (in either sense) under the radial load
@@ -84,9 +83,8 @@ Number eccentricity_parameter(const Number& load_number) {
 /// number is eta N/P (D/2c)^2 (L/D)^2 with P = W/(L D) and N revolutions per second). The ratio eps
 /// is exact to about 1e-15, and so is 1 - eps^2 within the torque, for any load.
 template <class Number, class Real>
-JournalBearingStateOf<Number> short_bearing(const JournalBearingOf<Real>& bearing,
-                                            const Real& viscosity, const Number& speed,
-                                            const Number& load) {
+JournalBearingStateOf<Number> short_bearing(const JournalBearingOf<Real>& bearing, const Real& viscosity,
+                                            const Number& speed, const Number& load) {
   using simd::abs, simd::select, simd::sqrt, simd::value;
   const auto& [length, diameter, clearance] = bearing;
   if constexpr (std::is_same_v<Number, double>) {
@@ -95,17 +93,15 @@ JournalBearingStateOf<Number> short_bearing(const JournalBearingOf<Real>& bearin
   }
   const Number drag = viscosity * 0.5 * abs(speed) * diameter * length;  // eta U L [N]
   const Real slenderness = length / clearance;
-  const Number s =
-      eccentricity_parameter(Number(4.0 * load / (drag * (slenderness * slenderness))));
+  const Number s = eccentricity_parameter(Number(4.0 * load / (drag * (slenderness * slenderness))));
   const Number square = s * s, root = sqrt(Number(1.0 + square));  // 1/sqrt(1 - eps^2)
   const auto turns = value(speed) != Real(0.0);
   const Number at_rest = select(value(load) > Real(0.0), Number(Real(1.0)), Number(Real(0.0)));
   // W e sin(phi) = pi eta U L^3/(4 c) s^2 root.
-  return {select(turns, s / root, at_rest),
-          select(turns,
-                 std::numbers::pi * drag / clearance * root *
-                     (0.5 * diameter * diameter + 0.125 * length * length * square),
-                 Number(Real(0.0)))};
+  return {select(turns, s / root, at_rest), select(turns,
+                                                   std::numbers::pi * drag / clearance * root *
+                                                       (0.5 * diameter * diameter + 0.125 * length * length * square),
+                                                   Number(Real(0.0)))};
 }
 
 }  // namespace contact

@@ -5,9 +5,7 @@ namespace contact {
 namespace {
 
 /// d backlash/d centre distance at fixed point: only the roller's flank moves.
-double backlash_rate_over_centre_distance(const ContactPoint& p) {
-  return -2.0 * p.normal.x / std::abs(p.normal.z);
-}
+double backlash_rate_over_centre_distance(const ContactPoint& p) { return -2.0 * p.normal.x / std::abs(p.normal.z); }
 
 /// d backlash/d pitch radius of the body, its flank moving outwards and, in the normal plane, its
 /// helix angle changing.
@@ -31,23 +29,22 @@ struct BacklashSearch {
 };
 
 /// Varies the unknown inside `m` until the body (screw or nut) has the wanted backlash in I1J2.
-BacklashSearch solve_for_backlash(MechanismGeometry& m, Thread MechanismGeometry::*body_of,
-                                  Unknown what, double wanted) {
+BacklashSearch solve_for_backlash(MechanismGeometry& m, Thread MechanismGeometry::*body_of, Unknown what,
+                                  double wanted) {
   constexpr int kMaxIterations = 30;
   constexpr double kTolerance = 1e-14;  // [m]
   constexpr double kStationary = 1e-6;  // A point off the flank, but good enough to step from [-].
 
   Thread& body = m.*body_of;
   double& unknown = what == Unknown::centre_distance ? m.centre_distance : body.pitch_radius;
-  const RollerFace face = body.internal ? roller_face_at_nut(Configuration::i1_j2)
-                                        : roller_face_at_screw(Configuration::i1_j2);
+  const RollerFace face =
+      body.internal ? roller_face_at_nut(Configuration::i1_j2) : roller_face_at_screw(Configuration::i1_j2);
   BacklashSearch search;
   while (search.iterations < kMaxIterations) {
     const ThreadPair pair{ThreadSurface(body), ThreadSurface(m.roller), m.centre_distance};
     const ContactPoint point = search.point = find_contact_point(pair, face);
     ++search.iterations;
-    const bool near_flank =
-        point.status == ContactPointStatus::outside_flank && point.residual < kStationary;
+    const bool near_flank = point.status == ContactPointStatus::outside_flank && point.residual < kStationary;
     if (!point.ok() && !near_flank) return search;
 
     const double excess = point.backlash - wanted;
@@ -55,39 +52,33 @@ BacklashSearch solve_for_backlash(MechanismGeometry& m, Thread MechanismGeometry
       search.solved = point.ok();
       return search;
     }
-    unknown -= excess / (what == Unknown::centre_distance
-                             ? backlash_rate_over_centre_distance(point)
-                             : backlash_rate_over_pitch_radius(pair.body, point));
+    unknown -= excess / (what == Unknown::centre_distance ? backlash_rate_over_centre_distance(point)
+                                                          : backlash_rate_over_pitch_radius(pair.body, point));
   }
   return search;
 }
 
 }  // namespace
 
-MechanismContact mechanism_contact(const MechanismGeometry& mechanism,
-                                   Configuration configuration) {
+MechanismContact mechanism_contact(const MechanismGeometry& mechanism, Configuration configuration) {
   return {interface_geometry(screw_pair(mechanism), roller_face_at_screw(configuration)),
           interface_geometry(nut_pair(mechanism), roller_face_at_nut(configuration))};
 }
 
 double roller_lead(MechanismType type, double screw_lead, double roller_pitch, int roller_starts) {
-  const double hand =
-      std::copysign(1.0, screw_lead) * (type == MechanismType::standard ? 1.0 : -1.0);
+  const double hand = std::copysign(1.0, screw_lead) * (type == MechanismType::standard ? 1.0 : -1.0);
   return hand * roller_pitch * roller_starts;
 }
 
-PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts,
-                               int roller_starts) {
+PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts, int roller_starts) {
   const double ratio = static_cast<double>(screw_starts) / roller_starts;
-  const double roller =
-      type == MechanismType::standard ? screw_radius / (ratio - 2.0) : screw_radius / ratio;
+  const double roller = type == MechanismType::standard ? screw_radius / (ratio - 2.0) : screw_radius / ratio;
   return {screw_radius, roller, screw_radius + 2.0 * roller};
 }
 
 KinematicConsistency kinematic_consistency(const MechanismGeometry& m) {
   const bool standard = m.type == MechanismType::standard;
-  return {m.nut.lead - m.screw.lead,
-          m.roller.pitch_radius / (standard ? m.nut.pitch_radius : m.screw.pitch_radius),
+  return {m.nut.lead - m.screw.lead, m.roller.pitch_radius / (standard ? m.nut.pitch_radius : m.screw.pitch_radius),
           std::abs(m.roller.lead / m.screw.lead)};
 }
 
@@ -106,13 +97,9 @@ AxialPositions axial_positions(const MechanismGeometry& m, const MechanismContac
 }
 
 std::string_view name(DesignStatus status) {
-  constexpr std::string_view kNames[] = {"ok",
-                                         "not_solved",
-                                         "pitches_differ",
-                                         "too_few_screw_starts",
-                                         "no_screw_contact",
-                                         "no_nut_contact",
-                                         "not_converged"};
+  constexpr std::string_view kNames[] = {
+      "ok",           "not_solved", "pitches_differ", "too_few_screw_starts", "no_screw_contact", "no_nut_contact",
+      "not_converged"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
@@ -130,8 +117,7 @@ DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts
     result.status = DesignStatus::too_few_screw_starts;
     return result;
   }
-  const PitchRadii radii =
-      matched_pitch_radii(m.type, m.screw.pitch_radius, screw_starts, roller_starts);
+  const PitchRadii radii = matched_pitch_radii(m.type, m.screw.pitch_radius, screw_starts, roller_starts);
   m.roller.pitch_radius = radii.roller;
   m.nut.pitch_radius = radii.nut;
   m.centre_distance = radii.screw + radii.roller;
@@ -145,8 +131,7 @@ DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts
   for (const Step& step : {Step{standard ? nut : screw, Unknown::centre_distance},
                            Step{standard ? screw : nut, Unknown::pitch_radius_of_body}}) {
     const bool at_screw = step.body == screw;
-    const BacklashSearch search =
-        solve_for_backlash(m, step.body, step.what, at_screw ? backlash.screw : backlash.nut);
+    const BacklashSearch search = solve_for_backlash(m, step.body, step.what, at_screw ? backlash.screw : backlash.nut);
     result.iterations += search.iterations;
     (at_screw ? result.contact.screw : result.contact.nut).point = search.point;
     if (!search.solved) {

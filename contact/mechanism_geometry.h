@@ -48,8 +48,7 @@ struct PitchRadii {
   double roller = 0.0;
   double nut = 0.0;
 };
-PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts,
-                               int roller_starts);
+PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts, int roller_starts);
 
 /// How far a mechanism is from rolling without penetration (Sandu 2018, section 2.2.2).
 struct KinematicConsistency {

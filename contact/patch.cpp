@@ -10,8 +10,7 @@ namespace {
 
 Eigen::ArrayXd filled_up(const std::vector<double>& values, double with) {
   const auto size = static_cast<Eigen::Index>(values.size());
-  Eigen::ArrayXd array =
-      Eigen::ArrayXd::Constant((size + simd::kWidest - 1) / simd::kWidest * simd::kWidest, with);
+  Eigen::ArrayXd array = Eigen::ArrayXd::Constant((size + simd::kWidest - 1) / simd::kWidest * simd::kWidest, with);
   array.head(size) = Eigen::Map<const Eigen::ArrayXd>(values.data(), size);
   return array;
 }
@@ -60,8 +59,7 @@ PatchPoints PatchGrid::points() const {
           static_cast<std::size_t>(dome_.size())};
 }
 
-void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure,
-                          double* ratio) {
+void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure, double* ratio) {
   const auto size = static_cast<std::size_t>(grid.domes().size());
   Eigen::Map<Eigen::ArrayXd>(ratio, grid.domes().size()) = peak_pressure * grid.domes();
   xsimd::dispatch<simd::Architectures>(ViscosityKernel{})(viscosity, ratio, size, ratio);
@@ -73,8 +71,7 @@ FrictionLaw film_friction(const Lubricant& lubricant, const FilmContact& film) {
   return {.kind = FrictionKind::film, .oil = lubricant, .film = film};
 }
 
-FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film,
-                           const TouchingFlanks& touching) {
+FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film, const TouchingFlanks& touching) {
   FrictionLaw law = film_friction(lubricant, film);
   law.kind = FrictionKind::mixed;
   law.coefficient = touching.friction;
@@ -102,8 +99,7 @@ PatchFrictionOf<Number> Patch::friction(const PatchMotionOf<Number>& motion) con
   return patch_friction(sums, grid_->cell_load(), static_cast<double>(grid_->inside()), a, b);
 }
 template PatchFriction Patch::friction(const PatchMotion&) const;
-template PatchFrictionOf<simd::Dual<double>> Patch::friction(
-    const PatchMotionOf<simd::Dual<double>>&) const;
+template PatchFrictionOf<simd::Dual<double>> Patch::friction(const PatchMotionOf<simd::Dual<double>>&) const;
 
 Eigen::ArrayXd Patch::sliding_major(const PatchMotion& motion) const {
   return motion.sliding_major - motion.spin * ellipse_.semi_minor * grid_->along_minor();
@@ -116,33 +112,27 @@ Eigen::ArrayXd Patch::sliding_minor(const PatchMotion& motion) const {
 Eigen::ArrayXd Patch::friction_coefficient(const PatchMotion& motion) const {
   const PatchLawOf<double> at = law_at(law_, ellipse_.peak_pressure, motion);
   if (!law_.has_film()) return Eigen::ArrayXd::Constant(grid_->inside(), at.coefficient);
-  const Eigen::ArrayXd speed =
-      (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
+  const Eigen::ArrayXd speed = (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
   return at.coefficient +
-         at.scale * (viscosity_ratio_.head(grid_->inside()) * (at.factor * speed)).asinh() /
-             grid_->dome();
+         at.scale * (viscosity_ratio_.head(grid_->inside()) * (at.factor * speed)).asinh() / grid_->dome();
 }
 
 double surface_rise(const HertzContact& ellipse, const HeatedBody& body, double power) {
   constexpr double kPi = std::numbers::pi;
   const double a = ellipse.semi_major, b = ellipse.semi_minor;
-  const double at_rest =
-      3.0 * power * complete_elliptic_integrals(b / a).first / (4.0 * kPi * body.conductivity * a);
+  const double at_rest = 3.0 * power * complete_elliptic_integrals(b / a).first / (4.0 * kPi * body.conductivity * a);
   const double speed = std::hypot(body.speed_major, body.speed_minor);
   if (!(speed > 0.0)) return at_rest;
   // l/V, how long half of the band takes.
   const double time = 1.0 / std::hypot(body.speed_major / a, body.speed_minor / b);
   const double flux = 3.0 * power / (2.0 * kPi * a * b);
-  const double fast =
-      kBand * flux * std::sqrt(time / (body.conductivity * body.density * body.specific_heat));
+  const double fast = kBand * flux * std::sqrt(time / (body.conductivity * body.density * body.specific_heat));
   return at_rest / std::hypot(1.0, at_rest / fast);
 }
 
-double flash_temperature(const HertzContact& ellipse, const std::array<HeatedBody, 2>& bodies,
-                         double power) {
+double flash_temperature(const HertzContact& ellipse, const std::array<HeatedBody, 2>& bodies, double power) {
   if (!(power > 0.0)) return 0.0;
-  return 1.0 / (1.0 / surface_rise(ellipse, bodies[0], power) +
-                1.0 / surface_rise(ellipse, bodies[1], power));
+  return 1.0 / (1.0 / surface_rise(ellipse, bodies[0], power) + 1.0 / surface_rise(ellipse, bodies[1], power));
 }
 
 }  // namespace contact

@@ -20,7 +20,7 @@ class PatchGrid {
   Eigen::Index inside() const { return inside_; }
   auto along_major() const { return along_major_.head(inside_); }  ///< t_1D/a
   auto along_minor() const { return along_minor_.head(inside_); }  ///< t_2D/b
-  auto dome() const { return dome_.head(inside_); }  ///< sqrt(1 - (t_1D/a)^2 - (t_2D/b)^2), > 0
+  auto dome() const { return dome_.head(inside_); }                ///< sqrt(1 - (t_1D/a)^2 - (t_2D/b)^2), > 0
   /// The different values of `dome`, filled up for batches, and which of them each point has.
   const Eigen::ArrayXd& domes() const { return domes_; }
   std::span<const std::uint32_t> dome_of_point() const { return dome_of_point_; }
@@ -49,8 +49,7 @@ struct TouchingFlanks {
 
 /// eta_bar of a lubricant at each of the different domes of a grid, under a peak pressure [Pa]:
 /// `ratio` has room for all `domes`.
-void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure,
-                          double* ratio);
+void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure, double* ratio);
 
 FrictionLaw coulomb_friction(double coefficient);
 /// Jacod's law, point by point: Eyring fluid, Roelands viscosity at the Hertz pressure of the
@@ -59,8 +58,7 @@ FrictionLaw film_friction(const Lubricant& lubricant, const FilmContact& film_co
 /// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
 /// mu_film Jacod's, s the `boundary_share` of the whole contact by the central film,
 /// thinned as well. Jacod's for thick films, Coulomb's without film or entrainment.
-FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact,
-                           const TouchingFlanks& touching);
+FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact, const TouchingFlanks& touching);
 
 /// One contact ellipse with its law of friction: what is constant while the slip ratio is sought.
 class Patch {
@@ -113,7 +111,6 @@ double surface_rise(const HertzContact& ellipse, const HeatedBody& body, double 
 /// Flash temperature [K]: rise of both surfaces, which are equally hot (Blok 1937), where they
 /// share the power [W]: 1/theta = 1/theta_1 + 1/theta_2 with all of it in each. Above the bodies'
 /// own temperature.
-double flash_temperature(const HertzContact& ellipse, const std::array<HeatedBody, 2>& bodies,
-                         double power);
+double flash_temperature(const HertzContact& ellipse, const std::array<HeatedBody, 2>& bodies, double power);
 
 }  // namespace contact

@@ -72,16 +72,14 @@ struct PatchPoint {
 
 /// `friction_at(speed)` is mu dome.
 template <class Number, class Real, class Friction>
-[[gnu::always_inline]] inline void add_point(PatchSumsOf<Number>& sums,
-                                             const SlidingFieldOf<Number>& sliding,
+[[gnu::always_inline]] inline void add_point(PatchSumsOf<Number>& sums, const SlidingFieldOf<Number>& sliding,
                                              const PatchPoint<Real>& at, Friction friction_at) {
   using simd::max, simd::select, simd::value;
   const Number v_1 = sliding.major - sliding.spin_minor * at.y;
   const Number v_2 = sliding.minor + sliding.spin_major * at.x;
   const Number speed = simd::length(v_1, v_2);
   const Number friction = friction_at(speed);
-  const Number along = select(value(speed) >= Real(kNoDirection), Number(friction * (1.0 / speed)),
-                              Number(Real(0.0)));
+  const Number along = select(value(speed) >= Real(kNoDirection), Number(friction * (1.0 / speed)), Number(Real(0.0)));
   const Number friction_1 = along * v_1, friction_2 = along * v_2;
   sums.traction_major += friction_1;
   sums.traction_minor += friction_2;
@@ -97,9 +95,8 @@ template <class Number, class Real, class Friction>
 
 /// Friction from the sums over `points` points of cells that carry `cell_load` dome each.
 template <class Number, class Real>
-PatchFrictionOf<Number> patch_friction(const PatchSumsOf<Number>& sums, double cell_load,
-                                       double points, const Real& semi_major,
-                                       const Real& semi_minor) {
+PatchFrictionOf<Number> patch_friction(const PatchSumsOf<Number>& sums, double cell_load, double points,
+                                       const Real& semi_major, const Real& semi_minor) {
   const Real weight(cell_load);
   return {sums.traction_major * weight,
           sums.traction_minor * weight,
@@ -113,8 +110,7 @@ PatchFrictionOf<Number> patch_friction(const PatchSumsOf<Number>& sums, double c
 template <class Number, class Real>
 SlidingFieldOf<Number> sliding_field(const PatchMotionOf<Number>& motion, const Real& semi_major,
                                      const Real& semi_minor) {
-  return {motion.sliding_major, motion.sliding_minor, motion.spin * semi_major,
-          motion.spin * semi_minor};
+  return {motion.sliding_major, motion.sliding_minor, motion.spin * semi_major, motion.spin * semi_minor};
 }
 
 /// Coulomb's law; Jacod's, of a film; or a film through which flanks touch.
@@ -146,17 +142,14 @@ PatchLawOf<Number> law_at(const FrictionLawOf<Real>& law, const Real& peak_press
   const MoesNumbersOf<Number> moes = moes_numbers(law.oil, law.film, rolling_speed);
   const Number thinned = film_factor(law.oil, law.film, peak_pressure, rolling_speed,
                                      simd::length(motion.sliding_major, motion.sliding_minor));
-  at.factor = select(
-      has_film && rolls,
-      sliding_factor_of(law.oil, law.film, Number(thinned * sandu_parameter(moes)), rolling_speed),
-      none);
+  at.factor =
+      select(has_film && rolls,
+             sliding_factor_of(law.oil, law.film, Number(thinned * sandu_parameter(moes)), rolling_speed), none);
   at.scale = Number(select(has_film, Real(law.oil.eyring_stress / peak_pressure), Real(0.0)));
   const auto touches = law.kind == FrictionKind::mixed;
   if (!any(touches)) return at;
-  const Number film =
-      thinned * central_thickness(law.oil, law.film, moes, rolling_speed, motion.along_major);
-  const Number share =
-      select(rolls, boundary_share(Number(film / law.roughness), law.exponent), Number(Real(1.0)));
+  const Number film = thinned * central_thickness(law.oil, law.film, moes, rolling_speed, motion.along_major);
+  const Number share = select(rolls, boundary_share(Number(film / law.roughness), law.exponent), Number(Real(1.0)));
   at.coefficient = select(touches, share * law.coefficient, at.coefficient);
   at.scale = select(touches, at.scale * (1.0 - share), at.scale);
   return at;

@@ -22,17 +22,14 @@ using PatchSums = PatchSumsOf<double>;
 struct PatchKernel {
   /// `viscosity_ratio`: of an Eyring fluid, at the points; null where there is none.
   template <class Arch, class Number>
-  PatchSumsOf<Number> operator()(Arch, const PatchPoints& points,
-                                 const SlidingFieldOf<Number>& sliding,
-                                 const PatchLawOf<Number>& law,
-                                 const double* viscosity_ratio) const;
+  PatchSumsOf<Number> operator()(Arch, const PatchPoints& points, const SlidingFieldOf<Number>& sliding,
+                                 const PatchLawOf<Number>& law, const double* viscosity_ratio) const;
 };
 
 /// Roelands' viscosity ratio at `size` pressures (see film.h).
 struct ViscosityKernel {
   template <class Arch>
-  void operator()(Arch, double viscosity, const double* pressure, std::size_t size,
-                  double* ratio) const;
+  void operator()(Arch, double viscosity, const double* pressure, std::size_t size, double* ratio) const;
 };
 
 }  // namespace contact

@@ -5,9 +5,7 @@
 
 namespace contact {
 
-bool same_pitch(double a, double b) {
-  return std::abs(a - b) <= kSamePitch * std::max(std::abs(a), std::abs(b));
-}
+bool same_pitch(double a, double b) { return std::abs(a - b) <= kSamePitch * std::max(std::abs(a), std::abs(b)); }
 
 bool same_pitch(const Thread& a, const Thread& b) { return same_pitch(a.pitch, b.pitch); }
 
@@ -25,9 +23,7 @@ ThreadNumbers<double> numbers_of(const Thread& t) {
           .plane = t.plane};
 }
 
-RadiusLimits sharp_limits(const Thread& thread) {
-  return sharp_limits(flank_of(numbers_of(thread), thread.internal));
-}
+RadiusLimits sharp_limits(const Thread& thread) { return sharp_limits(flank_of(numbers_of(thread), thread.internal)); }
 
 RadiusLimits flank_limits(const Thread& thread) {
   const Flank<double> flank = flank_of(numbers_of(thread), thread.internal);

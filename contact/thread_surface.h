@@ -8,8 +8,7 @@
 
 namespace contact {
 
-using simd::select, simd::any, simd::sqrt, simd::abs, simd::max, simd::min, simd::hypot,
-    simd::isnan, simd::sincos;
+using simd::select, simd::any, simd::sqrt, simd::abs, simd::max, simd::min, simd::hypot, simd::isnan, simd::sincos;
 
 /// The plane in which flank angle and profile radius are measured.
 enum class ProfilePlane : std::int64_t {
@@ -71,9 +70,7 @@ struct Flank {
   Real largest_radius = Real(0.0);   ///< Its other end [m].
 
   /// sin(phi) of the local flank angle; the profile exists where it is between 0 and 1.
-  Real sin_local_flank(const Real& radius) const {
-    return sin_flank + (radius - pitch_radius) * arc_curvature;
-  }
+  Real sin_local_flank(const Real& radius) const { return sin_flank + (radius - pitch_radius) * arc_curvature; }
   /// Whether the arc exists at that radius (wider than the flank itself, which ends at the radii
   /// above).
   simd::Lanes<Real> exists_at(const Real& radius) const {
@@ -96,8 +93,7 @@ template <class Real>
 Real radius_at_rise(const Flank<Real>& f, const Real& rise) {
   const Real cosine = min(max(f.cos_flank - rise * f.arc_curvature, Real(0.0)), Real(1.0));
   const Real sine = sqrt((1.0 - cosine) * (1.0 + cosine));
-  return f.pitch_radius + select(cosine == 0.0 || cosine == 1.0,
-                                 (sine - f.sin_flank) / f.arc_curvature,
+  return f.pitch_radius + select(cosine == 0.0 || cosine == 1.0, (sine - f.sin_flank) / f.arc_curvature,
                                  rise * (f.cos_flank + cosine) / (f.sin_flank + sine));
 }
 
@@ -118,17 +114,15 @@ Flank<Real> flank_of(const ThreadNumbers<Real>& t, bool internal) {
   f.pitch_radius = t.pitch_radius;
   f.pitch = t.pitch;
   f.reduced_lead = t.lead / (2.0 * std::numbers::pi);
-  f.stretch =
-      select(t.plane == ProfilePlane::normal,
-             hypot(Real(1.0), t.lead / (2.0 * std::numbers::pi * t.pitch_radius)), Real(1.0));
+  f.stretch = select(t.plane == ProfilePlane::normal,
+                     hypot(Real(1.0), t.lead / (2.0 * std::numbers::pi * t.pitch_radius)), Real(1.0));
   const auto [sine, cosine] = sincos(t.flank_angle);
   f.sin_flank = sine;
   f.cos_flank = cosine;
   f.arc_curvature = internal ? -t.profile_curvature : t.profile_curvature;
   f.half_groove = 0.5 * (internal ? t.thickness : t.pitch - t.thickness);
   const RadiiOf<Real> sharp = sharp_limits(f);
-  f.smallest_radius =
-      select(isnan(t.inner_height), sharp.smallest, t.pitch_radius - t.inner_height);
+  f.smallest_radius = select(isnan(t.inner_height), sharp.smallest, t.pitch_radius - t.inner_height);
   f.largest_radius = select(isnan(t.outer_height), sharp.largest, t.pitch_radius + t.outer_height);
   return f;
 }
@@ -139,9 +133,8 @@ RadiiOf<Real> usable_limits(const Flank<Real>& f) {
   const auto straight = f.arc_curvature == 0.0;
   const Real parallel_to_axis = f.pitch_radius - f.sin_flank / f.arc_curvature;
   const Real radial = f.pitch_radius + (1.0 - f.sin_flank) / f.arc_curvature;
-  return {
-      select(straight, f.smallest_radius, max(f.smallest_radius, min(parallel_to_axis, radial))),
-      select(straight, f.largest_radius, min(f.largest_radius, max(parallel_to_axis, radial)))};
+  return {select(straight, f.smallest_radius, max(f.smallest_radius, min(parallel_to_axis, radial))),
+          select(straight, f.largest_radius, min(f.largest_radius, max(parallel_to_axis, radial)))};
 }
 
 /// Curvature tensor of the *material* [1/m] on the flank at a radius where the profile exists, in
@@ -166,11 +159,11 @@ TensorOf<Real> curvature_tensor(const Flank<Real>& flank, const Real& radius) {
 
 /// Thread of one part as on its drawing. It describes the *material*, for a nut too.
 struct Thread {
-  bool internal = false;      ///< A nut.
-  double pitch_radius = 0.0;  ///< r_T, thread as wide as gap [m], > 0.
-  double lead = 0.0;          ///< l, axial travel of one turn [m]; > 0 right-handed, 0 grooves.
-  double pitch = 0.0;         ///< p, axial distance of neighbouring threads [m], > 0.
-  double flank_angle = 0.0;   ///< alpha, flank against the radial plane [rad], 0 < alpha < pi/2.
+  bool internal = false;           ///< A nut.
+  double pitch_radius = 0.0;       ///< r_T, thread as wide as gap [m], > 0.
+  double lead = 0.0;               ///< l, axial travel of one turn [m]; > 0 right-handed, 0 grooves.
+  double pitch = 0.0;              ///< p, axial distance of neighbouring threads [m], > 0.
+  double flank_angle = 0.0;        ///< alpha, flank against the radial plane [rad], 0 < alpha < pi/2.
   double profile_curvature = 0.0;  ///< 1/r_B, convex material > 0, straight 0, concave < 0 [1/m].
   ProfilePlane plane = ProfilePlane::normal;
   /// Radial heights of the truncated thread from the pitch radius [m]; a nut's addendum points
@@ -218,7 +211,7 @@ enum class ThreadStatus : std::int64_t {
   flank_angle_out_of_range,  ///< Not between 0 and pi/2.
   thickness_out_of_range,    ///< Not between 0 and the pitch.
   height_negative,           ///< Addendum or dedendum.
-  beyond_sharp_limit,  ///< Addendum or dedendum reach past the meeting flanks or the arc's end.
+  beyond_sharp_limit,        ///< Addendum or dedendum reach past the meeting flanks or the arc's end.
 };
 
 std::string_view name(ThreadStatus status);
@@ -234,19 +227,17 @@ simd::EnumOf<ThreadStatus, Real> status_of(const ThreadNumbers<Real>& t, const F
   using enum ThreadStatus;
   const auto nothing = [](const Real& x) { return x - x; };  // NaN of what is not finite
   const auto of_height = [&](const Real& h) { return select(isnan(h), Real(0.0), nothing(h)); };
-  const Real finite = nothing(t.pitch_radius) + nothing(t.lead) + nothing(t.pitch) +
-                      nothing(t.flank_angle) + nothing(t.profile_curvature) + nothing(t.thickness) +
-                      of_height(t.inner_height) + of_height(t.outer_height);
+  const Real finite = nothing(t.pitch_radius) + nothing(t.lead) + nothing(t.pitch) + nothing(t.flank_angle) +
+                      nothing(t.profile_curvature) + nothing(t.thickness) + of_height(t.inner_height) +
+                      of_height(t.outer_height);
   const RadiiOf<Real> sharp = sharp_limits(flank);
-  const auto beyond =
-      flank.smallest_radius < sharp.smallest || flank.largest_radius > sharp.largest;
+  const auto beyond = flank.smallest_radius < sharp.smallest || flank.largest_radius > sharp.largest;
   Status status = select(beyond, Status(beyond_sharp_limit), Status(ok));
   status = select(flank.smallest_radius <= 0.0, Status(radius_not_positive), status);
   status = select(t.inner_height < 0.0 || t.outer_height < 0.0, Status(height_negative), status);
+  status = select(t.thickness > 0.0 && t.thickness < t.pitch, status, Status(thickness_out_of_range));
   status =
-      select(t.thickness > 0.0 && t.thickness < t.pitch, status, Status(thickness_out_of_range));
-  status = select(t.flank_angle > 0.0 && t.flank_angle < 0.5 * std::numbers::pi, status,
-                  Status(flank_angle_out_of_range));
+      select(t.flank_angle > 0.0 && t.flank_angle < 0.5 * std::numbers::pi, status, Status(flank_angle_out_of_range));
   status = select(t.pitch > 0.0, status, Status(pitch_not_positive));
   status = select(t.pitch_radius > 0.0, status, Status(radius_not_positive));
   return select(finite == 0.0, status, Status(not_finite));

@@ -33,9 +33,7 @@ struct Vector3 {
     using simd::sqrt;
     return sqrt(dot(*this));
   }
-  Vector3 cross(const Vector3& v) const {
-    return {y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x};
-  }
+  Vector3 cross(const Vector3& v) const { return {y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x}; }
   Vector3 over(const Real& length) const { return {x / length, y / length, z / length}; }
   bool operator==(const Vector3&) const = default;
 };

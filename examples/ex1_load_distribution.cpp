@@ -18,15 +18,14 @@ int main(int count, char** arguments) try {
 
   for (const prs::LoadCaseResult& answer : result.load_cases) {
     if (!answer.converged()) continue;
-    std::printf("%s: %.2f um, %.1f N/um\n", answer.load_case.name.c_str(),
-                1e6 * *answer.axial_displacement, 1e-6 * *answer.axial_stiffness);
+    std::printf("%s: %.2f um, %.1f N/um\n", answer.load_case.name.c_str(), 1e6 * *answer.axial_displacement,
+                1e-6 * *answer.axial_stiffness);
     std::printf("  thread  screw, %%  nut, %%\n");
     const prs::InterfaceLoads& screw = answer.threads->screw;
     const prs::InterfaceLoads& nut = answer.threads->nut;
     const std::size_t last = screw.load_rate.size() - 1;
     for (const std::size_t k : {std::size_t{0}, last / 2, last})
-      std::printf("  %6zu  %8.3f  %6.3f\n", k + 1, 100.0 * screw.load_rate[k],
-                  100.0 * nut.load_rate[k]);
+      std::printf("  %6zu  %8.3f  %6.3f\n", k + 1, 100.0 * screw.load_rate[k], 100.0 * nut.load_rate[k]);
   }
 } catch (const std::exception& error) {
   // A wrong input says file, line, key, what was found, what is allowed and how to fix it.

@@ -56,8 +56,8 @@ void solve(const char* name, double rigidity) {
 
 int main() {
   solve("rigid", 1e13);
-  std::printf("  closed form: %.4f um, %.2f %% each\n",
-              2e6 * std::pow(kForce / (kThreads * kHertz), 2.0 / 3.0), 100.0 / kThreads);
+  std::printf("  closed form: %.4f um, %.2f %% each\n", 2e6 * std::pow(kForce / (kThreads * kHertz), 2.0 / 3.0),
+              100.0 / kThreads);
   solve("steel", 210e9 * 20e-6);  // E A of 20 mm^2
 }
 

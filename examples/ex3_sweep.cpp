@@ -17,15 +17,14 @@ int main(int count, char** arguments) try {
   const char* file = count > 1 ? arguments[1] : "configs/05_standard_screw.yaml";
   std::printf("rollers  stiffness, N/um  peak pressure, GPa\n");
   for (int rollers = 6; rollers <= 10; ++rollers) {
-    const prs::Case design = prs::input::read_case(
-        file, {"mechanism.rollers=" + std::to_string(rollers)}, prs::Command::solve);
+    const prs::Case design =
+        prs::input::read_case(file, {"mechanism.rollers=" + std::to_string(rollers)}, prs::Command::solve);
     const prs::Result result = prs::analyze(design, prs::kManyDesigns);
     const prs::LoadCaseResult& tension = result.load_cases.front();
     if (!tension.converged()) continue;
     double pressure = 0.0;
     for (const prs::InterfaceLoads* side : {&tension.threads->screw, &tension.threads->nut})
-      pressure = std::max(
-          pressure, *std::max_element(side->peak_pressure.begin(), side->peak_pressure.end()));
+      pressure = std::max(pressure, *std::max_element(side->peak_pressure.begin(), side->peak_pressure.end()));
     std::printf("%7d  %15.1f  %18.3f\n", rollers, 1e-6 * *tension.axial_stiffness, 1e-9 * pressure);
   }
 } catch (const std::exception& error) {

@@ -15,11 +15,10 @@ using StrainMatrix = Eigen::Matrix<double, 6, 24>;
 
 constexpr std::array<double, 3> kThreePoints{-0.7745966692414834, 0.0, 0.7745966692414834};
 constexpr std::array<double, 3> kThreeWeights{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
-constexpr std::array<double, 5> kFivePoints{-0.9061798459386640, -0.5384693101056831, 0.0,
-                                            0.5384693101056831, 0.9061798459386640};
-constexpr std::array<double, 5> kFiveWeights{0.2369268850561891, 0.4786286704993665,
-                                             0.5688888888888889, 0.4786286704993665,
-                                             0.2369268850561891};
+constexpr std::array<double, 5> kFivePoints{-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
+                                            0.9061798459386640};
+constexpr std::array<double, 5> kFiveWeights{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                             0.4786286704993665, 0.2369268850561891};
 
 /// Shape functions of the 8-node serendipity element at (x, y) in [-1, 1]^2, with derivatives.
 struct Shape {
@@ -54,8 +53,7 @@ struct Strains {
   StrainMatrix linear = StrainMatrix::Zero();
 };
 
-Strains strains(const Eigen::Matrix<double, 8, 1>& value, const Eigen::Matrix<double, 8, 2>& slope,
-                double r) {
+Strains strains(const Eigen::Matrix<double, 8, 1>& value, const Eigen::Matrix<double, 8, 2>& slope, double r) {
   Strains b;
   for (Eigen::Index k = 0; k < 8; ++k) {
     const Eigen::Index u = 3 * k, v = u + 1, w = u + 2;
@@ -111,15 +109,14 @@ MeshedGrid::MeshedGrid(const MeridianGrid& grid) : stride_(2 * grid.layers + 1) 
   for (int c = 0; c < grid.columns; ++c)
     for (int l = 0; l < grid.layers; ++l) {
       if (!grid.is_filled(c, l)) continue;
-      const std::array<Eigen::Vector2d, 4> corner{grid.point(c, l), grid.point(c, l + 1),
-                                                  grid.point(c + 1, l + 1), grid.point(c + 1, l)};
+      const std::array<Eigen::Vector2d, 4> corner{grid.point(c, l), grid.point(c, l + 1), grid.point(c + 1, l + 1),
+                                                  grid.point(c + 1, l)};
       for (std::size_t k = 0; k < 4; ++k)
         if (!(turn(corner[k], corner[(k + 1) % 4], corner[(k + 3) % 4]) > 0.0))
           throw std::invalid_argument("a cell of the meridian mesh is turned over");
       const int i = 2 * c, j = 2 * l;
-      mesh_.elements.push_back({node_at(i, j), node_at(i, j + 2), node_at(i + 2, j + 2),
-                                node_at(i + 2, j), node_at(i, j + 1), node_at(i + 1, j + 2),
-                                node_at(i + 2, j + 1), node_at(i + 1, j)});
+      mesh_.elements.push_back({node_at(i, j), node_at(i, j + 2), node_at(i + 2, j + 2), node_at(i + 2, j),
+                                node_at(i, j + 1), node_at(i + 1, j + 2), node_at(i + 2, j + 1), node_at(i + 1, j)});
     }
 }
 
@@ -135,16 +132,12 @@ MeridianEdge MeshedGrid::outwards(int column, int layer) const {
   return {at(i, j), at(i, j + 2), at(i, j + 1)};
 }
 
-double circumference_factor(int harmonic) {
-  return harmonic == 0 ? 2.0 * std::numbers::pi : std::numbers::pi;
-}
+double circumference_factor(int harmonic) { return harmonic == 0 ? 2.0 * std::numbers::pi : std::numbers::pi; }
 
-HarmonicStiffness element_stiffness(const MeridianMesh& mesh, int element,
-                                    const Isotropic& material) {
+HarmonicStiffness element_stiffness(const MeridianMesh& mesh, int element, const Isotropic& material) {
   Eigen::Matrix<double, 8, 2> corner;
   for (std::size_t k = 0; k < 8; ++k)
-    corner.row(static_cast<Eigen::Index>(k)) =
-        at(mesh.nodes, at(mesh.elements, element)[k]).transpose();
+    corner.row(static_cast<Eigen::Index>(k)) = at(mesh.nodes, at(mesh.elements, element)[k]).transpose();
   const Eigen::Matrix<double, 6, 6> d = elasticity(material);
 
   HarmonicStiffness k;
@@ -168,8 +161,8 @@ HarmonicStiffness element_stiffness(const MeridianMesh& mesh, int element,
   return k;
 }
 
-void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmonic,
-                   const Traction& traction, Eigen::Ref<Eigen::VectorXd> loads) {
+void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmonic, const Traction& traction,
+                   Eigen::Ref<Eigen::VectorXd> loads) {
   for (std::size_t i = 0; i < kFivePoints.size(); ++i) {
     const double x = kFivePoints[i];
     const std::array<double, 3> value{0.5 * x * (x - 1.0), 0.5 * x * (x + 1.0), 1.0 - x * x};
@@ -180,10 +173,8 @@ void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmo
       tangent += slope[k] * at(mesh.nodes, edge[k]);
     }
     const double ds = kFiveWeights[i] * tangent.norm();
-    const Eigen::Vector3d force =
-        circumference_factor(harmonic) * point.x() * ds * traction(point.x(), point.y());
-    for (std::size_t k = 0; k < 3; ++k)
-      loads.segment<kComponents>(kComponents * edge[k]) += value[k] * force;
+    const Eigen::Vector3d force = circumference_factor(harmonic) * point.x() * ds * traction(point.x(), point.y());
+    for (std::size_t k = 0; k < 3; ++k) loads.segment<kComponents>(kComponents * edge[k]) += value[k] * force;
   }
 }
 
@@ -192,8 +183,7 @@ void add_support(std::vector<HarmonicSupport>& supports, const MeridianEdge& edg
 }
 
 HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
-                           const std::vector<HarmonicSupport>& supports,
-                           const std::vector<HarmonicSpring>& springs)
+                           const std::vector<HarmonicSupport>& supports, const std::vector<HarmonicSpring>& springs)
     : kind_(kind_of(harmonic)) {
   const int equations = number_freedoms(mesh, harmonic, supports);
   Places places;
@@ -223,9 +213,7 @@ HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, 
   stiffness_ = permuted(pattern, place);
   for (Freedom& f : freedom_)
     if (f.equation >= 0) f.equation = at(place, f.equation);
-  const auto slot = [&](int i, int j) {
-    return static_cast<std::size_t>(slot_in(stiffness_, i, j));
-  };
+  const auto slot = [&](int i, int j) { return static_cast<std::size_t>(slot_in(stiffness_, i, j)); };
 
   const std::size_t entries = stiffness_.row.size();
   for (auto* values : {&constant_, &linear_, &quadratic_, &springs_}) values->assign(entries, 0.0);
@@ -251,8 +239,7 @@ HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, 
         const Freedom i = at(freedom_, row_of(a.node, a.component));
         const Freedom j = at(freedom_, row_of(b.node, b.component));
         if (i.equation < 0 || j.equation < i.equation) continue;
-        springs_[slot(i.equation, j.equation)] +=
-            spring.stiffness * i.sign * a.weight * j.sign * b.weight;
+        springs_[slot(i.equation, j.equation)] += spring.stiffness * i.sign * a.weight * j.sign * b.weight;
       }
   cholesky_ = cholmod.supernodal(stiffness_);
 }
@@ -263,8 +250,7 @@ int HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,
   std::vector<bool> used(static_cast<std::size_t>(mesh.size()), false);
   for (const auto& element : mesh.elements)
     for (const int node : element) used[static_cast<std::size_t>(node)] = true;
-  for (const HarmonicSupport& s : supports)
-    held[static_cast<std::size_t>(row_of(s.node, s.component))] = true;
+  for (const HarmonicSupport& s : supports) held[static_cast<std::size_t>(row_of(s.node, s.component))] = true;
 
   double largest = 0.0;
   for (const Eigen::Vector2d& p : mesh.nodes) largest = std::max(largest, p.x());

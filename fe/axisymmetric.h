@@ -31,18 +31,14 @@ struct MeridianGrid {
   MeridianGrid(int column_count, int layer_count);
 
   Eigen::Vector2d& point(int column, int layer) { return points[point_index(column, layer)]; }
-  const Eigen::Vector2d& point(int column, int layer) const {
-    return points[point_index(column, layer)];
-  }
+  const Eigen::Vector2d& point(int column, int layer) const { return points[point_index(column, layer)]; }
   bool is_filled(int column, int layer) const { return filled[cell_index(column, layer)]; }
   void set_filled(int column, int layer, bool on) { filled[cell_index(column, layer)] = on; }
 
   std::size_t point_index(int column, int layer) const {
     return static_cast<std::size_t>(column * (layers + 1) + layer);
   }
-  std::size_t cell_index(int column, int layer) const {
-    return static_cast<std::size_t>(column * layers + layer);
-  }
+  std::size_t cell_index(int column, int layer) const { return static_cast<std::size_t>(column * layers + layer); }
 };
 
 /// The filled cells of a grid as a mesh. Throws std::invalid_argument where a cell is turned over
@@ -108,21 +104,19 @@ struct HarmonicStiffness {
   HarmonicMatrix quadratic = HarmonicMatrix::Zero();
 
   HarmonicMatrix at(int harmonic) const {
-    return circumference_factor(harmonic) *
-           (constant + harmonic * linear + harmonic * harmonic * quadratic);
+    return circumference_factor(harmonic) * (constant + harmonic * linear + harmonic * harmonic * quadratic);
   }
 };
 
-HarmonicStiffness element_stiffness(const MeridianMesh& mesh, int element,
-                                    const Isotropic& material);
+HarmonicStiffness element_stiffness(const MeridianMesh& mesh, int element, const Isotropic& material);
 
 /// Amplitudes (t_r cos, t_theta sin, t_z cos) of the traction of one harmonic [Pa] at (r, z) [m].
 using Traction = std::function<Eigen::Vector3d(double r, double z)>;
 
 /// Adds the consistent nodal loads c_n int N t r ds of a traction on one edge to `loads` [N]. Five
 /// Gauss points: exact on a straight edge for tractions up to the sixth order in s.
-void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmonic,
-                   const Traction& traction, Eigen::Ref<Eigen::VectorXd> loads);
+void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmonic, const Traction& traction,
+                   Eigen::Ref<Eigen::VectorXd> loads);
 
 /// One component of one node is held.
 struct HarmonicSupport {
@@ -152,8 +146,7 @@ struct HarmonicSpring {
 class HarmonicBody {
  public:
   HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
-               const std::vector<HarmonicSupport>& supports = {},
-               const std::vector<HarmonicSpring>& springs = {});
+               const std::vector<HarmonicSupport>& supports = {}, const std::vector<HarmonicSpring>& springs = {});
 
   /// Refills the stiffness for a harmonic of the same kind as at birth, and factorizes it.
   FactorizationStatus factorize(int harmonic);
@@ -172,8 +165,7 @@ class HarmonicBody {
   };
 
   /// Number of equations.
-  int number_freedoms(const MeridianMesh& mesh, int harmonic,
-                      const std::vector<HarmonicSupport>& supports);
+  int number_freedoms(const MeridianMesh& mesh, int harmonic, const std::vector<HarmonicSupport>& supports);
 
   int kind_ = 0;
   std::vector<Freedom> freedom_;

@@ -32,9 +32,7 @@ class ChainElimination {
     Front front;
     unroll<2 * M>([&](auto i) __attribute__((always_inline)) {
       front.right[i] = Real(0.0);
-      unroll<2 * M>([&](auto j) __attribute__((always_inline)) {
-        front.a[i][j] = front.added[i][j] = Real(0.0);
-      });
+      unroll<2 * M>([&](auto j) __attribute__((always_inline)) { front.a[i][j] = front.added[i][j] = Real(0.0); });
     });
     front.right[0] = -residual.load;
     const Real scale = 1.0 + shift;
@@ -81,8 +79,7 @@ class ChainElimination {
   }
 
   template <bool kWithInterval>
-  [[gnu::always_inline]] void assemble(int k, bool corrections, const Real& scale,
-                                       Front& front) const {
+  [[gnu::always_inline]] void assemble(int k, bool corrections, const Real& scale, Front& front) const {
     const Record& record = records_[k];
     const auto add = adder(scale, front);
     station_.add_station(k, add);
@@ -92,14 +89,11 @@ class ChainElimination {
       add_tangent<c>(station_, front.added, contact.tangent);
       add_along<c>(station_, front.right, contact.remainder);
     });
-    if (corrections)
-      unroll<M>([&](auto i)
-                    __attribute__((always_inline)) { front.right[i] += record.correction[i]; });
+    if (corrections) unroll<M>([&](auto i) __attribute__((always_inline)) { front.right[i] += record.correction[i]; });
 
     unroll<M>([&](auto i) __attribute__((always_inline)) {
       unroll<M>([&](auto j) __attribute__((always_inline)) { front.a[i][j] += front.added[i][j]; });
-      unroll<M>([&](auto j)
-                    __attribute__((always_inline)) { front.a[i][M + j] = front.added[i][M + j]; });
+      unroll<M>([&](auto j) __attribute__((always_inline)) { front.a[i][M + j] = front.added[i][M + j]; });
     });
   }
 
@@ -161,8 +155,7 @@ class ChainElimination {
   [[gnu::always_inline]] static void substitute_back(Record& record, Real* next) {
     static constexpr const ChainFill<Station>& fill = kChainFill<Station>;
     Real d[2 * M];
-    if constexpr (!kLast)
-      unroll<M>([&](auto i) __attribute__((always_inline)) { d[M + i] = next[i]; });
+    if constexpr (!kLast) unroll<M>([&](auto i) __attribute__((always_inline)) { d[M + i] = next[i]; });
     unroll<M>([&](auto back) __attribute__((always_inline)) {
       constexpr int p = M - 1 - back;
       Real x = record.step[p];
@@ -186,8 +179,7 @@ class ChainForces {
  public:
   static constexpr int M = Station::kFreedoms;
 
-  ChainForces(const ChainStations<Real, Station>& chain, const Move& move)
-      : chain_(chain), move_(move) {
+  ChainForces(const ChainStations<Real, Station>& chain, const Move& move) : chain_(chain), move_(move) {
     set_zero(carried_);
     move_(chain_.records[0]);
   }
@@ -231,9 +223,8 @@ struct WholeResidual {
 /// residual is not the contacts' remainders becomes the correction; elsewhere, unless `active`,
 /// corrections stay.
 template <class Real, class Station, class Move>
-WholeResidual<Real> whole_residual(const ChainStations<Real, Station>& chain, const Real& load,
-                                   const Move& move, const Lanes<Real>& marked,
-                                   const Lanes<Real>& active) {
+WholeResidual<Real> whole_residual(const ChainStations<Real, Station>& chain, const Real& load, const Move& move,
+                                   const Lanes<Real>& marked, const Lanes<Real>& active) {
   constexpr int M = Station::kFreedoms;
   Real worst(0.0), energy(0.0);
   ChainForces<Real, Station, Move> forces(chain, move);
@@ -241,9 +232,7 @@ WholeResidual<Real> whole_residual(const ChainStations<Real, Station>& chain, co
     auto& record = chain.records[k];
     Real force[M], remainder[M];
     forces.at(k, force);
-    unroll<M>([&](auto i) __attribute__((always_inline)) {
-      energy += 0.5 * record.state.head[i] * force[i];
-    });
+    unroll<M>([&](auto i) __attribute__((always_inline)) { energy += 0.5 * record.state.head[i] * force[i]; });
     if (k == 0) {
       force[0] -= load;
       energy -= load * record.state.head[0];
@@ -281,8 +270,7 @@ Real tangent_residual(const ChainStations<Real, Station>& chain, const Real& loa
     forces.at(k, force);
     if (k == 0) force[0] -= load;
     unroll<2>([&](auto i) __attribute__((always_inline)) {
-      const Real approach =
-          along<i>(chain.station, record.state.head) + along<i>(chain.station, record.state.tail);
+      const Real approach = along<i>(chain.station, record.state.head) + along<i>(chain.station, record.state.tail);
       add_along<i>(chain.station, force, Real(record.contact[i].tangent * approach));
     });
     unroll<M>([&](auto i) __attribute__((always_inline)) {
@@ -300,8 +288,7 @@ Real tangent_residual(const ChainStations<Real, Station>& chain, const Real& loa
 /// With x the solution so far, K x = f - r, it is x'f + x'r but for the square of the error of x:
 /// x is refined until the second part is small.
 template <class Real, class Station>
-Real chain_flexibility(const ChainStations<Real, Station>& chain, const Real& unit_load,
-                       const Lanes<Real>& wanted) {
+Real chain_flexibility(const ChainStations<Real, Station>& chain, const Real& unit_load, const Lanes<Real>& wanted) {
   constexpr int M = Station::kFreedoms, kMostRefinements = 10;
   constexpr double kTolerance = 1e-11;
   const ChainElimination<Real, Station> elimination(chain);
@@ -347,7 +334,7 @@ struct ChainStepSums {
   Real work = Real(0.0);       ///< N delta
   Real stiffness = Real(0.0);  ///< t delta^2
   Real slope = Real(0.0);      ///< d'r, r the residual before the step
-  Real left = Real(0.0);  ///< Largest difference of a force from its tangent after the step [N].
+  Real left = Real(0.0);       ///< Largest difference of a force from its tangent after the step [N].
 };
 
 /// Backward half of the solve for the residual; the contacts that are active after the full step.
@@ -379,12 +366,11 @@ ChainStepSums<Real> full_step(const ChainElimination<Real, Station>& elimination
       c.remainder = select(active, remainder, c.remainder);
     });
     if (residual.corrections)
-      unroll<M>([&](auto i)
-                    __attribute__((always_inline)) { s.slope += record.correction[i] * d[i]; });
+      unroll<M>([&](auto i) __attribute__((always_inline)) { s.slope += record.correction[i] * d[i]; });
   }
   s.slope -= residual.load * d[0];
-  return {total<Station>(s.energy), total<Station>(s.work), total<Station>(s.stiffness),
-          total<Station>(s.slope), of_both<Station>(s.left)};
+  return {total<Station>(s.energy), total<Station>(s.work), total<Station>(s.stiffness), total<Station>(s.slope),
+          of_both<Station>(s.left)};
 }
 
 /// Takes the contacts marked back by a share of the last step; their energies there.
@@ -415,15 +401,13 @@ Real approach_rounding(const ChainStations<Real, Station>& chain) {
   for (int k = 0; k < chain.count; ++k) {
     const auto& record = chain.records[k];
     Real size(0.0);
-    unroll<M>([&](auto i)
-                  __attribute__((always_inline)) { size = max(size, abs(record.state.head[i])); });
+    unroll<M>([&](auto i) __attribute__((always_inline)) { size = max(size, abs(record.state.head[i])); });
     unroll<2>([&](auto i) __attribute__((always_inline)) {
       largest_change = max(largest_change, record.contact[i].tangent * size);
       largest_force = max(largest_force, record.contact[i].force);
     });
   }
-  return 4.0 * 2.220446049250313e-16 * of_both<Station>(largest_change) /
-         of_both<Station>(largest_force);
+  return 4.0 * 2.220446049250313e-16 * of_both<Station>(largest_change) / of_both<Station>(largest_force);
 }
 
 /// Largest change of a contact's force by the last step, relative to the largest force.
@@ -522,15 +506,12 @@ class Chain {
         contact_energy += r.energy;
         add_along<i>(chain_.station, residual, r.force);
       });
-      unroll<M>([&](auto i)
-                    __attribute__((always_inline)) { worst = max(worst, abs(residual[i])); });
+      unroll<M>([&](auto i) __attribute__((always_inline)) { worst = max(worst, abs(residual[i])); });
     }
     contact_energy_ = total<Station>(contact_energy);
     summary_ = {};
-    summary_.initial_relative_residual = summary_.relative_residual =
-        of_both<Station>(worst) * inverse_scale_;
-    summary_.energy =
-        contact_energy_ + total<Station>(Real(-load * chain_.records[0].state.head[0]));
+    summary_.initial_relative_residual = summary_.relative_residual = of_both<Station>(worst) * inverse_scale_;
+    summary_.energy = contact_energy_ + total<Station>(Real(-load * chain_.records[0].state.head[0]));
     active_ = scale >= scale;
     checked_ = !active_;
     residual_ = {load, false};
@@ -541,9 +522,8 @@ class Chain {
   auto pending_move() const {
     return [this](Record & record) __attribute__((always_inline)) {
       if (move_pending_)
-        unroll<M>([&](auto i) __attribute__((always_inline)) {
-          record.state.move_back(i, length_ * record.step[i], moved_);
-        });
+        unroll<M>([&](auto i)
+                      __attribute__((always_inline)) { record.state.move_back(i, length_ * record.step[i], moved_); });
     };
   }
 
@@ -557,8 +537,7 @@ class Chain {
       active_ = active_ & !give_up;
       singular = singular & !give_up;
       if (!any(active_)) return false;
-      shift =
-          select(singular, select(shift > 0.0, 100.0 * shift, Real(options.first_shift)), shift);
+      shift = select(singular, select(shift > 0.0, 100.0 * shift, Real(options.first_shift)), shift);
       singular = elimination_.factorize(residual_, shift, pending_move()) & active_;
     }
     return true;
@@ -612,8 +591,7 @@ class Chain {
     // No less than what the last step changed in a contact's force, relative to the largest: of one
     // contact alone the work of the change is 5/3 of its square times the energy. Up to the root of
     // twice the contacts too much.
-    const Real change = sqrt(1.2 * static_cast<double>(contacts()) * length_ * length_ *
-                             s.stiffness / contact_energy_);
+    const Real change = sqrt(1.2 * static_cast<double>(contacts()) * length_ * length_ * s.stiffness / contact_energy_);
     const Mask told = approach_rounding(chain_) <= options.force_tolerance;
     const Mask exact = options.exact(change, whole, before);
     const Mask small_in_all = options.small(whole);
@@ -621,8 +599,7 @@ class Chain {
     // A whole residual that its own step does not lessen is that of rounding.
     const Mask stalled = candidate & checked_before & !done & options.stalled(whole, before);
     const Mask rounded =
-        any(stalled) ? stalled & told & options.rounded(length_ * force_change(chain_), whole)
-                     : stalled;
+        any(stalled) ? stalled & told & options.rounded(length_ * force_change(chain_), whole) : stalled;
     summary_.converged = summary_.converged | done | rounded;
     summary_.at_rounding = summary_.at_rounding | rounded;
     summary_.search_failed = summary_.search_failed | (stalled & !rounded);

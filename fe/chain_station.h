@@ -141,8 +141,7 @@ template <int C, class Station, class Real>
 
 /// right += b force.
 template <int C, class Station, class Real>
-[[gnu::always_inline]] inline void add_along(const Station& station, Real* right,
-                                             const Real& force) {
+[[gnu::always_inline]] inline void add_along(const Station& station, Real* right, const Real& force) {
   static constexpr auto form = Station::template form<C>();
   unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
     if constexpr (form[i].negative)
@@ -154,8 +153,7 @@ template <int C, class Station, class Real>
 
 /// a += t b b', upper triangle.
 template <int C, class Station, class Real, std::size_t N>
-[[gnu::always_inline]] inline void add_tangent(const Station& station, Real (&a)[N][N],
-                                               const Real& t) {
+[[gnu::always_inline]] inline void add_tangent(const Station& station, Real (&a)[N][N], const Real& t) {
   static constexpr auto form = Station::template form<C>();
   unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
     const Real row = t * station.coefficient(C, form[i].kind);
@@ -247,11 +245,9 @@ struct ChainHertzInSeries {
     const Real power_law_tangent = 1.5 * k0 * x;
     const Real tangent = power_law_tangent / (1.0 + c * power_law_tangent);
     const Real beyond = select(linear, closed - largest_total, Real(0.0));
-    const Real energy =
-        force * (0.4 * x * x + 0.5 * c * force) + beyond * (force + 0.5 * tangent * beyond);
+    const Real energy = force * (0.4 * x * x + 0.5 * c * force) + beyond * (force + 0.5 * tangent * beyond);
     const Real none(0.0);
-    return {select(open, none, energy), select(open, none, force + tangent * beyond),
-            select(open, none, tangent)};
+    return {select(open, none, energy), select(open, none, force + tangent * beyond), select(open, none, tangent)};
   }
 
   Real law_approach(int i, int k, const Real& net_approach) const {

@@ -10,8 +10,8 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 
 Matrix upper_of(const SparseSymmetric& m) {
-  return Eigen::Map<const Matrix>(m.size(), m.size(), static_cast<Eigen::Index>(m.row.size()),
-                                  m.column_start.data(), m.row.data(), m.value.data());
+  return Eigen::Map<const Matrix>(m.size(), m.size(), static_cast<Eigen::Index>(m.row.size()), m.column_start.data(),
+                                  m.row.data(), m.value.data());
 }
 
 class EigenFactorization : public SparseFactorization {
@@ -20,8 +20,7 @@ class EigenFactorization : public SparseFactorization {
     factor_.analyzePattern(matrix_);
   }
 
-  FactorizationStatus factorize(const SparseSymmetric& matrix,
-                                double smallest_pivot_ratio) override {
+  FactorizationStatus factorize(const SparseSymmetric& matrix, double smallest_pivot_ratio) override {
     std::copy(matrix.value.begin(), matrix.value.end(), matrix_.valuePtr());
     factor_.factorize(matrix_);
     if (factor_.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
@@ -31,8 +30,7 @@ class EigenFactorization : public SparseFactorization {
     return positive ? FactorizationStatus::ok : FactorizationStatus::not_positive_definite;
   }
 
-  void solve(const Eigen::Ref<const Eigen::MatrixXd>& b,
-             Eigen::Ref<Eigen::MatrixXd> x) const override {
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x) const override {
     x = factor_.solve(b);
   }
 
@@ -65,8 +63,7 @@ const Library& library() {
 
 }  // namespace
 
-Cholesky::Cholesky(const SparseSymmetric& pattern)
-    : factorization_(library().factorization(pattern)) {}
+Cholesky::Cholesky(const SparseSymmetric& pattern) : factorization_(library().factorization(pattern)) {}
 
 std::string_view Cholesky::name() { return library().name; }
 

@@ -25,8 +25,7 @@ class SparseFactorization {
 
   /// Solves A x = b for the columns of b with the last factorization, which must have been `ok`; x
   /// has the size of b.
-  virtual void solve(const Eigen::Ref<const Eigen::MatrixXd>& b,
-                     Eigen::Ref<Eigen::MatrixXd> x) const = 0;
+  virtual void solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x) const = 0;
 };
 
 struct CholmodModule : modules::Module {
@@ -52,8 +51,7 @@ class Cholesky {
   explicit Cholesky(const SparseSymmetric& pattern);
 
   /// The functions of SparseFactorization.
-  FactorizationStatus factorize(const SparseSymmetric& matrix,
-                                double smallest_pivot_ratio = kSmallestPivotRatio) {
+  FactorizationStatus factorize(const SparseSymmetric& matrix, double smallest_pivot_ratio = kSmallestPivotRatio) {
     return factorization_->factorize(matrix, smallest_pivot_ratio);
   }
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {

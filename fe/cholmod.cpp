@@ -17,8 +17,7 @@ void set_common(cholmod_common& common) {
 
 /// Throws std::bad_alloc where CHOLMOD had too little memory, or would need more than it can count.
 void require_memory(const cholmod_common& common) {
-  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
-    throw std::bad_alloc();
+  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
 }
 
 /// CHOLMOD's view of our arrays; it never writes to them.
@@ -75,8 +74,7 @@ class Cholmod : public SparseFactorization {
     cholmod_finish(&common_);
   }
 
-  FactorizationStatus factorize(const SparseSymmetric& matrix,
-                                double smallest_pivot_ratio) override {
+  FactorizationStatus factorize(const SparseSymmetric& matrix, double smallest_pivot_ratio) override {
     cholmod_sparse a = view(matrix);
     cholmod_factorize(&a, factor_, &common_);
     require_memory(common_);
@@ -86,15 +84,13 @@ class Cholmod : public SparseFactorization {
     return ok ? FactorizationStatus::ok : FactorizationStatus::not_positive_definite;
   }
 
-  void solve(const Eigen::Ref<const Eigen::MatrixXd>& b,
-             Eigen::Ref<Eigen::MatrixXd> x) const override {
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x) const override {
     cholmod_dense rhs = view(b);
-    [[maybe_unused]] const int ok = cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &solution_,
-                                                   nullptr, &workspace_y_, &workspace_e_, &common_);
+    [[maybe_unused]] const int ok =
+        cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &solution_, nullptr, &workspace_y_, &workspace_e_, &common_);
     require_memory(common_);
     assert(ok);
-    x = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution_->x), b.rows(),
-                                          b.cols());
+    x = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution_->x), b.rows(), b.cols());
   }
 
  private:
@@ -149,9 +145,5 @@ std::string name() {
 }  // namespace
 }  // namespace fe
 
-extern "C" __attribute__((visibility("default")))
-const fe::CholmodModule prs_module{{},
-                                   fe::factorization<CHOLMOD_SIMPLICIAL>,
-                                   fe::factorization<CHOLMOD_SUPERNODAL>,
-                                   fe::amd_order,
-                                   fe::name};
+extern "C" __attribute__((visibility("default"))) const fe::CholmodModule prs_module{
+    {}, fe::factorization<CHOLMOD_SIMPLICIAL>, fe::factorization<CHOLMOD_SUPERNODAL>, fe::amd_order, fe::name};

@@ -38,8 +38,7 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
   const auto add_equations_of = [&](const auto& self, int freedom) -> void {
     const int n = at(number, freedom);
     if (n < size) return coupled.push_back(n);
-    for (const Term& term : at(model.constraints, n - size).form)
-      self(self, global(term.node, term.dof));
+    for (const Term& term : at(model.constraints, n - size).form) self(self, global(term.node, term.dof));
   };
   const auto couple = [&](const auto& freedoms) {
     coupled.clear();
@@ -54,8 +53,7 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
     couple(freedoms);
   };
   for (int i = 0; i < size; ++i) places.add(i, i);
-  for (const BarElement& e : model.bars)
-    couple(std::array{global(e.first, Dof::u), global(e.second, Dof::u)});
+  for (const BarElement& e : model.bars) couple(std::array{global(e.first, Dof::u), global(e.second, Dof::u)});
   for (const BeamElement& e : model.beams) couple(globals(e));
   for (const ShellElement& e : model.shells) couple(globals(e));
   for (const SpringElement& e : model.springs) couple_form(approach_of(e));
@@ -76,15 +74,12 @@ std::vector<int> shape_of(const Model& model) {
   const auto support = [&](const auto& s) { shape.push_back(global(s.node, s.dof)); };
   const auto form = [&](const LinearForm& terms) {
     shape.push_back(static_cast<int>(terms.size()));
-    for (const Term& t : terms)
-      shape.insert(shape.end(), {global(t.node, t.dof), t.coefficient != 0.0});
+    for (const Term& t : terms) shape.insert(shape.end(), {global(t.node, t.dof), t.coefficient != 0.0});
   };
   add(model.bars, ends);
   add(model.beams, ends);
   add(model.shells, ends);
-  add(model.springs, [&](const SpringElement& s) {
-    shape.insert(shape.end(), {s.from.node, s.to.node, s.nx != 0.0});
-  });
+  add(model.springs, [&](const SpringElement& s) { shape.insert(shape.end(), {s.from.node, s.to.node, s.nx != 0.0}); });
   add(model.form_springs, [&](const FormSpring& s) { form(s.approach); });
   add(model.elastic_supports, support);
   add(model.elastic_links, [&](const ElasticLink& e) { form(e.form); });
@@ -101,9 +96,7 @@ template <class Number>
 struct LongState {
   const State& state;
 
-  Number operator[](int i) const {
-    return i < 0 ? Number(0.0) : Number(state.head[i]) + Number(state.tail[i]);
-  }
+  Number operator[](int i) const { return i < 0 ? Number(0.0) : Number(state.head[i]) + Number(state.tail[i]); }
   Number compensation(int) const { return Number(0.0); }
   Number difference(int i, int j) const { return (*this)[j] - (*this)[i]; }
 };
@@ -111,8 +104,7 @@ struct LongState {
 /// Largest change of a force where approaches change by approach_change(spring), relative to the
 /// largest force.
 template <class ApproachChange>
-double largest_change(const std::vector<Equations::Spring>& springs, const State& q,
-                      ApproachChange approach_change) {
+double largest_change(const std::vector<Equations::Spring>& springs, const State& q, ApproachChange approach_change) {
   double change = 0.0, largest = 0.0;
   for (const Equations::Spring& s : springs) {
     const SpringResponse r = evaluate(s.law, s.approach(q));
@@ -124,8 +116,8 @@ double largest_change(const std::vector<Equations::Spring>& springs, const State
 
 /// residual = f - residual, less the forces force_of(k) of the springs.
 template <class ForceOf>
-void less_forces(const std::vector<Equations::Spring>& springs, const Eigen::VectorXd& f,
-                 ForceOf force_of, Eigen::VectorXd& residual) {
+void less_forces(const std::vector<Equations::Spring>& springs, const Eigen::VectorXd& f, ForceOf force_of,
+                 Eigen::VectorXd& residual) {
   residual = f - residual;
   for (std::size_t k = 0; k < springs.size(); ++k) {
     const Equations::Spring& s = springs[k];
@@ -231,8 +223,7 @@ void Equations::add_linear_elements(const Model& model) {
     bars_.push_back({{number(e.first, Dof::u), number(e.second, Dof::u)}, e.bar.stiffness()});
   for (const BeamElement& e : model.beams) beams_.push_back({numbered(globals(e)), e.beam});
   for (const ShellElement& e : model.shells) shells_.push_back({numbered(globals(e)), e.stiffness});
-  for (const ElasticSupport& s : model.elastic_supports)
-    supports_.push_back({number(s.node, s.dof), s.stiffness});
+  for (const ElasticSupport& s : model.elastic_supports) supports_.push_back({number(s.node, s.dof), s.stiffness});
   for (const ElasticLink& e : model.elastic_links) {
     NumberedLink link{{}, e.rest, e.stiffness};
     double offset = 0.0;
@@ -243,12 +234,10 @@ void Equations::add_linear_elements(const Model& model) {
   linear_.value = linear_values<double>();
 }
 
-std::vector<std::pair<int, double>> Equations::terms_of(const LinearForm& form,
-                                                        double& offset) const {
+std::vector<std::pair<int, double>> Equations::terms_of(const LinearForm& form, double& offset) const {
   std::vector<std::pair<int, double>> terms;
   const auto add = [&](int equation, double c) {
-    const auto same =
-        std::ranges::find(terms, equation, [](const auto& term) { return term.first; });
+    const auto same = std::ranges::find(terms, equation, [](const auto& term) { return term.first; });
     if (same != terms.end())
       same->second += c;
     else if (c != 0.0)
@@ -282,8 +271,7 @@ void Equations::add_springs(const Model& model) {
     } else {
       s.slot.reserve(s.count * (s.count + 1) / 2);
       for (std::size_t i = 0; i < s.count; ++i)
-        for (std::size_t j = i; j < s.count; ++j)
-          s.slot.push_back(slot(s.equation[i], s.equation[j]));
+        for (std::size_t j = i; j < s.count; ++j) s.slot.push_back(slot(s.equation[i], s.equation[j]));
     }
     springs_.push_back(std::move(s));
   };
@@ -319,9 +307,7 @@ double Equations::Spring::net_approach(const State& q) const {
   return sum + lost;
 }
 
-double Equations::net_approach(const State& q, int k) const {
-  return at(springs_, k).net_approach(q);
-}
+double Equations::net_approach(const State& q, int k) const { return at(springs_, k).net_approach(q); }
 
 SpringResponse Equations::response(const State& q, int k) const {
   const Spring& s = at(springs_, k);
@@ -333,8 +319,7 @@ double Equations::law_approach(const State& q, int k) const {
   return fe::law_approach(without_gap(s.law), s.net_approach(q));
 }
 
-double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
-                                      Eigen::VectorXd& residual) const {
+double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f, Eigen::VectorXd& residual) const {
   double energy = 0.5 * linear_forces(q, residual);
   energy += q.head.dot(0.5 * residual - f);
   residual -= f;
@@ -387,8 +372,7 @@ double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {
 }
 
 double Equations::force_rounding(const State& q) const {
-  return 4.0 * std::numeric_limits<double>::epsilon() *
-         largest_change(springs_, q, [&](const Spring& s) {
+  return 4.0 * std::numeric_limits<double>::epsilon() * largest_change(springs_, q, [&](const Spring& s) {
            double size = std::abs(s.law.gap);
            for (std::size_t i = 0; i < s.count; ++i)
              size = std::max(size, std::abs(s.coefficient[i] * q[s.equation[i]]));
@@ -409,18 +393,15 @@ Eigen::VectorXd Equations::rounding_residual(const State& q) const {
     double w = 0.0;
     for (std::size_t i = 0; i < s.count; ++i) w += std::abs(s.coefficient[i] * q[s.equation[i]]);
     const double force = evaluate(s.law, s.approach(q)).tangent * w;
-    for (std::size_t i = 0; i < s.count; ++i)
-      r[s.equation[i]] += force * std::abs(s.coefficient[i]);
+    for (std::size_t i = 0; i < s.count; ++i) r[s.equation[i]] += force * std::abs(s.coefficient[i]);
   }
   return std::numeric_limits<double>::epsilon() * r;
 }
 
-void Equations::secant_stiffness(const std::vector<double>& stiffness,
-                                 SparseSymmetric& matrix) const {
+void Equations::secant_stiffness(const std::vector<double>& stiffness, SparseSymmetric& matrix) const {
   matrix.value = linear_.value;
   for (std::size_t k = 0; k < springs_.size(); ++k)
-    springs_[k].for_each_tangent(stiffness[k],
-                                 [&](int slot, double value) { at(matrix.value, slot) += value; });
+    springs_[k].for_each_tangent(stiffness[k], [&](int slot, double value) { at(matrix.value, slot) += value; });
 }
 
 void Equations::secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f,
@@ -430,8 +411,8 @@ void Equations::secant_residual(const std::vector<double>& stiffness, const Eige
       springs_, f, [&](std::size_t k) { return -stiffness[k] * springs_[k].law.gap; }, residual);
 }
 
-void Equations::secant_residual(const std::vector<double>& stiffness, const State& x,
-                                const Eigen::VectorXd& f, Eigen::VectorXd& residual) const {
+void Equations::secant_residual(const std::vector<double>& stiffness, const State& x, const Eigen::VectorXd& f,
+                                Eigen::VectorXd& residual) const {
   forces_of(Displacements<State>{*this, x, 0.0}, residual);
   less_forces(
       springs_, f, [&](std::size_t k) { return stiffness[k] * springs_[k].approach(x); }, residual);

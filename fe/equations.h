@@ -72,8 +72,7 @@ class Equations {
   template <class Visit>
   void for_each_load(const std::vector<NodalLoad>& loads, Visit visit) const {
     for (const NodalLoad& load : loads)
-      for_each_term(number(load.node, load.dof),
-                    [&](int equation, double c) { visit(equation, c * load.value); });
+      for_each_term(number(load.node, load.dof), [&](int equation, double c) { visit(equation, c * load.value); });
   }
 
   /// A spring by its approach w = sum_i coefficient[i] q[equation[i]] over at most kMost freedoms;
@@ -125,8 +124,7 @@ class Equations {
 
   /// Potential energy 1/2 q'Kq + sum of the springs' - f'q [J], and its gradient, the residual
   /// [N, N m]. Allocates nothing.
-  double energy_and_residual(const State& q, const Eigen::VectorXd& f,
-                             Eigen::VectorXd& residual) const;
+  double energy_and_residual(const State& q, const Eigen::VectorXd& f, Eigen::VectorXd& residual) const;
 
   /// Largest residual of each equation that rounding of the state alone can cause: eps times the
   /// sum of |K_ij q_j| over the elements [N, N m].
@@ -136,19 +134,17 @@ class Equations {
   /// stiffnesses in place of the contacts [N/m]; with their tangents the Hessian of the energy.
   void secant_stiffness(const std::vector<double>& stiffness, SparseSymmetric& matrix) const;
   /// f less the forces of such springs and of the linear part where nothing is displaced.
-  void secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f,
-                       Eigen::VectorXd& residual) const;
+  void secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f, Eigen::VectorXd& residual) const;
   /// f - K x with such springs, without their gaps.
-  void secant_residual(const std::vector<double>& stiffness, const State& x,
-                       const Eigen::VectorXd& f, Eigen::VectorXd& residual) const;
+  void secant_residual(const std::vector<double>& stiffness, const State& x, const Eigen::VectorXd& f,
+                       Eigen::VectorXd& residual) const;
 
   /// Largest approach of a spring, of either sign [m].
   double largest_approach(const State& q) const;
 
   /// f - K x with the tangent K at the state q, from what x deforms: exact to rounding of the
   /// forces however large the rigid motion in x is. Allocates nothing.
-  void tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f,
-                        Eigen::VectorXd& residual) const;
+  void tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f, Eigen::VectorXd& residual) const;
 
   /// Largest change of a spring's force by a step x to the state q, relative to the largest force.
   double force_change(const State& q, const Eigen::VectorXd& x) const;
@@ -192,8 +188,7 @@ class Equations {
       Sum s{Real(affine * offset), Real(0.0)};
       for (const auto& [i, c] : terms) {
         const Real product = c * q[i];
-        if constexpr (std::is_same_v<Real, double>)
-          s.tail += std::fma(c, q[i], -product) + c * q.compensation(i);
+        if constexpr (std::is_same_v<Real, double>) s.tail += std::fma(c, q[i], -product) + c * q.compensation(i);
         const Real next = s.head + product, rounded = next - s.head;
         s.tail += (s.head - (next - rounded)) + (product - rounded);
         s.head = next;
@@ -223,8 +218,7 @@ class Equations {
   void for_each_term(int equation, Visit visit) const {
     if (equation < 0) return;
     if (equation < size()) return visit(equation, 1.0);
-    for (const auto& [i, c] : followers_[static_cast<std::size_t>(equation - size())].terms)
-      visit(i, c);
+    for (const auto& [i, c] : followers_[static_cast<std::size_t>(equation - size())].terms) visit(i, c);
   }
   template <class Number>
   std::vector<double> nodal_forces_by(const State& q) const;
@@ -286,8 +280,7 @@ std::vector<Real> Equations::linear_values() const {
   const auto add_all = [&](const std::array<int, 6>& equation, const auto& k) {
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = i; j < 6; ++j)
-        add(equation[i], equation[j],
-            k(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        add(equation[i], equation[j], k(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   };
   for (const NumberedBar& b : bars_) {
     const auto [i, j] = b.equation;
@@ -321,17 +314,16 @@ void Equations::for_each_force(const Read& q, Add add, Link link) const {
   }
   for (const NumberedBeam& b : beams_) {
     const auto& [u1, v1, t1, u2, v2, t2] = b.equation;
-    add_all(b.equation, end_forces<Real>(b.beam, {q.difference(u1, u2), q.difference(v1, v2), q[t1],
-                                                  q[t2], q.compensation(t1), q.compensation(t2)}));
+    add_all(b.equation, end_forces<Real>(b.beam, {q.difference(u1, u2), q.difference(v1, v2), q[t1], q[t2],
+                                                  q.compensation(t1), q.compensation(t2)}));
   }
   for (const NumberedShell& s : shells_) {
     const auto& [u1, v1, t1, u2, v2, t2] = s.equation;
     const auto mean = [&](int i, int j) -> Real {
       return 0.5 * (q[i] + q[j]) + 0.5 * (q.compensation(i) + q.compensation(j));
     };
-    add_all(s.equation,
-            end_forces<Real>(s.stiffness, {q.difference(u1, u2), q.difference(v1, v2),
-                                           q.difference(t1, t2), mean(v1, v2), mean(t1, t2)}));
+    add_all(s.equation, end_forces<Real>(s.stiffness, {q.difference(u1, u2), q.difference(v1, v2), q.difference(t1, t2),
+                                                       mean(v1, v2), mean(t1, t2)}));
   }
   for (const NumberedSupport& s : supports_) add(s.equation, Real(s.stiffness * q[s.equation]));
   for (const NumberedLink& l : links_) link(l, Real(l.stiffness * q.stretch(l)));

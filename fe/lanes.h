@@ -11,9 +11,7 @@ using Index = std::integral_constant<int, I>;
 /// f(Index<0>), f(Index<1>), .. f(Index<N - 1>), written out by the compiler.
 template <int N, class F>
 [[gnu::always_inline]] inline void unroll(F&& f) {
-  [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
-    (f(Index<I>{}), ...);
-  }
+  [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) { (f(Index<I>{}), ...); }
   (std::make_integer_sequence<int, N>{});
 }
 

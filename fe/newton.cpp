@@ -90,8 +90,7 @@ class DoubleNumbers : public DoubleTangent {
   using State = fe::State;
   using Vector = Eigen::VectorXd;
 
-  explicit DoubleNumbers(const Equations& equations)
-      : DoubleTangent(equations), equations_(&equations) {}
+  explicit DoubleNumbers(const Equations& equations) : DoubleTangent(equations), equations_(&equations) {}
 
   State zero_state() const { return Vector(Vector::Zero(equations_->size())); }
 
@@ -108,14 +107,11 @@ class DoubleNumbers : public DoubleTangent {
     }
     if (!start_) {
       start_ = std::make_unique<Cholesky>(matrix());
-      if (start_->factorize(matrix(), smallest_pivot_ratio) != FactorizationStatus::ok)
-        start_.reset();
+      if (start_->factorize(matrix(), smallest_pivot_ratio) != FactorizationStatus::ok) start_.reset();
     }
     return start_.get();
   }
-  double force_change(const State& q, const Vector& x) const {
-    return equations_->force_change(q, x);
-  }
+  double force_change(const State& q, const Vector& x) const { return equations_->force_change(q, x); }
   double largest_approach(const State& q) const { return equations_->largest_approach(q); }
   double force_rounding(const State& q) const { return equations_->force_rounding(q); }
   bool residual_is_rounding(const State& q, const Vector& residual) const {
@@ -123,8 +119,7 @@ class DoubleNumbers : public DoubleTangent {
   }
   /// A difference of large works.
   static double energy_rounding(const State& q, const Vector& f, double energy) {
-    return 64.0 * std::numeric_limits<double>::epsilon() *
-           (std::abs(energy) + std::abs(f.dot(q.head)));
+    return 64.0 * std::numeric_limits<double>::epsilon() * (std::abs(energy) + std::abs(f.dot(q.head)));
   }
   static void set_to_step(State& to, const State& from, double length, const Vector& step) {
     to.set_to_step(from, length, step);
@@ -194,8 +189,7 @@ struct WideNumbers {
     for (const Equations::Spring& s : equations.springs()) {
       const SpringResponse r = response(s, q);
       energy += r.energy;
-      for (std::size_t i = 0; i < s.count; ++i)
-        residual[s.equation[i]] += Wide(r.force) * s.coefficient[i];
+      for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] += Wide(r.force) * s.coefficient[i];
     }
     return energy;
   }
@@ -211,8 +205,7 @@ struct WideNumbers {
     Eigen::VectorXd rounding = Eigen::VectorXd::Zero(equations.size());
     for (const Equations::Spring& s : equations.springs()) {
       const double force = response(s, q).force;
-      for (std::size_t i = 0; i < s.count; ++i)
-        rounding[s.equation[i]] += force * std::abs(s.coefficient[i]);
+      for (std::size_t i = 0; i < s.count; ++i) rounding[s.equation[i]] += force * std::abs(s.coefficient[i]);
     }
     rounding *= 4.0 * std::numeric_limits<double>::epsilon();
     return (residual.cast<double>().array().abs() <= rounding.array()).all();
@@ -246,9 +239,7 @@ struct DoubleSteps : WideNumbers {
     doubles.solve(b.cast<double>(), step);
     x = step.cast<Wide>();
   }
-  bool solved(const Vector& b, const Vector& x) const {
-    return doubles.solved(b.cast<double>(), x.cast<double>());
-  }
+  bool solved(const Vector& b, const Vector& x) const { return doubles.solved(b.cast<double>(), x.cast<double>()); }
 
   DoubleTangent& doubles;
   Eigen::VectorXd step;
@@ -262,9 +253,8 @@ struct WideSteps : WideNumbers {
 
   explicit WideSteps(const Equations& e) : WideNumbers(e), linear(e.linear_values<Wide>()) {
     const SparseSymmetric& pattern = e.linear_stiffness();
-    matrix =
-        Eigen::Map<const Matrix>(e.size(), e.size(), static_cast<Eigen::Index>(linear.size()),
-                                 pattern.column_start.data(), pattern.row.data(), linear.data());
+    matrix = Eigen::Map<const Matrix>(e.size(), e.size(), static_cast<Eigen::Index>(linear.size()),
+                                      pattern.column_start.data(), pattern.row.data(), linear.data());
     factor.analyzePattern(matrix);
   }
 
@@ -287,8 +277,7 @@ struct WideSteps : WideNumbers {
     if (factor.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
     const Vector pivots = factor.vectorD();
     for (const Wide& pivot : pivots)
-      if (!(pivot > kSmallestWidePivotRatio * pivots.maxCoeff()))
-        return FactorizationStatus::not_positive_definite;
+      if (!(pivot > kSmallestWidePivotRatio * pivots.maxCoeff())) return FactorizationStatus::not_positive_definite;
     return FactorizationStatus::ok;
   }
 
@@ -316,8 +305,7 @@ Eigen::SparseMatrix<double> unsymmetric(const SparseSymmetric& tangent, const Eq
     const double stiffness = equations.response(q, static_cast<int>(k)).tangent;
     for (const FollowingLoad::Share& share : load.per_force[k])
       for (std::size_t i = 0; i < spring.count; ++i)
-        entries.emplace_back(share.equation, spring.equation[i],
-                             -stiffness * share.times * spring.coefficient[i]);
+        entries.emplace_back(share.equation, spring.equation[i], -stiffness * share.times * spring.coefficient[i]);
   }
   Eigen::SparseMatrix<double> matrix(tangent.size(), tangent.size());
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -327,9 +315,8 @@ Eigen::SparseMatrix<double> unsymmetric(const SparseSymmetric& tangent, const Eq
 }  // namespace
 
 std::string_view name(NewtonStatus status) {
-  constexpr std::string_view kNames[] = {"converged",          "iteration_limit",
-                                         "line_search_failed", "not_positive_definite",
-                                         "no_equilibrium",     "mechanism"};
+  constexpr std::string_view kNames[] = {
+      "converged", "iteration_limit", "line_search_failed", "not_positive_definite", "no_equilibrium", "mechanism"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
@@ -443,29 +430,25 @@ bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& option
     for (std::size_t k = 0; k < load.per_force.size(); ++k) {
       const Equations::Spring& spring = equations_->springs()[k];
       const double force = equations_->response(state, static_cast<int>(k)).force;
-      for (std::size_t i = 0; i < spring.count; ++i)
-        residual[spring.equation[i]] += force * spring.coefficient[i];
-      for (const FollowingLoad::Share& share : load.per_force[k])
-        residual[share.equation] -= force * share.times;
+      for (std::size_t i = 0; i < spring.count; ++i) residual[spring.equation[i]] += force * spring.coefficient[i];
+      for (const FollowingLoad::Share& share : load.per_force[k]) residual[share.equation] -= force * share.times;
     }
     double largest = 0.0;
     for (int i = 0; i < equations_->size(); ++i)
       largest =
-          std::max(largest, std::abs(residual[i]) /
-                                (equations_->kind(i) == Dof::theta ? options.length_scale : 1.0));
+          std::max(largest, std::abs(residual[i]) / (equations_->kind(i) == Dof::theta ? options.length_scale : 1.0));
     return largest / options.force_scale;
   };
   numbers.tangent(q, 0.0);
-  if (!numbers.factorized_within(kMuchTheSame) && numbers.factorize() != FactorizationStatus::ok)
-    return false;
+  if (!numbers.factorized_within(kMuchTheSame) && numbers.factorize() != FactorizationStatus::ok) return false;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
   for (const bool newton : {false, true}) {
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kMostSteps; ++step, before = left) {
       left = left_at(q);
       const bool fast = left < 0.5 * before;
-      const bool small = left <= options.rounding_tolerance ||
-                         (newton && !fast && numbers.residual_is_rounding(q, residual));
+      const bool small =
+          left <= options.rounding_tolerance || (newton && !fast && numbers.residual_is_rounding(q, residual));
       if (newton ? !std::isfinite(left) : !small && !fast) break;
       if (newton) {
         numbers.tangent(q, 0.0);
@@ -498,14 +481,11 @@ bool NewtonSolver::start(const Eigen::VectorXd& f, const std::vector<double>& st
   return true;
 }
 
-bool NewtonSolver::solve_linear(const std::vector<double>& stiffness,
-                                const std::vector<Eigen::VectorXd>& loads,
+bool NewtonSolver::solve_linear(const std::vector<double>& stiffness, const std::vector<Eigen::VectorXd>& loads,
                                 std::vector<Eigen::VectorXd>& displacements, double near) {
   DoubleNumbers& numbers = doubles_->method.numbers();
   numbers.secant(stiffness);
-  if (!(near > 0.0 && numbers.factorized_within(near)) &&
-      numbers.factorize() != FactorizationStatus::ok)
-    return false;
+  if (!(near > 0.0 && numbers.factorized_within(near)) && numbers.factorize() != FactorizationStatus::ok) return false;
   Eigen::VectorXd& correction = doubles_->correction;
   for (const Eigen::VectorXd& load : loads) {
     Eigen::VectorXd x;

@@ -17,8 +17,7 @@ struct FollowingLoad {
     double times;
   };
   /// `loads`: per force of each spring.
-  FollowingLoad(const Equations& equations, Eigen::VectorXd constant,
-                const std::vector<std::vector<NodalLoad>>& loads);
+  FollowingLoad(const Equations& equations, Eigen::VectorXd constant, const std::vector<std::vector<NodalLoad>>& loads);
 
   Eigen::VectorXd constant;
   std::vector<std::vector<Share>> per_force;  ///< Of each spring.
@@ -31,8 +30,7 @@ class NewtonSolver {
  public:
   /// `smallest_pivot_ratio`: as Cholesky::factorize has it; 0 where the caller knows that no motion
   /// is free.
-  explicit NewtonSolver(const Equations& equations,
-                        double smallest_pivot_ratio = kSmallestPivotRatio);
+  explicit NewtonSolver(const Equations& equations, double smallest_pivot_ratio = kSmallestPivotRatio);
   ~NewtonSolver();
   NewtonSolver(NewtonSolver&&) noexcept;
   NewtonSolver& operator=(NewtonSolver&&) noexcept;

@@ -14,8 +14,7 @@ inline constexpr double kNear = 1e-6;
 
 /// Whether numbers with more digits may find what these did not.
 inline bool digits_may_help(const NewtonSummary& s) {
-  return (s.status == NewtonStatus::line_search_failed ||
-          s.status == NewtonStatus::not_positive_definite) &&
+  return (s.status == NewtonStatus::line_search_failed || s.status == NewtonStatus::not_positive_definite) &&
          std::isfinite(s.relative_residual);
 }
 
@@ -69,8 +68,7 @@ class NewtonMethod {
 
   /// Minimises the potential energy under the load `f`, starting from the state `q`, which it
   /// updates. Takes at most `limit` linear solves, at most `shifted_limit` of them with a shift.
-  NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit,
-                      int shifted_limit, State& q) {
+  NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit, int shifted_limit, State& q) {
     NewtonSummary summary;
     summary.history.reserve(8);
     Energy energy = numbers_.energy_and_residual(q, f, residual_);
@@ -96,8 +94,7 @@ class NewtonMethod {
       if (fresh) {
         if (factorize_shifted(options, iteration.shift) != FactorizationStatus::ok)
           return stop(NewtonStatus::not_positive_definite);
-        if (iteration.shift > 0.0 && ++shifted > shifted_limit)
-          return stop(NewtonStatus::not_positive_definite);
+        if (iteration.shift > 0.0 && ++shifted > shifted_limit) return stop(NewtonStatus::not_positive_definite);
       }
       numbers_.solve(residual_, step_);
       if (summary.iterations() >= kUsualIterations && !numbers_.solved(residual_, step_))
@@ -113,8 +110,7 @@ class NewtonMethod {
         summary.history.back() = iteration;
 
       std::swap(q, trial_);
-      if (numbers_.largest_approach(q) > options.largest_approach)
-        return stop(NewtonStatus::no_equilibrium);
+      if (numbers_.largest_approach(q) > options.largest_approach) return stop(NewtonStatus::no_equilibrium);
       const double before = summary.relative_residual;
       summary.energy = iteration.energy;
       summary.relative_residual = iteration.relative_residual;
@@ -127,16 +123,13 @@ class NewtonMethod {
       const double change = numbers_.force_change(q, step_);
       const bool exact = before == 0.0 || options.exact(change, summary.relative_residual, before);
       const auto told = [&] { return numbers_.force_rounding(q) <= options.force_tolerance; };
-      if (small && exact)
-        return stop(told() ? NewtonStatus::converged : NewtonStatus::line_search_failed);
+      if (small && exact) return stop(told() ? NewtonStatus::converged : NewtonStatus::line_search_failed);
       // Springs at the point of closing leave a fifth of the residual a step.
       if (energy_is_rounding && summary.relative_residual > kNoLess * before) ++stalls;
-      if (stalls > Numbers::kMostStalls ||
-          (stalled && numbers_.residual_is_rounding(q, residual_))) {
+      if (stalls > Numbers::kMostStalls || (stalled && numbers_.residual_is_rounding(q, residual_))) {
         summary.at_rounding = true;
-        return stop(options.rounded(change, summary.relative_residual) && told()
-                        ? NewtonStatus::converged
-                        : NewtonStatus::line_search_failed);
+        return stop(options.rounded(change, summary.relative_residual) && told() ? NewtonStatus::converged
+                                                                                 : NewtonStatus::line_search_failed);
       }
     }
     return summary;
@@ -153,8 +146,7 @@ class NewtonMethod {
   /// step still takes that one: a step costs a twentieth of a factorization of a large model. After
   /// a step that left much only the same tangent does.
   static constexpr double kSimilarTangent = 1e-2, kSameTangent = 1e-6;
-  static constexpr int kFewUnknowns =
-      800;  ///< Below, a new factorization costs no more than a step.
+  static constexpr int kFewUnknowns = 800;  ///< Below, a new factorization costs no more than a step.
   /// A spring with force ~ w^1.5 that has to open, and nothing else at its end, goes from w to w/3,
   /// which leaves 3^-1.5 = 0.19 of its force; a step of 1.5 times the length ends at zero, a little
   /// more opens it.
@@ -185,8 +177,8 @@ class NewtonMethod {
 
   /// Halves the step until the energy falls; the state reached is `trial_`, its residual
   /// `residual_`, its energy `energy`.
-  bool search_along_step(const Eigen::VectorXd& f, const NewtonOptions& options, const State& q,
-                         double slope, Energy& energy, NewtonIteration& iteration) {
+  bool search_along_step(const Eigen::VectorXd& f, const NewtonOptions& options, const State& q, double slope,
+                         Energy& energy, NewtonIteration& iteration) {
     const double rounding = numbers_.energy_rounding(q, f, energy);
     double length = 1.0;
     for (int halvings = 0; halvings <= options.max_halvings; ++halvings, length *= 0.5) {
@@ -204,14 +196,13 @@ class NewtonMethod {
   }
 
   /// Opens springs that the full step to `trial_` leaves closed, where the residual falls by it.
-  bool step_further(const Eigen::VectorXd& f, const NewtonOptions& options, const State& q,
-                    Energy& energy, NewtonIteration& iteration) {
+  bool step_further(const Eigen::VectorXd& f, const NewtonOptions& options, const State& q, Energy& energy,
+                    NewtonIteration& iteration) {
     Numbers::set_to_step(further_, q, kOpeningStep, step_);
     residual_.swap(residual_of_full_step_);
     const Energy reached = numbers_.energy_and_residual(further_, f, residual_);
     const double residual = relative_residual(options);
-    if (!(residual < 0.5 * iteration.relative_residual) ||
-        reached > energy + numbers_.energy_rounding(q, f, energy)) {
+    if (!(residual < 0.5 * iteration.relative_residual) || reached > energy + numbers_.energy_rounding(q, f, energy)) {
       residual_.swap(residual_of_full_step_);
       return false;
     }

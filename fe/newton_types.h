@@ -44,9 +44,7 @@ struct NewtonOptions {
 
   /// Linear solves allowed for a model with `springs` springs: one more for every 20 beyond 200,
   /// since in a thread of thousands of contacts only a few open in each step.
-  int iteration_limit(int springs) const {
-    return max_iterations + (springs > 200 ? (springs - 200) / 20 : 0);
-  }
+  int iteration_limit(int springs) const { return max_iterations + (springs > 200 ? (springs - 200) / 20 : 0); }
 
   // When to stop, for numbers and batches of them, inlined since kernels compile them for several
   // instruction sets. Residuals are relative to the force scale;
@@ -63,8 +61,7 @@ struct NewtonOptions {
   }
   /// Whether one more step would hardly change a force.
   template <class Real>
-  [[gnu::always_inline]] Lanes<Real> exact(const Real& change, const Real& residual,
-                                           const Real& before) const {
+  [[gnu::always_inline]] Lanes<Real> exact(const Real& change, const Real& residual, const Real& before) const {
     return change * residual <= force_tolerance * before;
   }
   template <class Real>

@@ -40,8 +40,7 @@ inline SpringResponse power_law(double stiffness, double d) {
 /// Deflection d of the power law up to which a series compliance < 0 takes back no more than half:
 /// -1.5 c k d^0.5 = 1/2.
 inline double largest_deflection(const PowerLawSpring& s) {
-  if (s.series_compliance >= 0.0 || s.stiffness == 0.0)
-    return std::numeric_limits<double>::infinity();
+  if (s.series_compliance >= 0.0 || s.stiffness == 0.0) return std::numeric_limits<double>::infinity();
   const double root = -0.5 / (s.series_compliance * 1.5 * s.stiffness);
   return root * root;
 }

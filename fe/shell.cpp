@@ -35,15 +35,14 @@ Eigen::Matrix4d hermite_piece(const OvalRigidity& r, double l) {
   for (int i = 0; i < 4; ++i) {
     const double s = 0.5 * (1.0 + (i % 2 == 0 ? 1.0 : -1.0) * kPoint[i / 2]);
     const double weight = 0.5 * l * kWeight[i / 2];
-    const Eigen::RowVector4d w(1.0 + s * s * (2.0 * s - 3.0), l * s * (1.0 - s) * (1.0 - s),
-                               s * s * (3.0 - 2.0 * s), l * s * s * (s - 1.0));
-    const Eigen::RowVector4d slope(6.0 * s * (s - 1.0) / l, (1.0 - s) * (1.0 - 3.0 * s),
-                                   6.0 * s * (1.0 - s) / l, s * (3.0 * s - 2.0));
-    const Eigen::RowVector4d curvature((12.0 * s - 6.0) / (l * l), (6.0 * s - 4.0) / l,
-                                       (6.0 - 12.0 * s) / (l * l), (6.0 * s - 2.0) / l);
-    k += weight * (r.bending * curvature.transpose() * curvature +
-                   r.twist * slope.transpose() * slope + r.hoop * w.transpose() * w -
-                   r.coupling * (w.transpose() * curvature + curvature.transpose() * w));
+    const Eigen::RowVector4d w(1.0 + s * s * (2.0 * s - 3.0), l * s * (1.0 - s) * (1.0 - s), s * s * (3.0 - 2.0 * s),
+                               l * s * s * (s - 1.0));
+    const Eigen::RowVector4d slope(6.0 * s * (s - 1.0) / l, (1.0 - s) * (1.0 - 3.0 * s), 6.0 * s * (1.0 - s) / l,
+                                   s * (3.0 * s - 2.0));
+    const Eigen::RowVector4d curvature((12.0 * s - 6.0) / (l * l), (6.0 * s - 4.0) / l, (6.0 - 12.0 * s) / (l * l),
+                                       (6.0 * s - 2.0) / l);
+    k += weight * (r.bending * curvature.transpose() * curvature + r.twist * slope.transpose() * slope +
+                   r.hoop * w.transpose() * w - r.coupling * (w.transpose() * curvature + curvature.transpose() * w));
   }
   return k;
 }
@@ -62,8 +61,7 @@ Eigen::Matrix4d hermite_doubled(const Eigen::Matrix4d& k) {
 
 }  // namespace
 
-OvalRigidity oval_tube(int n, double inner, double root, double outer, double modulus,
-                       double poisson) {
+OvalRigidity oval_tube(int n, double inner, double root, double outer, double modulus, double poisson) {
   assert(n >= 2 && inner < outer && root < outer);
   const double radius = 0.5 * (inner + outer), h = outer - inner, order = n * n;
   const double plate = modulus * h * h * h / (12.0 * (1.0 - poisson * poisson));
@@ -84,8 +82,8 @@ ShellMatrix stiffness_matrix(const OvalRigidity& wall, double length) {
   for (int i = 0; i < halvings; ++i) k = hermite_doubled(k);
   // (w_1, w_1', w_2, w_2') from differences and means.
   Eigen::Matrix4d t;
-  t << -0.5 * Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Identity(),
-      0.5 * Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Identity();
+  t << -0.5 * Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Identity(), 0.5 * Eigen::Matrix2d::Identity(),
+      Eigen::Matrix2d::Identity();
   ShellMatrix shell = ShellMatrix::Zero();
   shell.bottomRightCorner<4, 4>() = t.transpose() * (0.5 * (k + k.transpose())) * t;
   return shell;

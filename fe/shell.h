@@ -29,12 +29,10 @@ Eigen::Matrix<Real, 6, 6> nodal_stiffness(const ShellMatrix& stiffness) {
 
 /// End forces K q over (u_1, v_1, theta_1, u_2, v_2, theta_2) for the deformation of `ShellMatrix`.
 template <class Real>
-Eigen::Matrix<Real, 6, 1> end_forces(const ShellMatrix& stiffness,
-                                     const Eigen::Matrix<Real, 5, 1>& deformation) {
+Eigen::Matrix<Real, 6, 1> end_forces(const ShellMatrix& stiffness, const Eigen::Matrix<Real, 5, 1>& deformation) {
   const Eigen::Matrix<Real, 5, 1> f = stiffness.cast<Real>() * deformation;
   const Real half(0.5);
-  return {-f[0], half * f[3] - f[1], half * f[4] - f[2],
-          f[0],  half * f[3] + f[1], half * f[4] + f[2]};
+  return {-f[0], half * f[3] - f[1], half * f[4] - f[2], f[0], half * f[3] + f[1], half * f[4] + f[2]};
 }
 
 /// Rigidities of a thin cylinder that goes out of round as w(x) cos(n phi), n >= 2, without
@@ -59,8 +57,7 @@ struct OvalRigidity {
 ///
 /// h_u and h the thickness of either wall (Love's shell, e.g. Soedel, Vibrations of Shells and
 /// Plates, 2004, chapters 2 and 5). SI units.
-OvalRigidity oval_tube(int n, double inner, double root, double outer, double modulus,
-                       double poisson);
+OvalRigidity oval_tube(int n, double inner, double root, double outer, double modulus, double poisson);
 
 /// Stiffness of a uniform length, u left without any; v is w and theta w'. Cubic polynomials on
 /// pieces of at most an eighth of (B/H)^(1/4), the nodes between them eliminated.

@@ -38,8 +38,7 @@ struct ShellBlocks {
 
 template <class Real>
 ShellRigidityOf<Real> scaled_rigidity(ShellRigidityOf<Real> r, const Real& share) {
-  for (Real* const rigidity :
-       {&r.axial, &r.eccentric, &r.bending, &r.hoop, &r.axial_hoop, &r.bending_hoop, &r.shear})
+  for (Real* const rigidity : {&r.axial, &r.eccentric, &r.bending, &r.hoop, &r.axial_hoop, &r.bending_hoop, &r.shear})
     *rigidity *= share;
   return r;
 }
@@ -60,9 +59,8 @@ Real tube_hoop(const Real& inner, const Real& outer, const Real& modulus, const 
 ///
 /// with Reissner's 5/6. SI units; `poisson` 0 uncouples axial and radial displacement.
 template <class Real>
-ShellRigidityOf<Real> tube_rigidity(const Real& inner, const Real& outer, const Real& reference,
-                                    const Real& modulus, const Real& poisson,
-                                    const Real& shear_modulus) {
+ShellRigidityOf<Real> tube_rigidity(const Real& inner, const Real& outer, const Real& reference, const Real& modulus,
+                                    const Real& poisson, const Real& shear_modulus) {
   constexpr double kTwoPi = 2.0 * std::numbers::pi;
   const Real plane = modulus / (1.0 - poisson * poisson);
   // Moments of the wall about its middle, then about the reference.
@@ -104,10 +102,7 @@ class ShellBand {
       const double value = i == 1 ? 0.5 : 1.0;
       // Function i + 1 strains by its slope alone, i and i + 2 by their values.
       const Real by_value = weight * (!is_v(i) ? s.shear : free ? hoop : s.hoop);
-      const Real by_slope = weight * slope * slope *
-                            (!is_v(i) ? s.shear
-                             : free   ? bending
-                                      : s.bending);
+      const Real by_slope = weight * slope * slope * (!is_v(i) ? s.shear : free ? bending : s.bending);
       const Real by_both = weight * slope * (!is_v(i) ? s.shear : free ? coupling : s.bending_hoop);
       k_[i][0] += value * value * by_value;
       k_[i][1] -= value * by_both;
@@ -197,8 +192,7 @@ template <class Real>
 ShellBlocks<Real> shell_blocks(const ShellRigidityOf<Real>& s, const Real& length) {
   using simd::any, simd::max, simd::select, simd::sqrt;
   const Real bending = s.bending - s.eccentric * s.eccentric / s.axial;
-  const Real wave_number =
-      sqrt(max(max(Real(s.shear / bending), sqrt(s.hoop / bending)), Real(s.hoop / s.shear)));
+  const Real wave_number = sqrt(max(max(Real(s.shear / bending), sqrt(s.hoop / bending)), Real(s.hoop / s.shear)));
   Real piece = length, halvings(0.0);
   int most = 0;
   for (; most != 30; ++most) {

@@ -13,8 +13,7 @@ const Module& load(const Name& name) {
   std::string_view file;
   const Module* const built_in = prs_built_in_module(file);
   if (file == name.file) return *built_in;
-  throw Missing(fmt::format("this needs {}, which is not part of this engine; use the program prs",
-                            name.library));
+  throw Missing(fmt::format("this needs {}, which is not part of this engine; use the program prs", name.library));
 }
 
 }  // namespace modules

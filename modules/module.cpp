@@ -26,8 +26,7 @@ void* open(const char* file) {
   std::error_code none;
   if (!own.empty())  // Else the folders would be those below the working directory.
     for (const char* folder : {"", "lib/prs", "../lib/prs", "../../lib/prs"})
-      if (const auto path = (own / folder / file).lexically_normal();
-          std::filesystem::exists(path, none))
+      if (const auto path = (own / folder / file).lexically_normal(); std::filesystem::exists(path, none))
         return dlopen(path.c_str(), RTLD_NOW);
   return dlopen(file, RTLD_NOW);
 }
@@ -40,23 +39,22 @@ const Module& load(const Name& name) {
   if (symbol == nullptr) {
     const std::string error = dlerror();
     if (error.starts_with(name.file))
-      throw Missing(fmt::format(
-          "this needs {0}, and {1} is not next to the program; install {2} and build prs again{3}",
-          name.library, name.file, name.package, name.alternative));
+      throw Missing(
+          fmt::format("this needs {0}, and {1} is not next to the program; install {2} and build prs again{3}",
+                      name.library, name.file, name.package, name.alternative));
     // The loader's words for a library of the module that the system does not have.
     if (const auto end = error.find(": cannot open shared object file"); end != error.npos)
       throw Missing(
           fmt::format("this needs {0}, and {1} is not installed; install {0}, on Debian by `apt "
                       "install {2}`{3}",
                       name.library, error.substr(0, end), name.package, name.alternative));
-    throw Missing(fmt::format(
-        "this needs {0}, and {1} does not load: {2}; install {0}, or build prs again{3}",
-        name.library, name.file, error, name.alternative));
+    throw Missing(fmt::format("this needs {0}, and {1} does not load: {2}; install {0}, or build prs again{3}",
+                              name.library, name.file, error, name.alternative));
   }
   const auto& loaded = *static_cast<const Module*>(symbol);
   if (std::string_view(loaded.build) != kBuild)
-    throw Missing(fmt::format("{} is of prs {}, and this is prs {}; install both from one build",
-                              name.file, loaded.build, kBuild));
+    throw Missing(fmt::format("{} is of prs {}, and this is prs {}; install both from one build", name.file,
+                              loaded.build, kBuild));
   return loaded;
 }
 

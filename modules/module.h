@@ -6,9 +6,9 @@ namespace modules {
 
 /// What the message says where a module is missing.
 struct Name {
-  const char* file;     ///< `prs_netcdf.so`
-  const char* library;  ///< `netCDF`, which the module brings.
-  const char* package;  ///< `libnetcdf-dev`, which building it takes; brings what loading takes.
+  const char* file;         ///< `prs_netcdf.so`
+  const char* library;      ///< `netCDF`, which the module brings.
+  const char* package;      ///< `libnetcdf-dev`, which building it takes; brings what loading takes.
   const char* alternative;  ///< `, or take --threads 1`; empty: none.
 };
 

@@ -26,8 +26,7 @@ std::string_view kind_of(mode_t mode) {
 
 RegularFile open_regular(const char* path, int flags, mode_t mode, int folder) {
   RegularFile opened;
-  opened.file = FileDescriptor(
-      ::openat(folder, path, flags | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, mode));
+  opened.file = FileDescriptor(::openat(folder, path, flags | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, mode));
   struct stat status {};
   if (!opened.file.is_open()) {
     opened.error = errno;
@@ -47,13 +46,11 @@ RegularFile open_regular(const char* path, int flags, mode_t mode, int folder) {
 
 std::optional<std::string> content_of(const FileDescriptor& file, std::size_t most) {
   struct stat status {};
-  if (::fstat(file.get(), &status) != 0 || static_cast<std::uintmax_t>(status.st_size) > most)
-    return std::nullopt;
+  if (::fstat(file.get(), &status) != 0 || static_cast<std::uintmax_t>(status.st_size) > most) return std::nullopt;
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
-    const ssize_t got =
-        ::pread(file.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+    const ssize_t got = ::pread(file.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return std::nullopt;
     if (got == 0) break;

@@ -48,16 +48,13 @@ inline int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
-inline int write_all(const FileDescriptor& file, std::string_view bytes) {
-  return write_all(file.get(), bytes);
-}
+inline int write_all(const FileDescriptor& file, std::string_view bytes) { return write_all(file.get(), bytes); }
 
 /// A regular file that was opened, or why there is none.
 struct RegularFile {
   FileDescriptor file;
-  int error = 0;  ///< System's error number; 0 where the file is open.
-  std::string_view
-      obstacle;  ///< What stands there in place of a file: "a symbolic link", "a pipe".
+  int error = 0;              ///< System's error number; 0 where the file is open.
+  std::string_view obstacle;  ///< What stands there in place of a file: "a symbolic link", "a pipe".
 };
 
 /// Opens `path`, of `folder` where it is relative, as ::openat does, but nothing other than a

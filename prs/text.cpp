@@ -22,9 +22,7 @@ std::uint32_t code_point(std::string_view sequence) {
   return code;
 }
 
-bool is_between(std::uint32_t code, std::uint32_t first, std::uint32_t last) {
-  return first <= code && code <= last;
-}
+bool is_between(std::uint32_t code, std::uint32_t first, std::uint32_t last) { return first <= code && code <= last; }
 
 /// C0, DELETE, C1, and the separators of lines and paragraphs.
 bool is_control(std::uint32_t code) {
@@ -35,10 +33,9 @@ bool is_control(std::uint32_t code) {
 /// marks (Unicode 15, general category Cf but for the soft hyphen and signs of scripts), and
 /// noncharacters, which XML does not allow.
 bool is_hidden(std::uint32_t code) {
-  return code == 0x061C || code == 0x180E || is_between(code, 0x200B, 0x200F) ||
-         is_between(code, 0x202A, 0x202E) || is_between(code, 0x2060, 0x206F) || code == 0xFEFF ||
-         is_between(code, 0xFFF9, 0xFFFB) || is_between(code, 0xFFFE, 0xFFFF) ||
-         is_between(code, 0xE0000, 0xE0FFF);
+  return code == 0x061C || code == 0x180E || is_between(code, 0x200B, 0x200F) || is_between(code, 0x202A, 0x202E) ||
+         is_between(code, 0x2060, 0x206F) || code == 0xFEFF || is_between(code, 0xFFF9, 0xFFFB) ||
+         is_between(code, 0xFFFE, 0xFFFF) || is_between(code, 0xE0000, 0xE0FFF);
 }
 
 /// The text with each sequence as `write` appends it; malformed bytes become U+FFFD.
@@ -85,8 +82,7 @@ std::size_t sequence_length(std::string_view text) {
 bool is_plain_lines(std::string_view text) noexcept {
   const auto others = [](std::string_view part) {
     unsigned char any = 0;  // To the end of the part: compilers look at many characters at once.
-    for (const char c : part)
-      any |= static_cast<unsigned char>((c < 0x20 && c != '\n') || c == 0x7F);
+    for (const char c : part) any |= static_cast<unsigned char>((c < 0x20 && c != '\n') || c == 0x7F);
     return any;
   };
   constexpr std::size_t kPart = 4096;
@@ -138,9 +134,8 @@ std::size_t byte_offset(std::string_view text, std::size_t index) {
 }  // namespace
 
 std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return !is_continuation(static_cast<unsigned char>(c));
-  }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(static_cast<unsigned char>(c)); }));
 }
 
 std::string shortened(std::string_view text, std::size_t max_width) {
@@ -195,8 +190,7 @@ std::string wrapped_lines(std::string_view text, std::size_t max_width) {
 
 std::string capitalised(std::string text) {
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  if (text.size() > 1 && is_small(text[0]) && is_small(text[1]))
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  if (text.size() > 1 && is_small(text[0]) && is_small(text[1])) text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
 }
 

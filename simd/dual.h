@@ -14,46 +14,33 @@ struct Dual {
 
   Dual() = default;
   [[gnu::always_inline]] Dual(const Real& constant) : value(constant), slope(0.0) {}
-  [[gnu::always_inline]] Dual(const Real& of_value, const Real& of_slope)
-      : value(of_value), slope(of_slope) {}
+  [[gnu::always_inline]] Dual(const Real& of_value, const Real& of_slope) : value(of_value), slope(of_slope) {}
 
   [[gnu::always_inline]] friend Dual operator-(const Dual& x) { return {-x.value, -x.slope}; }
   [[gnu::always_inline]] friend Dual operator+(const Dual& x, const Dual& y) {
     return {x.value + y.value, x.slope + y.slope};
   }
-  [[gnu::always_inline]] friend Dual operator+(const Dual& x, const Real& y) {
-    return {x.value + y, x.slope};
-  }
+  [[gnu::always_inline]] friend Dual operator+(const Dual& x, const Real& y) { return {x.value + y, x.slope}; }
   [[gnu::always_inline]] friend Dual operator+(const Real& x, const Dual& y) { return y + x; }
   [[gnu::always_inline]] friend Dual operator-(const Dual& x, const Dual& y) {
     return {x.value - y.value, x.slope - y.slope};
   }
-  [[gnu::always_inline]] friend Dual operator-(const Dual& x, const Real& y) {
-    return {x.value - y, x.slope};
-  }
-  [[gnu::always_inline]] friend Dual operator-(const Real& x, const Dual& y) {
-    return {x - y.value, -y.slope};
-  }
+  [[gnu::always_inline]] friend Dual operator-(const Dual& x, const Real& y) { return {x.value - y, x.slope}; }
+  [[gnu::always_inline]] friend Dual operator-(const Real& x, const Dual& y) { return {x - y.value, -y.slope}; }
   [[gnu::always_inline]] friend Dual operator*(const Dual& x, const Dual& y) {
     return {x.value * y.value, x.value * y.slope + x.slope * y.value};
   }
-  [[gnu::always_inline]] friend Dual operator*(const Dual& x, const Real& y) {
-    return {x.value * y, x.slope * y};
-  }
+  [[gnu::always_inline]] friend Dual operator*(const Dual& x, const Real& y) { return {x.value * y, x.slope * y}; }
   [[gnu::always_inline]] friend Dual operator*(const Real& x, const Dual& y) { return y * x; }
   [[gnu::always_inline]] friend Dual operator/(const Dual& x, const Dual& y) {
     const Real inverse = 1.0 / y.value, ratio = x.value * inverse;
     return {ratio, (x.slope - ratio * y.slope) * inverse};
   }
-  [[gnu::always_inline]] friend Dual operator/(const Dual& x, const Real& y) {
-    return {x.value / y, x.slope / y};
-  }
+  [[gnu::always_inline]] friend Dual operator/(const Dual& x, const Real& y) { return {x.value / y, x.slope / y}; }
   [[gnu::always_inline]] friend Dual operator/(const Real& x, const Dual& y) { return Dual(x) / y; }
   [[gnu::always_inline]] Dual& operator+=(const Dual& x) { return *this = *this + x; }
   [[gnu::always_inline]] Dual& operator-=(const Dual& x) { return *this = *this - x; }
-  [[gnu::always_inline]] friend auto operator<(const Dual& x, const Dual& y) {
-    return x.value < y.value;
-  }
+  [[gnu::always_inline]] friend auto operator<(const Dual& x, const Dual& y) { return x.value < y.value; }
 };
 
 /// The number in a number with or without its slope.
@@ -69,8 +56,7 @@ template <class Number>
 using ValueOf = std::remove_cvref_t<decltype(value(std::declval<Number>()))>;
 
 template <class Real>
-[[gnu::always_inline]] inline Dual<Real> select(const Lanes<Real>& which, const Dual<Real>& a,
-                                                const Dual<Real>& b) {
+[[gnu::always_inline]] inline Dual<Real> select(const Lanes<Real>& which, const Dual<Real>& a, const Dual<Real>& b) {
   return {select(which, a.value, b.value), select(which, a.slope, b.slope)};
 }
 template <class Real>

@@ -20,9 +20,7 @@ using Lanes = decltype(Real() < Real());
 template <class Real>
 inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 
-[[gnu::always_inline]] inline double select(bool condition, double a, double b) {
-  return condition ? a : b;
-}
+[[gnu::always_inline]] inline double select(bool condition, double a, double b) { return condition ? a : b; }
 [[gnu::always_inline]] inline bool any(bool condition) { return condition; }
 [[gnu::always_inline]] inline double sqrt(double x) { return __builtin_sqrt(x); }
 [[gnu::always_inline]] inline double abs(double x) { return __builtin_fabs(x); }
@@ -34,12 +32,8 @@ inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 [[gnu::always_inline]] inline double exp(double x) { return __builtin_exp(x); }
 [[gnu::always_inline]] inline double log(double x) { return __builtin_log(x); }
 [[gnu::always_inline]] inline double log10(double x) { return __builtin_log10(x); }
-[[gnu::always_inline]] inline double fma(double x, double y, double z) {
-  return __builtin_fma(x, y, z);
-}
-[[gnu::always_inline]] inline double copysign(double x, double sign) {
-  return __builtin_copysign(x, sign);
-}
+[[gnu::always_inline]] inline double fma(double x, double y, double z) { return __builtin_fma(x, y, z); }
+[[gnu::always_inline]] inline double copysign(double x, double sign) { return __builtin_copysign(x, sign); }
 [[gnu::always_inline]] inline bool isnan(double x) { return __builtin_isnan(x); }
 [[gnu::always_inline]] inline std::pair<double, double> sincos(double x) {
   return {__builtin_sin(x), __builtin_cos(x)};
@@ -47,9 +41,7 @@ inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 
 template <class Enum>
 requires std::is_enum_v<Enum>
-[[gnu::always_inline]] inline Enum select(bool condition, Enum a, Enum b) {
-  return condition ? a : b;
-}
+[[gnu::always_inline]] inline Enum select(bool condition, Enum a, Enum b) { return condition ? a : b; }
 
 /// An enum in each lane of a batch, in place of a number there.
 template <class Enum, class Real>
@@ -61,8 +53,7 @@ class EnumLanes {
   [[gnu::always_inline]] friend Lanes<Real> operator==(const EnumLanes& a, const EnumLanes& b) {
     return a.bits_ == b.bits_;
   }
-  [[gnu::always_inline]] friend EnumLanes select(const Lanes<Real>& which, const EnumLanes& a,
-                                                 const EnumLanes& b) {
+  [[gnu::always_inline]] friend EnumLanes select(const Lanes<Real>& which, const EnumLanes& a, const EnumLanes& b) {
     EnumLanes chosen;
     chosen.bits_ = select(which, a.bits_, b.bits_);
     return chosen;

@@ -18,8 +18,7 @@ const prs::DocumentInfo kInfo{prs::kVersion, prs::kSchemaVersion, "", {}, "valid
 using Options = ValidateOptions;
 
 /// The document, and below the name of each source what its code wrote and drew.
-void write(const std::vector<prs::SourceReport>& reports, const std::string& document,
-           const Options& options) {
+void write(const std::vector<prs::SourceReport>& reports, const std::string& document, const Options& options) {
   prs::write_files(*options.output, {{"validation.json", document}});
   for (const prs::SourceReport& source : reports) {
     const std::filesystem::path folder = *options.output / source.name;
@@ -36,22 +35,21 @@ int wrong_input(const std::string& message) {
 /// `options.file` is the folder of the sources.
 int validate(const Options& options) {
   if (!std::filesystem::is_directory(options.file))
-    return wrong_input(fmt::format(
-        "prs: error: {}: no such folder; give the folder of the sources as DIR\n", options.file));
+    return wrong_input(
+        fmt::format("prs: error: {}: no such folder; give the folder of the sources as DIR\n", options.file));
   ProgressLine line(options.quiet);
   const auto progress = [&](const std::string& source, std::size_t done, std::size_t all) {
     line.tell(fmt::format("{} of {} sources done; {}", done, all, source));
   };
-  const std::vector<prs::SourceReport> reports = prs::validate(
-      options.file,
-      {prs::abevi_2015::extension(), prs::jung_2017::extension(), prs::reference_fe::extension(),
-       prs::sandu_2018::extension(), prs::standard_screws::extension(), prs::yao_2023::extension()},
-      progress);
+  const std::vector<prs::SourceReport> reports =
+      prs::validate(options.file,
+                    {prs::abevi_2015::extension(), prs::jung_2017::extension(), prs::reference_fe::extension(),
+                     prs::sandu_2018::extension(), prs::standard_screws::extension(), prs::yao_2023::extension()},
+                    progress);
   line.clear();
   if (reports.empty())
     return wrong_input(fmt::format(
-        "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n",
-        options.file));
+        "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n", options.file));
   const std::string document = prs::json_text(prs::validation_json(reports, kInfo));
   if (options.output) write(reports, document, options);
   if (options.json) {
@@ -77,15 +75,14 @@ int recipe(const Options& options) {
                                    prs::input::shown(*options.recipe), fmt::join(names, ", ")));
   }
   const std::vector<Diameters> rows = read_diameters(options.file, options.diameters);
-  return deliver(
-      {.file = "recipe.json",
-       .document = [&](const prs::DocumentInfo& i) { return recipe_json(*recipe, rows, i); },
-       .table = [&] { return recipe_text(*recipe, rows); },
-       .files =
-           [&](const prs::CsvStyle& style) {
-             return std::vector<prs::OutputFile>{{"recipe.csv", recipe_csv(*recipe, rows, style)}};
-           }},
-      kInfo, options);
+  return deliver({.file = "recipe.json",
+                  .document = [&](const prs::DocumentInfo& i) { return recipe_json(*recipe, rows, i); },
+                  .table = [&] { return recipe_text(*recipe, rows); },
+                  .files =
+                      [&](const prs::CsvStyle& style) {
+                        return std::vector<prs::OutputFile>{{"recipe.csv", recipe_csv(*recipe, rows, style)}};
+                      }},
+                 kInfo, options);
 }
 
 int run(int argc, char** argv) {
@@ -96,8 +93,8 @@ int run(int argc, char** argv) {
   if (const std::optional<int> status = parse(app, argc, argv)) return *status;
 
   if (!options.recipe && options.file.empty()) options.file = data_folder("validation").string();
-  return run_recorded([&] { return options.recipe ? recipe(options) : validate(options); }, options,
-                      "validate", "", {});
+  return run_recorded([&] { return options.recipe ? recipe(options) : validate(options); }, options, "validate", "",
+                      {});
 }
 
 }  // namespace

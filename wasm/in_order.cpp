@@ -7,8 +7,7 @@ namespace prs {
 
 std::size_t default_threads() { return 1; }
 
-void run_in_order(std::size_t count, std::size_t,
-                  const std::function<std::function<void()>(std::size_t k)>& prepare) {
+void run_in_order(std::size_t count, std::size_t, const std::function<std::function<void()>(std::size_t k)>& prepare) {
   for (std::size_t k = 0; k < count; ++k)
     if (const std::function<void()> deliver = prepare(k)) deliver();
 }

@@ -30,10 +30,10 @@ void take_block(sha256_ctx& c) {
   std::copy(c.state, c.state + 8, s);
   for (int k = 0; k < 64; ++k) {
     const std::uint32_t a = s[0], e = s[4];
-    const std::uint32_t t = s[7] + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
-                            ((e & s[5]) ^ (~e & s[6])) + kRounds[k] + w[k];
-    const std::uint32_t u = (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) +
-                            ((a & s[1]) ^ (a & s[2]) ^ (s[1] & s[2]));
+    const std::uint32_t t =
+        s[7] + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + ((e & s[5]) ^ (~e & s[6])) + kRounds[k] + w[k];
+    const std::uint32_t u =
+        (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & s[1]) ^ (a & s[2]) ^ (s[1] & s[2]));
     std::copy_backward(s, s + 7, s + 8);
     s[4] += t;
     s[0] = t + u;
@@ -44,10 +44,7 @@ void take_block(sha256_ctx& c) {
 }  // namespace
 
 void sha256_init(sha256_ctx* context) {
-  *context = {{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab,
-               0x5be0cd19},
-              0,
-              {}};
+  *context = {{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19}, 0, {}};
 }
 
 void sha256_update(sha256_ctx* context, std::size_t length, const std::uint8_t* data) {

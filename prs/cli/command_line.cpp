@@ -27,16 +27,14 @@ std::string path_of(const CLI::App& app) {
 /// The command that was parsed: root, command, its command.
 std::vector<const CLI::App*> parsed(const CLI::App& app) {
   std::vector<const CLI::App*> chain{&app};
-  while (!chain.back()->get_subcommands().empty())
-    chain.push_back(chain.back()->get_subcommands().front());
+  while (!chain.back()->get_subcommands().empty()) chain.push_back(chain.back()->get_subcommands().front());
   return chain;
 }
 
 std::vector<std::string> words_of(const std::string& type_name) {
   std::vector<std::string> words;
-  const bool is_set =
-      type_name.find('|') != std::string::npos &&
-      std::ranges::none_of(type_name, [](unsigned char c) { return std::isupper(c); });
+  const bool is_set = type_name.find('|') != std::string::npos &&
+                      std::ranges::none_of(type_name, [](unsigned char c) { return std::isupper(c); });
   if (is_set) words = CLI::detail::split(type_name, '|');
   return words;
 }
@@ -51,8 +49,8 @@ OptionText text_of(const CLI::Option& option) {
   if (is_argument(option)) text.value = boost::to_upper_copy(option.get_name(true));
   text.help = option.get_description();
   text.required = option.get_required();
-  text.repeatable = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll ||
-                    option.get_items_expected_max() > 2;
+  text.repeatable =
+      option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll || option.get_items_expected_max() > 2;
   text.optional_value = takes_value && option.get_items_expected_min() == 0;
   return text;
 }
@@ -98,8 +96,7 @@ std::string option_suggestion(std::string_view name, const CLI::App& command) {
     for (const std::string& n : option->get_lnames()) known.push_back(n);
   const std::size_t begin = std::min(name.find_first_not_of('-'), name.size());
   std::string text = suggestion(name.substr(begin), known);
-  if (const std::size_t quote = text.find('`'); quote != std::string::npos)
-    text.insert(quote + 1, "--");
+  if (const std::size_t quote = text.find('`'); quote != std::string::npos) text.insert(quote + 1, "--");
   return text;
 }
 
@@ -107,16 +104,13 @@ std::string option_suggestion(std::string_view name, const CLI::App& command) {
 std::string commands_with(const std::string& option, const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({}))
-    if (command->get_option_no_throw(option) != nullptr)
-      names.push_back(fmt::format("`{}`", path_of(*command)));
+    if (command->get_option_no_throw(option) != nullptr) names.push_back(fmt::format("`{}`", path_of(*command)));
   return names.size() > 3 ? "" : fmt::format("{}", fmt::join(names, " or "));
 }
 
-std::string unknown_command(std::string_view word, const std::string& program,
-                            const std::vector<std::string>& known) {
+std::string unknown_command(std::string_view word, const std::string& program, const std::vector<std::string>& known) {
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
-    return fmt::format("got {0}; expected a command before it, for example `{1} check {0}`",
-                       shown(word), program);
+    return fmt::format("got {0}; expected a command before it, for example `{1} check {0}`", shown(word), program);
   return fmt::format("got {}; expected a command{}", shown(word), suggestion(word, known));
 }
 
@@ -135,9 +129,8 @@ std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& e
       return fmt::format("got {0} before `{1}`; expected it after the command: `{2} .. {0}`", name,
                          chain[deeper]->get_name(), path_of(*chain[deeper]));
   const std::string owners = commands_with(name, *chain.front());
-  return fmt::format(
-      "got {}; expected an option of `{}`{}", shown(name), path_of(command),
-      owners.empty() ? option_suggestion(name, command) : fmt::format("; {} has it", owners));
+  return fmt::format("got {}; expected an option of `{}`{}", shown(name), path_of(command),
+                     owners.empty() ? option_suggestion(name, command) : fmt::format("; {} has it", owners));
 }
 
 /// How the option is written: `--output DIR`.
@@ -156,18 +149,15 @@ std::string message(const CLI::ParseError& error, const std::vector<const CLI::A
     return fmt::format("{} is missing; expected `{}`", name, usage(describe(command)));
   if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) {
     const std::string what = error.what();
-    return fmt::format("{} is given alone; expected {} with it", name,
-                       what.substr(what.rfind(' ') + 1));
+    return fmt::format("{} is given alone; expected {} with it", name, what.substr(what.rfind(' ') + 1));
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     const auto most = static_cast<std::size_t>(option->get_items_expected_max());
     const CLI::results_t& got = option->results();
     if (most == 0) return fmt::format("{}: got a value; expected none", name);
-    if (got.size() > most)
-      return fmt::format("{}: got it {} times; expected it once", name, got.size() / most);
+    if (got.size() > most) return fmt::format("{}: got it {} times; expected it once", name, got.size() / most);
     return fmt::format("{}: got {}; expected `{}`", name,
-                       got.empty() ? "no value" : shown(fmt::format("{}", fmt::join(got, " "))),
-                       form(*option));
+                       got.empty() ? "no value" : shown(fmt::format("{}", fmt::join(got, " "))), form(*option));
   }
   const std::string what = error.what();
   return name + what.substr(what.find(": "));
@@ -176,24 +166,20 @@ std::string message(const CLI::ParseError& error, const std::vector<const CLI::A
 }  // namespace
 
 CommandText describe(const CLI::App& app) {
-  CommandText text{
-      path_of(app), app.get_group(), app.get_description(), app.get_footer(), {}, {}, {}};
+  CommandText text{path_of(app), app.get_group(), app.get_description(), app.get_footer(), {}, {}, {}};
   for (const CLI::Option* option : app.get_options())
     (is_argument(*option) ? text.arguments : text.options).push_back(text_of(*option));
-  for (const CLI::App* command : app.get_subcommands({}))
-    text.commands.push_back(describe(*command));
+  for (const CLI::App* command : app.get_subcommands({})) text.commands.push_back(describe(*command));
   return text;
 }
 
 const CommandText& find_command(const CommandText& program, std::span<const std::string> words) {
   const CommandText* found = &program;
   for (const std::string& word : words) {
-    const auto next =
-        std::ranges::find(found->commands, found->name + " " + word, &CommandText::name);
+    const auto next = std::ranges::find(found->commands, found->name + " " + word, &CommandText::name);
     if (next == found->commands.end()) {
       std::vector<std::string> known;
-      for (const CommandText& c : found->commands)
-        known.push_back(c.name.substr(found->name.size() + 1));
+      for (const CommandText& c : found->commands) known.push_back(c.name.substr(found->name.size() + 1));
       throw UsageError(unknown_command(word, found->name, known));
     }
     found = &*next;
@@ -238,20 +224,15 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
 
 int report_usage(const CLI::App& app, std::string_view message) {
   std::string help = "prs help";
-  if (const std::string path = path_of(*parsed(app).back()); path != "prs")
-    help += path.substr(path.find(' '));
-  say(fmt::format("prs: error: {}{} `{}`\n", message, message.ends_with('?') ? " See" : "; see",
-                  help));
+  if (const std::string path = path_of(*parsed(app).back()); path != "prs") help += path.substr(path.find(' '));
+  say(fmt::format("prs: error: {}{} `{}`\n", message, message.ends_with('?') ? " See" : "; see", help));
   return kWrongInput;
 }
 
-void fail_option(std::string_view option, std::string_view message) {
-  throw UsageError("{}: {}", option, message);
-}
+void fail_option(std::string_view option, std::string_view message) { throw UsageError("{}: {}", option, message); }
 
-double quantity_option(std::string_view option, const std::string& text,
-                       const input::Dimension& dimension, const input::Bounds& bounds,
-                       std::string_view expected) {
+double quantity_option(std::string_view option, const std::string& text, const input::Dimension& dimension,
+                       const input::Bounds& bounds, std::string_view expected) {
   try {
     return quantity_of_option(option, text, dimension, bounds, expected);
   } catch (const CaseError& error) {

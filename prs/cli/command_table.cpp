@@ -24,8 +24,7 @@ constexpr const char* kSearch = "Compute many designs";
 constexpr const char* kLook = "Look up";
 
 CLI::Option* add_file(CLI::App& command, Options& options) {
-  return add_value(command, "file", options.file, "FILE",
-                   "The case, a YAML file; `-` reads standard input");
+  return add_value(command, "file", options.file, "FILE", "The case, a YAML file; `-` reads standard input");
 }
 
 void add_set(CLI::App& command, Options& options) {
@@ -52,9 +51,9 @@ void add_case_options(CLI::App& command, Options& options) {
 }
 
 void add_threads(CLI::App& command, Options& options) {
-  take_whole_number(command.add_option("--threads", options.threads,
-                                       "Threads to compute on; default: one per processor"),
-                    1, kMostThreads);
+  take_whole_number(
+      command.add_option("--threads", options.threads, "Threads to compute on; default: one per processor"), 1,
+      kMostThreads);
 }
 
 void add_restart(CLI::App& command, Options& options, const char* help) {
@@ -62,8 +61,7 @@ void add_restart(CLI::App& command, Options& options, const char* help) {
 }
 
 void add_compare_options(CLI::App& compare, Options& options) {
-  add_value(compare, "other", options.other, "FILE",
-            "A second case: its inputs and results beside those of the first");
+  add_value(compare, "other", options.other, "FILE", "A second case: its inputs and results beside those of the first");
   compare
       .add_flag_callback(
           "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
@@ -97,8 +95,7 @@ void add_study_options(CLI::App& study, Options& options) {
           [&options](const std::string& text) {
             options.shard = prs::parse_shard(text);
             if (!options.shard)
-              throw CLI::ValidationError(
-                  "--shard", "got " + text + "; expected i/n, from 1/n to n/n, for example 1/8");
+              throw CLI::ValidationError("--shard", "got " + text + "; expected i/n, from 1/n to n/n, for example 1/8");
           },
           "Compute the i-th of n parts only, into a journal in DIR for `prs study merge`")
       ->type_name("i/n");
@@ -107,30 +104,22 @@ void add_study_options(CLI::App& study, Options& options) {
 
 void add_optimize_options(CLI::App& optimize, Options& options) {
   add_threads(optimize, options);
-  add_restart(optimize, options,
-              "Discard what an unfinished optimization left in DIR, and start again");
+  add_restart(optimize, options, "Discard what an unfinished optimization left in DIR, and start again");
 }
 
 void add_configurations_options(CLI::App& command, Options& options) {
   ConfigurationOptions& o = options.configurations;
-  add_value(command, "--screw-diameter", o.screw_diameter, "LENGTH",
-            "Pitch diameter, with its unit")
-      ->required();
+  add_value(command, "--screw-diameter", o.screw_diameter, "LENGTH", "Pitch diameter, with its unit")->required();
   add_value(command, "--lead", o.lead, "LENGTH", "Of screw and nut; > 0 right-handed")->required();
   take_one_of(command.add_option("--type", o.type, "Default: both"), {"standard", "inverted"});
-  take_whole_number(command.add_option("--starts", o.starts, "Of screw and nut; default: 3 to 10"),
-                    1, 100);
-  take_whole_number(command.add_option("--roller-starts", o.roller_starts, "Default: 1 to 3"), 1,
-                    100);
-  take_whole_number(
-      command.add_option("--rollers", o.rollers, "That must fit; default: as many as do"), 3, 1000);
+  take_whole_number(command.add_option("--starts", o.starts, "Of screw and nut; default: 3 to 10"), 1, 100);
+  take_whole_number(command.add_option("--roller-starts", o.roller_starts, "Default: 1 to 3"), 1, 100);
+  take_whole_number(command.add_option("--rollers", o.rollers, "That must fit; default: as many as do"), 3, 1000);
   add_value(command, "--gap", o.gap, "LENGTH", "Least between neighbouring crests; default: 0 mm");
   add_value(command, "--flank-angle", o.flank_angle, "ANGLE", "Default: 45 deg");
   add_value(command, "--roller-profile-radius", o.roller_profile_radius, "LENGTH",
             "Of the convex rollers; default: arcs about the roller's axis");
-  add_value(command, "--write", o.write, "N FILE",
-            "Write line N as a commented case into the new FILE")
-      ->expected(2);
+  add_value(command, "--write", o.write, "N FILE", "Write line N as a commented case into the new FILE")->expected(2);
   add_output_options(command, options);
   add_units_option(command, options);
   add_csv_options(command, options.csv);
@@ -160,16 +149,14 @@ void add_report_options(CLI::App& command, Options& options) {
 }
 
 void add_explore_options(CLI::App& command, Options& options) {
-  add_page_options(command, options,
-                   "Write the page into this file; default: one in a folder for temporary files");
+  add_page_options(command, options, "Write the page into this file; default: one in a folder for temporary files");
   add_quiet(command, options);
 }
 
 void add_workbench_options(CLI::App& command, Options& options) {
   add_value(command, "file", options.file, "FILE", "A case or a requirement to start with");
   add_set(command, options);
-  add_value(command, "-o,--output", options.report, "FILE", "Write the page into this file")
-      ->required();
+  add_value(command, "-o,--output", options.report, "FILE", "Write the page into this file")->required();
   add_quiet(command, options);
 }
 
@@ -179,12 +166,9 @@ void add_export_options(CLI::App& command, Options& options) {
   add_set(command, options);
   add_flag(command, "--fmu", o.fmu, "Write a co-simulation unit of FMI 2.0, CASE.fmu");
   add_flag(command, "--modelica", o.modelica, "Write a Modelica package, CASE.mo");
-  add_flag(command, "--step", o.step,
-           "Grooved bodies for CAD: says how the Python package writes them");
-  add_value(command, "--force", o.force, "FORCE",
-            "Largest force of the curves; default: that of the case");
-  add_value(command, "--speed", o.speed, "SPEED",
-            "Largest speed of the torque; default: that of the case");
+  add_flag(command, "--step", o.step, "Grooved bodies for CAD: says how the Python package writes them");
+  add_value(command, "--force", o.force, "FORCE", "Largest force of the curves; default: that of the case");
+  add_value(command, "--speed", o.speed, "SPEED", "Largest speed of the torque; default: that of the case");
   add_value(command, "--load-case", o.load_case, "NAME",
             "Whose position, misalignment and temperatures hold, with `preload` for the "
             "torque alone; default: the first");
@@ -199,12 +183,10 @@ void add_size_options(CLI::App& command, Options& options) {
   command.get_option("file")->description(
       "The requirement, a YAML file; `-` reads standard input. One to start from: "
       "`prs new --lesson 32 press.yaml`, every key: `prs list requirement`");
-  command.get_option("--set")->description(
-      "Replace a value of the requirement, e.g. motor.gear_ratio=2; repeatable");
+  command.get_option("--set")->description("Replace a value of the requirement, e.g. motor.gear_ratio=2; repeatable");
   add_threads(command, options);
   add_flag(command, "--all", options.all, "List every candidate");
-  take_whole_number(command.add_option("--top", options.top, "Rows of the table; default: 10"), 1,
-                    100'000);
+  take_whole_number(command.add_option("--top", options.top, "Rows of the table; default: 10"), 1, 100'000);
   take_whole_number(command.add_option("--curve", options.curve,
                                        "Rank of the candidate whose force over speed is shown; "
                                        "default: 1"),
@@ -264,8 +246,7 @@ constexpr CaseRow kCaseRows[] = {
     {Command::study, kSearch, nullptr, add_study_options, study,
      "prs study case.yaml --output results\n"
      "prs study case.yaml --shard 1/8 --output part1"},
-    {Command::optimize, kSearch, nullptr, add_optimize_options, optimize,
-     "prs optimize case.yaml --output results"},
+    {Command::optimize, kSearch, nullptr, add_optimize_options, optimize, "prs optimize case.yaml --output results"},
 };
 
 /// A command that needs no case.
@@ -279,44 +260,39 @@ struct OwnRow {
 };
 
 constexpr OwnRow kOwnRows[] = {
-    {"new", kStart, "Write a complete, commented case of a screw, or copy a lesson", add_new,
-     new_case,
+    {"new", kStart, "Write a complete, commented case of a screw, or copy a lesson", add_new, new_case,
      "prs new standard case.yaml --screw-diameter 25mm --lead 5mm\n"
      "prs new --lesson 14 case.yaml"},
-    {"configurations", kStart, "List the geometries that a screw diameter and a lead allow",
-     add_configurations_options, configurations,
+    {"configurations", kStart, "List the geometries that a screw diameter and a lead allow", add_configurations_options,
+     configurations,
      "prs configurations --screw-diameter '24 mm' --lead '6 mm'\n"
      "prs configurations --screw-diameter '24 mm' --lead '6 mm' --write 1 case.yaml"},
-    {"size", kStart, "Choose a screw and a motor for a motion, a life and a stroke",
-     add_size_options, size,
+    {"size", kStart, "Choose a screw and a motor for a motion, a life and a stroke", add_size_options, size,
      "prs size press.yaml\n"
      "prs size press.yaml --output out --write 1 screw.yaml"},
-    {"report", kAnalyse, "Write one page for a browser or a printer: all that the case asks for",
-     add_report_options, report,
+    {"report", kAnalyse, "Write one page for a browser or a printer: all that the case asks for", add_report_options,
+     report,
      "prs report case.yaml --output report.html\n"
      "prs report case.yaml --static --results results --output report.html"},
-    {"explore", kAnalyse, "Write that page and open it in the browser, to try other values",
-     add_explore_options, explore,
-     "prs explore case.yaml\nprs explore case.yaml --output page.html"},
-    {"workbench", kAnalyse,
-     "Write the program itself as one page: any browser opens it, without an install",
+    {"explore", kAnalyse, "Write that page and open it in the browser, to try other values", add_explore_options,
+     explore, "prs explore case.yaml\nprs explore case.yaml --output page.html"},
+    {"workbench", kAnalyse, "Write the program itself as one page: any browser opens it, without an install",
      add_workbench_options, workbench,
      "prs workbench --output workbench.html\nprs workbench case.yaml --output workbench.html"},
-    {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica",
-     add_export_options, export_model,
+    {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica", add_export_options,
+     export_model,
      "prs export case.yaml --fmu\n"
      "prs export case.yaml --fmu --modelica --output models --force '60 kN'"},
     {"list", kLook, "List what there is to choose from", add_list_options, list,
      "prs list commands\nprs list commands case.yaml"},
-    {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures",
-     add_schema_options, schema, "prs schema > prs.schema.json\nprs schema results"},
+    {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures", add_schema_options,
+     schema, "prs schema > prs.schema.json\nprs schema results"},
     {"validate", kLook, "Compare with the published sources", add_validate, nullptr,
      "prs validate\nprs validate validation/sandu_2018 --json"},
 };
 
-CLI::App& add_command(Program& program, const std::string& name, const std::string& help,
-                      const char* group, const std::string& examples,
-                      std::function<int(const Options&)> run) {
+CLI::App& add_command(Program& program, const std::string& name, const std::string& help, const char* group,
+                      const std::string& examples, std::function<int(const Options&)> run) {
   CLI::App* command = program.app.add_subcommand(name, help);
   command->group(group);
   command->footer(examples);
@@ -329,8 +305,7 @@ CLI::App& add_command(Program& program, const std::string& name, const std::stri
 void add_own(Program& program, std::string_view group) {
   for (const OwnRow& row : kOwnRows)
     if (row.group == group)
-      row.add(add_command(program, row.name, row.help, row.group, row.examples, row.run),
-              program.options);
+      row.add(add_command(program, row.name, row.help, row.group, row.examples, row.run), program.options);
 }
 
 void add_case_commands(Program& program) {
@@ -339,15 +314,14 @@ void add_case_commands(Program& program) {
     const CaseRow more = found != std::end(kCaseRows) ? *found : CaseRow{row.command};
     const std::string word(name(row.command));
     const char* examples = more.examples != nullptr ? more.examples
-                           : more.all != nullptr
-                               ? "prs {0} case.yaml\nprs {0} case.yaml --all"
-                               : "prs {0} case.yaml\n"
-                                 "prs {0} case.yaml --set mechanism.rollers=9 --output results\n"
-                                 "prs {0} case.yaml --json > {0}.json";
+                           : more.all != nullptr    ? "prs {0} case.yaml\nprs {0} case.yaml --all"
+                                                    : "prs {0} case.yaml\n"
+                                                      "prs {0} case.yaml --set mechanism.rollers=9 --output results\n"
+                                                      "prs {0} case.yaml --json > {0}.json";
     std::function<int(const Options&)> run = [&row](const Options& o) { return run_case(row, o); };
     if (more.run != nullptr) run = more.run;
-    CLI::App& command = add_command(program, word, std::string(row.help), more.group,
-                                    fmt::format(fmt::runtime(examples), word), run);
+    CLI::App& command =
+        add_command(program, word, std::string(row.help), more.group, fmt::format(fmt::runtime(examples), word), run);
     add_case_options(command, program.options);
     if (more.group == kAnalyse) add_explain(command, program.options);
     if (more.all != nullptr) add_flag(command, "--all", program.options.all, more.all);
@@ -361,9 +335,7 @@ void add_merge(Program& program) {
   merge->group("Commands");
   merge->footer("prs study merge part1 part2 --output results");
   merge->callback([&program] { program.run = merge_study; });
-  merge->add_option("dir", program.options.folders, "The folders of the shards")
-      ->required()
-      ->type_name("DIR");
+  merge->add_option("dir", program.options.folders, "The folders of the shards")->required()->type_name("DIR");
   add_threads(*merge, program.options);
   add_output_options(*merge, program.options);
   add_png(*merge, program.options);
@@ -378,13 +350,11 @@ void add_completion(Program& program) {
                                   : fish_completion(text));
     return kDone;
   };
-  CLI::App& command =
-      add_command(program, "completion", "Print the completion script of a shell", kLook,
-                  "source <(prs completion bash)\n"
-                  "prs completion fish > ~/.config/fish/completions/prs.fish",
-                  complete);
-  take_one_of(command.add_option("shell", program.options.what, "Of which shell")->required(),
-              {"bash", "zsh", "fish"});
+  CLI::App& command = add_command(program, "completion", "Print the completion script of a shell", kLook,
+                                  "source <(prs completion bash)\n"
+                                  "prs completion fish > ~/.config/fish/completions/prs.fish",
+                                  complete);
+  take_one_of(command.add_option("shell", program.options.what, "Of which shell")->required(), {"bash", "zsh", "fish"});
 }
 
 void add_pages(const CommandText& command, std::vector<OutputFile>& pages) {
@@ -405,9 +375,8 @@ void add_manual(Program& program) {
     write_files(options.pages, pages);
     return kDone;
   };
-  CLI::App& command =
-      add_command(program, "manual", "Print the manual page of a command, for `man -l`", kLook,
-                  "prs manual solve | man -l -\nprs manual --output share/man/man1", manual);
+  CLI::App& command = add_command(program, "manual", "Print the manual page of a command, for `man -l`", kLook,
+                                  "prs manual solve | man -l -\nprs manual --output share/man/man1", manual);
   add_value(command, "command", program.options.words, "COMMAND", "The program itself without one");
   add_value(command, "-o,--output", program.options.pages, "DIR",
             "Write the page and those of its commands into this folder");
@@ -420,8 +389,8 @@ void add_help(Program& program) {
     print(options.json ? json_text(help_json(command)) : help_text(command));
     return kDone;
   };
-  CLI::App& command = add_command(program, "help", "Say what a command does, with its options",
-                                  kLook, "prs help solve\nprs help study merge", help);
+  CLI::App& command = add_command(program, "help", "Say what a command does, with its options", kLook,
+                                  "prs help solve\nprs help study merge", help);
   add_value(command, "command", program.options.words, "COMMAND", "All commands without one");
   add_json(command, program.options);
 }
@@ -443,9 +412,7 @@ void add_commands(Program& program) {
   add_completion(program);
 }
 
-std::string case_name(const Options& options) {
-  return options.file == kStandardInput ? "<stdin>" : options.file;
-}
+std::string case_name(const Options& options) { return options.file == kStandardInput ? "<stdin>" : options.file; }
 
 input::Source case_source(const Options& options) {
   if (options.file.empty()) throw UsageError("FILE is missing; expected a case, a YAML file");
@@ -473,8 +440,7 @@ int compare(const Options& options) {
   const input::Source source = case_source(options);
   Options second = options;
   second.file = options.other;
-  return deliver(compare_cases(source, case_source(second)),
-                 document_info(source, Command::compare), options);
+  return deliver(compare_cases(source, case_source(second)), document_info(source, Command::compare), options);
 }
 
 int schema(const Options& options) {
@@ -486,8 +452,7 @@ int schema(const Options& options) {
                                          : of == "figures"            ? figure_schema()
                                                                       : document_schema(of));
   if (options.output)
-    write_files(*options.output,
-                {{of == "input" ? "prs.schema.json" : fmt::format("prs.{}.json", of), document}});
+    write_files(*options.output, {{of == "input" ? "prs.schema.json" : fmt::format("prs.{}.json", of), document}});
   if (!options.quiet || options.json) print(document);
   return kDone;
 }

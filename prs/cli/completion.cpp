@@ -24,11 +24,9 @@ struct Offer {
 
 /// How a shell says so, by kind, with the words.
 using Actions = std::array<const char*, 7>;
-constexpr Actions kBashActions = {":",     "words {}", "list {}", "settings",
-                                  "cases", "files",    "folders"};
-constexpr Actions kZshActions = {
-    " ",      "({})",     "_prs_list {}", "_prs_settings", "_files -g \"*.(yaml|yml)\"",
-    "_files", "_files -/"};
+constexpr Actions kBashActions = {":", "words {}", "list {}", "settings", "cases", "files", "folders"};
+constexpr Actions kZshActions = {" ",      "({})",     "_prs_list {}", "_prs_settings", "_files -g \"*.(yaml|yml)\"",
+                                 "_files", "_files -/"};
 constexpr Actions kFishActions = {"",
                                   " -a '{}'",
                                   " -a '(__prs_list {})'",
@@ -74,8 +72,7 @@ std::vector<const CommandText*> all_commands(const CommandText& program) {
 
 std::vector<std::string> option_words(const CommandText& command) {
   std::vector<std::string> words;
-  for (const OptionText& option : command.options)
-    words.insert(words.end(), option.names.begin(), option.names.end());
+  for (const OptionText& option : command.options) words.insert(words.end(), option.names.begin(), option.names.end());
   return words;
 }
 
@@ -93,22 +90,18 @@ using boost::replace_all_copy;
 // bash.
 
 /// The names in a list of `prs list`, without headings and what is said of them.
-constexpr const char* kNames =
-    R"(sed -n -e '/^name  /d' -e '/^path  /d' -e 's/^\([^ ][^ ]*\)\(  .*\)\{0,1\}$/\1/p')";
+constexpr const char* kNames = R"(sed -n -e '/^name  /d' -e '/^path  /d' -e 's/^\([^ ][^ ]*\)\(  .*\)\{0,1\}$/\1/p')";
 
 // zsh.
 
 /// Text within an argument of `_arguments`, which stands in single quotes.
 std::string zsh_text(std::string text) {
   text = replace_all_copy(text, "'", "'\\''");
-  for (const char* special : {"[", "]", ":"})
-    text = replace_all_copy(text, special, std::string("\\") + special);
+  for (const char* special : {"[", "]", ":"}) text = replace_all_copy(text, special, std::string("\\") + special);
   return text;
 }
 
-std::string zsh_function(const CommandText& command) {
-  return "_prs_" + replace_all_copy(own_name(command), " ", "_");
-}
+std::string zsh_function(const CommandText& command) { return "_prs_" + replace_all_copy(own_name(command), " ", "_"); }
 
 std::string zsh_option(const CommandText& program, const OptionText& option) {
   const std::string text = fmt::format("[{}]", zsh_text(option.help));
@@ -126,19 +119,18 @@ std::string zsh_option(const CommandText& program, const OptionText& option) {
 std::string zsh_command(const CommandText& program, const CommandText& command) {
   std::string text = fmt::format("{}() {{\n", zsh_function(command));
   for (const CommandText& c : command.commands)
-    text += fmt::format(
-        "  if [[ ${{words[2]}} == {} ]]; then shift words; (( CURRENT-- )); {}; return; fi\n",
-        last_word(c), zsh_function(c));
+    text += fmt::format("  if [[ ${{words[2]}} == {} ]]; then shift words; (( CURRENT-- )); {}; return; fi\n",
+                        last_word(c), zsh_function(c));
   text += "  _arguments -s";
   for (const OptionText& option : command.options) text += zsh_option(program, option);
   for (std::size_t k = 0; k < command.arguments.size(); ++k) {
     const OptionText& argument = command.arguments[k];
     std::string offered = action(kZshActions, program, argument);
     if (k == 0 && !command.commands.empty())
-      offered = fmt::format(" _alternative \"commands:command:({})\" \"files:FILE:_files\"",
-                            joined(command_words(command)));
-    text += fmt::format(" \\\n    '{}:{}:{}'", argument.repeatable ? "*" : std::to_string(k + 1),
-                        argument.value, offered);
+      offered =
+          fmt::format(" _alternative \"commands:command:({})\" \"files:FILE:_files\"", joined(command_words(command)));
+    text +=
+        fmt::format(" \\\n    '{}:{}:{}'", argument.repeatable ? "*" : std::to_string(k + 1), argument.value, offered);
   }
   return text + "\n}\n";
 }
@@ -153,17 +145,14 @@ std::string fish_command(const CommandText& program, const CommandText& command)
   std::string within;
   const std::string name = own_name(command);
   if (!name.empty()) {
-    within = "__fish_seen_subcommand_from " +
-             replace_all_copy(name, " ", "; and __fish_seen_subcommand_from ");
-    if (!command.commands.empty())
-      within += "; and not __fish_seen_subcommand_from " + joined(command_words(command));
+    within = "__fish_seen_subcommand_from " + replace_all_copy(name, " ", "; and __fish_seen_subcommand_from ");
+    if (!command.commands.empty()) within += "; and not __fish_seen_subcommand_from " + joined(command_words(command));
     within = fmt::format(" -n '{}'", within);
   }
   std::string lines;
   for (const CommandText& c : command.commands)
-    lines += fmt::format("complete -c prs{} -a {} -d {}\n",
-                         name.empty() ? " -n __fish_use_subcommand" : within, last_word(c),
-                         fish_text(c.help));
+    lines += fmt::format("complete -c prs{} -a {} -d {}\n", name.empty() ? " -n __fish_use_subcommand" : within,
+                         last_word(c), fish_text(c.help));
   for (const OptionText& argument : command.arguments)
     lines += fmt::format("complete -c prs{}{}\n", within, action(kFishActions, program, argument));
   for (const OptionText& option : command.options) {
@@ -185,15 +174,14 @@ std::string bash_completion(const CommandText& program) {
   for (const CommandText* command : all) {
     const std::string name = own_name(*command);
     const std::size_t blank = name.rfind(' ');
-    commands += fmt::format("      {}/{}) command='{}' at=0 ;;\n",
-                            blank == std::string::npos ? "" : "'" + name.substr(0, blank) + "'",
-                            last_word(*command), name);
+    commands +=
+        fmt::format("      {}/{}) command='{}' at=0 ;;\n",
+                    blank == std::string::npos ? "" : "'" + name.substr(0, blank) + "'", last_word(*command), name);
     for (const OptionText& option : command->options) {
       if (option.value.empty() || option.optional_value) continue;
       std::vector<std::string> patterns;
       for (const std::string& n : option.names) patterns.push_back(fmt::format("'{} {}'", name, n));
-      options += fmt::format("    {}) action='{}' ;;\n", joined(patterns, "|"),
-                             action(kBashActions, program, option));
+      options += fmt::format("    {}) action='{}' ;;\n", joined(patterns, "|"), action(kBashActions, program, option));
       values.insert(values.end(), patterns.begin(), patterns.end());
     }
     arguments += fmt::format("        '{}')\n", name);
@@ -201,12 +189,11 @@ std::string bash_completion(const CommandText& program) {
       const OptionText& argument = command->arguments[k];
       std::string offered = action(kBashActions, program, argument);
       if (k == 0 && !command->commands.empty()) offered += " " + joined(command_words(*command));
-      arguments += fmt::format("          (( at {} {} )) && action='{}'\n",
-                               argument.repeatable ? ">=" : "==", k, offered);
+      arguments +=
+          fmt::format("          (( at {} {} )) && action='{}'\n", argument.repeatable ? ">=" : "==", k, offered);
     }
     arguments += "          ;;\n";
-    names +=
-        fmt::format("          '{}') action='words {}' ;;\n", name, joined(option_words(*command)));
+    names += fmt::format("          '{}') action='words {}' ;;\n", name, joined(option_words(*command)));
   }
   arguments += fmt::format("        '') action='words {}' ;;\n", joined(command_words(program)));
   names += fmt::format("          '') action='words {}' ;;\n", joined(option_words(program)));
@@ -234,8 +221,7 @@ std::string zsh_completion(const CommandText& program) {
   text = replace_all_copy(text, "@SED@", kNames);
   text += "_prs() {\n  local -a commands=(";
   for (const CommandText& command : program.commands)
-    text += fmt::format("\n    '{}:{}'", last_word(command),
-                        replace_all_copy(command.help, "'", "'\\''"));
+    text += fmt::format("\n    '{}:{}'", last_word(command), replace_all_copy(command.help, "'", "'\\''"));
   text += "\n  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    _arguments -s";
   for (const OptionText& option : program.options) text += zsh_option(program, option);
   return text +

@@ -47,8 +47,7 @@ bool is_file_of(const Form& form, const std::filesystem::path& output) {
 /// Before minutes are spent on what cannot be written.
 void require_place(const std::filesystem::path& output, const std::vector<const Form*>& forms) {
   const auto fail = [&](std::string_view got, std::string_view expected) {
-    throw UsageError("--output: got {}{}; expected {}", input::shown(output.string()), got,
-                     expected);
+    throw UsageError("--output: got {}{}; expected {}", input::shown(output.string()), got, expected);
   };
   if (output.empty()) throw UsageError("--output: got nothing; expected a file or a folder");
   for (const Form& form : kForms) {
@@ -77,15 +76,14 @@ Destination destination_of(const std::vector<const Form*>& forms, const SystemMo
   const bool is_file = output && forms.size() == 1 && is_file_of(*forms.front(), *output);
   if (output) place.folder = is_file ? output->parent_path() : *output;
   for (const Form* form : forms)
-    place.files.push_back({is_file ? output->filename().string() : model.text.name + form->ending,
-                           form->make(model.curves, model.text)});
+    place.files.push_back(
+        {is_file ? output->filename().string() : model.text.name + form->ending, form->make(model.curves, model.text)});
   return place;
 }
 
-double positive_option(std::string_view option, const std::string& text,
-                       const input::Dimension& dimension, std::string_view unit) {
-  return quantity_option(option, text, dimension, input::positive,
-                         fmt::format("more than 0 {}", unit));
+double positive_option(std::string_view option, const std::string& text, const input::Dimension& dimension,
+                       std::string_view unit) {
+  return quantity_option(option, text, dimension, input::positive, fmt::format("more than 0 {}", unit));
 }
 
 CurveOptions curve_options(const ExportOptions& o) {
@@ -93,10 +91,9 @@ CurveOptions curve_options(const ExportOptions& o) {
   if (o.force) options.force = positive_option("--force", *o.force, input::unit::force, "N");
   options.speed_along_axis = o.speed && input::is_travel_speed(*o.speed);
   if (o.speed)
-    options.speed = positive_option(
-        "--speed", *o.speed,
-        options.speed_along_axis ? input::unit::travel_speed : input::unit::rotational_speed,
-        "rpm");
+    options.speed =
+        positive_option("--speed", *o.speed,
+                        options.speed_along_axis ? input::unit::travel_speed : input::unit::rotational_speed, "rpm");
   options.load_case = o.load_case;
   return options;
 }
@@ -106,29 +103,24 @@ CurveOptions curve_options(const ExportOptions& o) {
 int export_model(const Options& options) {
   const std::vector<const Form*> forms = forms_of(options.export_model);
   const std::optional<std::filesystem::path>& output = options.export_model.output;
-  if (forms.empty() && !options.json)
-    throw UsageError("the form is missing; expected --fmu, --modelica or both");
+  if (forms.empty() && !options.json) throw UsageError("the form is missing; expected --fmu, --modelica or both");
   if (output) require_place(*output, forms);
   const CurveOptions asked = curve_options(options.export_model);
   const SystemModel model = system_model(case_source(options), asked);
   const Destination place = destination_of(forms, model, output);
-  if (!place.files.empty())
-    write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
+  if (!place.files.empty()) write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
 
-  for (const std::string& warning : sentences(model.curves.warnings))
-    note(options, "warning: " + warning);
+  for (const std::string& warning : sentences(model.curves.warnings)) note(options, "warning: " + warning);
   if (options.json) {
     nlohmann::ordered_json document = document_head(model.info, model.curves.warnings);
     document["export"] = curves_json(model.curves);
     for (const OutputFile& file : place.files)
-      document["export"]["files"].push_back(
-          {{"path", place.path(file)}, {"sha256", sha256(file.content)}});
+      document["export"]["files"].push_back({{"path", place.path(file)}, {"sha256", sha256(file.content)}});
     print(json_text(document));
   } else if (!options.quiet) {
     std::string lines = wrapped(curves_text(model.curves), "", 100);
     for (const OutputFile& file : place.files)
-      lines += fmt::format("{}: {:.0f} kB\n", place.path(file),
-                           static_cast<double>(file.content.size()) / 1000.0);
+      lines += fmt::format("{}: {:.0f} kB\n", place.path(file), static_cast<double>(file.content.size()) / 1000.0);
     print(lines);
   }
   return kDone;

@@ -17,13 +17,12 @@ namespace {
 constexpr std::size_t kWidth = 80;
 constexpr std::size_t kTermWidth = 24;
 
-constexpr std::pair<const char*, const char*> kExitStatuses[] = {
-    {"0", "done"},
-    {"1", "failed, or a result could not be written"},
-    {"2", "the input or the command line is wrong"},
-    {"3", "a load case did not converge"},
-    {"130", "interrupted by Ctrl-C"},
-    {"143", "ended by SIGTERM"}};
+constexpr std::pair<const char*, const char*> kExitStatuses[] = {{"0", "done"},
+                                                                 {"1", "failed, or a result could not be written"},
+                                                                 {"2", "the input or the command line is wrong"},
+                                                                 {"3", "a load case did not converge"},
+                                                                 {"130", "interrupted by Ctrl-C"},
+                                                                 {"143", "ended by SIGTERM"}};
 
 struct Entry {
   std::string term, text;
@@ -43,8 +42,7 @@ std::string term(const OptionText& option) {
 
 /// Of an argument: the words that it may be stand in the text, unless that explains each.
 std::string text(const OptionText& option) {
-  const bool explained =
-      !option.words.empty() && option.help.find(option.words.front() + ":") != std::string::npos;
+  const bool explained = !option.words.empty() && option.help.find(option.words.front() + ":") != std::string::npos;
   if (!option.names.empty() || option.words.empty() || explained) return option.help;
   return fmt::format("{}: {}", option.help, fmt::join(option.words, ", "));
 }
@@ -57,8 +55,7 @@ std::vector<Section> sections(const CommandText& command) {
     if (section == all.end()) section = all.insert(section, Section{title, {}});
     section->entries.push_back(std::move(entry));
   };
-  for (const OptionText& argument : command.arguments)
-    add("Arguments", {argument.value, text(argument)});
+  for (const OptionText& argument : command.arguments) add("Arguments", {argument.value, text(argument)});
   for (const CommandText& c : command.commands)
     if (!c.group.empty()) add(c.group, {last_word(c), c.help});
   for (const OptionText& option : command.options) add("Options", {term(option), text(option)});
@@ -80,9 +77,7 @@ std::string plain(const Section& section) {
   return lines;
 }
 
-std::string indented(const std::string& text) {
-  return "  " + boost::replace_all_copy(text, "\n", "\n  ") + "\n";
-}
+std::string indented(const std::string& text) { return "  " + boost::replace_all_copy(text, "\n", "\n  ") + "\n"; }
 
 // roff.
 
@@ -117,19 +112,13 @@ std::string lines_of(const std::string& text) {
   return lines;
 }
 
-std::string title(const std::string& text) {
-  return fmt::format(".SH {}\n", boost::to_upper_copy(text));
-}
+std::string title(const std::string& text) { return fmt::format(".SH {}\n", boost::to_upper_copy(text)); }
 
-std::string page_name(const CommandText& command) {
-  return boost::replace_all_copy(command.name, " ", "-");
-}
+std::string page_name(const CommandText& command) { return boost::replace_all_copy(command.name, " ", "-"); }
 
 }  // namespace
 
-std::string last_word(const CommandText& command) {
-  return command.name.substr(command.name.rfind(' ') + 1);
-}
+std::string last_word(const CommandText& command) { return command.name.substr(command.name.rfind(' ') + 1); }
 
 std::string usage(const CommandText& command) {
   std::string text = command.name;
@@ -156,12 +145,10 @@ std::string help_text(const CommandText& command) {
 }
 
 nlohmann::ordered_json help_json(const CommandText& command) {
-  nlohmann::ordered_json json{
-      {"name", command.name}, {"help", command.help}, {"usage", usage(command)}};
+  nlohmann::ordered_json json{{"name", command.name}, {"help", command.help}, {"usage", usage(command)}};
   const bool is_program = command.name.find(' ') == std::string::npos;
   if (!is_program) json["group"] = command.group;
-  for (const auto& [key, texts] :
-       {std::pair{"arguments", &command.arguments}, std::pair{"options", &command.options}})
+  for (const auto& [key, texts] : {std::pair{"arguments", &command.arguments}, std::pair{"options", &command.options}})
     for (const OptionText& option : *texts) {
       nlohmann::ordered_json entry;
       if (!option.names.empty()) entry["names"] = option.names;
@@ -189,25 +176,18 @@ std::string overview(const CommandText& program) {
 std::string manual_file(const CommandText& command) { return page_name(command) + ".1"; }
 
 std::string manual_page(const CommandText& command, std::string_view version) {
-  std::string text = fmt::format(".TH {} 1 \"\" \"prs {}\" \"Manual of prs\"\n",
-                                 escaped(page_name(command)), version);
-  text += title("Name") +
-          fmt::format("{} \\- {}\n", escaped(page_name(command)), escaped(command.help));
-  text += title("Synopsis") +
-          line(fmt::format("`{}`{}", command.name, usage(command).substr(command.name.size())));
+  std::string text = fmt::format(".TH {} 1 \"\" \"prs {}\" \"Manual of prs\"\n", escaped(page_name(command)), version);
+  text += title("Name") + fmt::format("{} \\- {}\n", escaped(page_name(command)), escaped(command.help));
+  text += title("Synopsis") + line(fmt::format("`{}`{}", command.name, usage(command).substr(command.name.size())));
   for (const Section& section : sections(command)) {
     text += title(section.title);
-    for (const auto& [term, meaning] : section.entries)
-      text += ".TP\n" + line("`" + term + "`") + line(meaning);
+    for (const auto& [term, meaning] : section.entries) text += ".TP\n" + line("`" + term + "`") + line(meaning);
   }
-  if (!command.examples.empty())
-    text += title("Examples") + ".nf\n" + lines_of(command.examples) + ".fi\n";
+  if (!command.examples.empty()) text += title("Examples") + ".nf\n" + lines_of(command.examples) + ".fi\n";
   text += title("Exit status");
-  for (const auto& [status, meaning] : kExitStatuses)
-    text += ".TP\n" + line(status) + line(meaning);
+  for (const auto& [status, meaning] : kExitStatuses) text += ".TP\n" + line(status) + line(meaning);
   std::vector<std::string> others;
-  for (const CommandText& c : command.commands)
-    others.push_back(fmt::format(".BR {} (1)", escaped(page_name(c))));
+  for (const CommandText& c : command.commands) others.push_back(fmt::format(".BR {} (1)", escaped(page_name(c))));
   if (command.name != "prs") others.push_back(".BR prs (1)");
   return text + title("See also") + fmt::format("{}\n", fmt::join(others, ",\n"));
 }

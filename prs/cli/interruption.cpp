@@ -61,10 +61,10 @@ bool Interruption::asked() { return asked_by != 0; }
 int Interruption::status() { return kStatusOfSignal + asked_by; }
 
 Interruption::Patience patience_for(bool is_kept) {
-  return {std::chrono::seconds(5),
-          is_kept ? "prs: interrupted; what was under way took long and is lost; the same command "
-                    "continues from there\n"
-                  : "prs: interrupted; with --output DIR a run can be continued\n"};
+  return {std::chrono::seconds(5), is_kept
+                                       ? "prs: interrupted; what was under way took long and is lost; the same command "
+                                         "continues from there\n"
+                                       : "prs: interrupted; with --output DIR a run can be continued\n"};
 }
 
 void end_on_interrupt() {

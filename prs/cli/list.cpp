@@ -22,9 +22,7 @@ struct Item {
 std::vector<Item> command_items(const Options& options) {
   std::optional<input::CaseInput> in;
   std::vector<Item> items;
-  const auto add = [&](const auto& row) {
-    items.push_back({std::string(name(row.command)), std::string(row.help)});
-  };
+  const auto add = [&](const auto& row) { items.push_back({std::string(name(row.command)), std::string(row.help)}); };
   if (!options.file.empty()) {
     const input::Source source = case_source(options);
     if (const OtherFile* file = other_file(source)) {
@@ -44,9 +42,7 @@ std::vector<Item> key_items(const std::vector<input::InputKey>& keys) {
   return each(keys, [](auto& key) { return Item{key.path, key.meaning}; });
 }
 std::vector<Item> input_items(const Options&) { return key_items(input::input_keys()); }
-std::vector<Item> requirement_items(const Options&) {
-  return key_items(input::input_keys(requirement_schema()));
-}
+std::vector<Item> requirement_items(const Options&) { return key_items(input::input_keys(requirement_schema())); }
 
 std::string names(const std::vector<Item>& items) {
   std::string lines;
@@ -59,8 +55,7 @@ std::string columns(const std::vector<Item>& items) {
   for (const Item& item : items) longest = std::max(longest, width(item.name));
   std::string lines;
   const std::size_t at = longest + 2;
-  for (const auto& [name, meaning] : items)
-    lines += hanging(name, at, meaning.empty() ? " " : meaning);
+  for (const auto& [name, meaning] : items) lines += hanging(name, at, meaning.empty() ? " " : meaning);
   return lines;
 }
 
@@ -89,12 +84,11 @@ struct List {
 };
 
 constexpr List kLists[] = {
-    {"commands", "those that take a case; with FILE, those for which it is complete", true,
-     command_items, [](const Options& o) { return names(command_items(o)); }},
+    {"commands", "those that take a case; with FILE, those for which it is complete", true, command_items,
+     [](const Options& o) { return names(command_items(o)); }},
     {"inputs", "keys of a case, as `--set` takes them", false, input_items},
     {"requirement", "keys of a requirement of `prs size`", false, requirement_items},
-    {"lubricants", "known by name", false, nullptr,
-     [](const Options&) { return lubricants_table(); },
+    {"lubricants", "known by name", false, nullptr, [](const Options&) { return lubricants_table(); },
      [](const Options&) { return lubricants_json(); }},
     {"units", "of the input", false, nullptr, [](const Options&) { return units_table(); },
      [](const Options&) { return units_json(); }},
@@ -122,8 +116,7 @@ int list(const Options& options) {
   if (!options.file.empty() && !list.takes_file)
     throw UsageError("got {}; expected no further word", input::shown(options.file));
   if (options.json)
-    print(json_text(list.items ? Json{{list.word, entries(list.items(options))}}
-                               : list.document(options)));
+    print(json_text(list.items ? Json{{list.word, entries(list.items(options))}} : list.document(options)));
   else
     print(list.table ? list.table(options) : columns(list.items(options)));
   return kDone;
@@ -137,14 +130,12 @@ struct Place {
   Json quantity;
 };
 
-void add_places(const Json& records, const std::string& record, const std::string& path,
-                std::vector<Place>& places) {
+void add_places(const Json& records, const std::string& record, const std::string& path, std::vector<Place>& places) {
   for (const Json& quantity : records[record]["quantities"]) {
     const std::string own = path + "." + quantity["key"].get<std::string>();
     places.push_back({own, quantity});
     if (quantity.contains("record"))
-      add_places(records, quantity["record"], own + (quantity["kind"] == "records" ? "[]" : ""),
-                 places);
+      add_places(records, quantity["record"], own + (quantity["kind"] == "records" ? "[]" : ""), places);
   }
 }
 
@@ -171,10 +162,9 @@ std::vector<Place> places_of(const std::vector<Place>& all, const std::string& n
     known.push_back(place.quantity["key"]);
     known.push_back(input::without_places(place.path));
   }
-  const std::string hint =
-      input::did_you_mean(input::without_places(name), {known.begin(), known.end()});
-  throw UsageError("--explain: got {}; expected a measure or the path of a result; {}",
-                   input::shown(name), hint.empty() ? "`prs schema results` lists them" : hint);
+  const std::string hint = input::did_you_mean(input::without_places(name), {known.begin(), known.end()});
+  throw UsageError("--explain: got {}; expected a measure or the path of a result; {}", input::shown(name),
+                   hint.empty() ? "`prs schema results` lists them" : hint);
 }
 
 std::string text_of_quantity(const Json& quantity) {
@@ -182,8 +172,7 @@ std::string text_of_quantity(const Json& quantity) {
   for (const auto& [key, before] :
        {std::pair{"title", ""}, std::pair{"unit", "unit: "}, std::pair{"meaning", "meaning: "},
         std::pair{"validity", "valid: "}, std::pair{"source", "source: "}})
-    if (const std::string said = quantity.value(key, ""); !said.empty())
-      text += wrapped(before + said, "  ", 100);
+    if (const std::string said = quantity.value(key, ""); !said.empty()) text += wrapped(before + said, "  ", 100);
   return text;
 }
 
@@ -211,8 +200,7 @@ int explain(const Options& options) {
     document.push_back(std::move(entry));
     text += found[k].path + "\n";
     // What stands in several places is explained once.
-    if (k + 1 == found.size() || found[k + 1].quantity != quantity)
-      text += text_of_quantity(quantity);
+    if (k + 1 == found.size() || found[k + 1].quantity != quantity) text += text_of_quantity(quantity);
   }
   print(options.json ? json_text({{"explanations", document}}) : text);
   return kDone;

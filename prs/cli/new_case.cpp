@@ -27,9 +27,7 @@ std::string new_text(const NewOptions& options) {
   }
 }
 
-std::string content_of_file(const fs::path& file) {
-  return input::load_source(file.string(), {}).text;
-}
+std::string content_of_file(const fs::path& file) { return input::load_source(file.string(), {}).text; }
 
 /// The lesson, and next to it the files that it reads.
 void copy_lesson(const Lesson& lesson, const fs::path& file) {
@@ -46,23 +44,20 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   constexpr double kDegree = std::numbers::pi / 180;
   const Bounds size{1e-3, 1.0};
   ConfigurationQuery q;
-  q.screw_diameter = quantity_option("--screw-diameter", o.screw_diameter, unit::length, size,
-                                     "1 mm to 1 m; check the unit");
+  q.screw_diameter =
+      quantity_option("--screw-diameter", o.screw_diameter, unit::length, size, "1 mm to 1 m; check the unit");
   q.lead = quantity_option("--lead", o.lead, unit::length, not_zero,
                            "a lead other than 0; > 0 right-handed, < 0 left-handed");
   if (std::abs(q.lead) > 10.0 * q.screw_diameter || std::abs(q.lead) < 1e-4 * q.screw_diameter)
-    fail_option("--lead", "got {}; expected 0.0001 to 10 screw diameters; check the units",
-                shown(o.lead));
+    fail_option("--lead", "got {}; expected 0.0001 to 10 screw diameters; check the units", shown(o.lead));
   if (o.flank_angle)
-    q.flank_angle =
-        quantity_option("--flank-angle", *o.flank_angle, unit::angle, {20 * kDegree, 70 * kDegree},
-                        "20 deg to 70 deg, usually 45 deg");
+    q.flank_angle = quantity_option("--flank-angle", *o.flank_angle, unit::angle, {20 * kDegree, 70 * kDegree},
+                                    "20 deg to 70 deg, usually 45 deg");
   if (o.gap) q.gap = quantity_option("--gap", *o.gap, unit::length, not_negative, "0 mm or more");
   if (o.roller_profile_radius)
-    q.roller_profile_radius = quantity_option("--roller-profile-radius", *o.roller_profile_radius,
-                                              unit::length, positive, "more than 0 mm");
-  if (o.type)
-    q.type = *o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
+    q.roller_profile_radius =
+        quantity_option("--roller-profile-radius", *o.roller_profile_radius, unit::length, positive, "more than 0 mm");
+  if (o.type) q.type = *o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
   q.screw_starts = o.starts;
   q.roller_starts = o.roller_starts;
   q.rollers = o.rollers;
@@ -84,8 +79,8 @@ const Configuration& chosen(const Configurations& all, const ConfigurationOption
   if (number)
     for (std::size_t k = 0; k < all.found.size(); ++k)
       if (*number == static_cast<double>(k + 1)) return all.found[k];
-  fail_option("--write", "got {}; expected the number of a line, 1 to {}, and a file",
-              input::shown(o.write[0]), all.found.size());
+  fail_option("--write", "got {}; expected the number of a line, 1 to {}, and a file", input::shown(o.write[0]),
+              all.found.size());
 }
 
 /// The case of `--write`, into a file that is new.
@@ -98,8 +93,7 @@ void write_configuration(const Configuration& configuration, const Configuration
     }
   }();
   if (std::filesystem::exists(o.write[1]))
-    fail_option("--write", "{}: the file exists already; give another name",
-                input::shown(o.write[1]));
+    fail_option("--write", "{}: the file exists already; give another name", input::shown(o.write[1]));
   write_case(o.write[1], text);
 }
 
@@ -108,26 +102,20 @@ void write_configuration(const Configuration& configuration, const Configuration
 void add_new_options(CLI::App& command, NewOptions& options) {
   add_value(command, "type", options.type, "standard|inverted", "Type of the screw");
   add_value(command, "file", options.file, "FILE", "New file; printed without one, or with `-`");
-  const auto add = [&](const char* name, std::optional<std::string>& text, const char* what,
-                       const char* kind) { command.add_option(name, text, what)->type_name(kind); };
+  const auto add = [&](const char* name, std::optional<std::string>& text, const char* what, const char* kind) {
+    command.add_option(name, text, what)->type_name(kind);
+  };
   add("--screw-diameter", options.screw_diameter, "Nominal diameter, with its unit", "LENGTH");
   add("--lead", options.lead, "Of screw and nut; > 0 right-handed", "LENGTH");
-  take_whole_number(
-      command.add_option("--starts", options.starts, "Of screw and nut; default: 5, 4 or 3"), 1,
-      100);
-  take_whole_number(command.add_option("--rollers", options.rollers, "Default: as many as fit"), 1,
-                    1000);
+  take_whole_number(command.add_option("--starts", options.starts, "Of screw and nut; default: 5, 4 or 3"), 1, 100);
+  take_whole_number(command.add_option("--rollers", options.rollers, "Default: as many as fit"), 1, 1000);
   add("--nut-diameter", options.nut_diameter, "Outer; default: as in catalogues", "LENGTH");
   add("--nut-length", options.nut_length,
-      "Of the whole nut, inverted: of the tube that the rollers travel in; default: by rule",
-      "LENGTH");
-  add("--roller-profile-radius", options.roller_profile_radius,
-      "Of the convex rollers; default: 5 pitches", "LENGTH");
+      "Of the whole nut, inverted: of the tube that the rollers travel in; default: by rule", "LENGTH");
+  add("--roller-profile-radius", options.roller_profile_radius, "Of the convex rollers; default: 5 pitches", "LENGTH");
   add("--load", options.load, "Axial; default: 1.8 GPa with equal shares", "FORCE");
-  add("--speed", options.speed,
-      "Screw against nut; default: half of 150,000 mm/min over the diameter", "SPEED");
-  add("--lubricant", options.lubricant, "One of `prs list lubricants`; default: iso-vg-100",
-      "LUBRICANT");
+  add("--speed", options.speed, "Screw against nut; default: half of 150,000 mm/min over the diameter", "SPEED");
+  add("--lubricant", options.lubricant, "One of `prs list lubricants`; default: iso-vg-100", "LUBRICANT");
   add("--temperature", options.temperature, "Of the lubricant; default: 60 degC", "TEMPERATURE");
   take_one_of(command.add_option("--mechanism", options.mechanism,
                                  "One roller with its share, or all rollers; default: sector"),
@@ -143,16 +131,12 @@ int new_case(const Options& all) {
       fail_option("--lesson", "got {} and {}; expected one FILE", input::shown(options.type),
                   input::shown(options.file));
     if (const std::string name = first_given(options); !name.empty())
-      fail_option(
-          name,
-          "got a value; expected none with --lesson, which copies what is there; change the copy");
+      fail_option(name, "got a value; expected none with --lesson, which copies what is there; change the copy");
     std::swap(options.type, options.file);
   } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
-    throw UsageError("TYPE: got {}; expected one of standard, inverted, then the FILE",
-                     input::shown(options.type));
+    throw UsageError("TYPE: got {}; expected one of standard, inverted, then the FILE", input::shown(options.type));
   }
-  const std::optional<Lesson> copied =
-      options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;
+  const std::optional<Lesson> copied = options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;
   if (options.file.empty() || options.file == kStandardInput) {
     print(copied ? content_of_file(copied->file) : new_text(options));
     return kDone;
@@ -177,19 +161,19 @@ int configurations(const Options& options) {
 
   const bool writes = !asked.write.empty();
   if (writes) write_configuration(chosen(all, asked), asked);
-  const int status = deliver(
-      {.file = "configurations.json",
-       .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
-       .table = [&] { return writes ? "" : configurations_table(query, all); },
-       .files =
-           [&](const CsvStyle& style) {
-             return std::vector<OutputFile>{{"configurations.csv", configurations_csv(all, style)},
-                                            {"gear_pairs.csv", gear_pairs_csv(all, style)}};
-           }},
-      {kVersion, kSchemaVersion, "", {}, "configurations"}, options);
+  const int status =
+      deliver({.file = "configurations.json",
+               .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
+               .table = [&] { return writes ? "" : configurations_table(query, all); },
+               .files =
+                   [&](const CsvStyle& style) {
+                     return std::vector<OutputFile>{{"configurations.csv", configurations_csv(all, style)},
+                                                    {"gear_pairs.csv", gear_pairs_csv(all, style)}};
+                   }},
+              {kVersion, kSchemaVersion, "", {}, "configurations"}, options);
   if (writes)
-    note(options, fmt::format("{0}: line {1} is written; `prs check {0}` is the next step",
-                              asked.write[1], asked.write[0]));
+    note(options,
+         fmt::format("{0}: line {1} is written; `prs check {0}` is the next step", asked.write[1], asked.write[0]));
   return status;
 }
 

@@ -49,12 +49,11 @@ void become(const std::string& program, int argc, char** argv) {
     const fs::path file = folder / program;
     if (!fs::exists(file)) continue;
     ::execv(file.c_str(), arguments.data());
-    throw std::system_error(errno, std::generic_category(),
-                            fmt::format("cannot run '{}'", file.string()));
+    throw std::system_error(errno, std::generic_category(), fmt::format("cannot run '{}'", file.string()));
   }
-  throw std::runtime_error(fmt::format(
-      "{0} is missing in {1}; install or build `{0}`, or name its folder in PRS_LIBEXEC", program,
-      fmt::join(searched, " and ")));
+  throw std::runtime_error(
+      fmt::format("{0} is missing in {1}; install or build `{0}`, or name its folder in PRS_LIBEXEC", program,
+                  fmt::join(searched, " and ")));
 }
 
 fs::path data_folder(const std::string& name) {
@@ -72,8 +71,7 @@ namespace {
 /// `# Lesson 14: life under a flight's loads.` -> `life under a flight's loads`
 std::string title_of(const std::string& text) {
   std::string first = text.substr(0, text.find('\n'));
-  if (const std::size_t colon = first.find(": "); colon != std::string::npos)
-    first.erase(0, colon + 2);
+  if (const std::size_t colon = first.find(": "); colon != std::string::npos) first.erase(0, colon + 2);
   if (first.ends_with('.')) first.pop_back();
   return first;
 }
@@ -104,21 +102,16 @@ std::vector<Lesson> lessons() {
 
 Lesson lesson(const std::string& asked) {
   const std::vector<Lesson> all = lessons();
-  const bool is_number =
-      !asked.empty() && asked.size() < 5 &&
-      std::ranges::all_of(asked, [](unsigned char c) { return std::isdigit(c) != 0; });
+  const bool is_number = !asked.empty() && asked.size() < 5 &&
+                         std::ranges::all_of(asked, [](unsigned char c) { return std::isdigit(c) != 0; });
   const std::string name = asked.ends_with(".yaml") ? asked.substr(0, asked.size() - 5) : asked;
   for (const Lesson& l : all)
-    if (is_number ? l.number() == std::stoi(asked)
-                  : l.name == name || without_number(l.name) == name)
-      return l;
+    if (is_number ? l.number() == std::stoi(asked) : l.name == name || without_number(l.name) == name) return l;
   std::vector<std::string_view> names;
   for (const Lesson& l : all) names.push_back(without_number(l.name));
   const std::string hint = input::did_you_mean(name, names);
-  fail_option("--lesson",
-              "got {}; expected a number from {} to {} or a name of `prs list lessons`{}{}",
-              input::shown(asked), all.front().number(), all.back().number(),
-              hint.empty() ? "" : "; ", hint);
+  fail_option("--lesson", "got {}; expected a number from {} to {} or a name of `prs list lessons`{}{}",
+              input::shown(asked), all.front().number(), all.back().number(), hint.empty() ? "" : "; ", hint);
 }
 
 std::vector<std::string> companions(const input::Source& source) {

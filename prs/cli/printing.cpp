@@ -32,8 +32,7 @@ std::size_t message_columns() noexcept {
 
 using WriteText = std::function<void(const TextSink&)>;
 
-void write(const Delivery& delivery, const WriteText& document, const Figures& shown,
-           const OutputOptions& options) {
+void write(const Delivery& delivery, const WriteText& document, const Figures& shown, const OutputOptions& options) {
   const Interruption after_the_files;  // What is written is listed, whatever ends the run.
   std::error_code told_by_the_file;
   std::filesystem::create_directories(*options.output, told_by_the_file);
@@ -44,8 +43,8 @@ void write(const Delivery& delivery, const WriteText& document, const Figures& s
   std::vector<OutputFile> files;
   if (delivery.files) std::ranges::move(delivery.files(options.csv), std::back_inserter(files));
   if (delivery.keeps_figures && !shown.empty())
-    files.push_back({delivery.file.substr(0, delivery.file.find('.')) + std::string(kFiguresEnding),
-                     figures_text(shown)});
+    files.push_back(
+        {delivery.file.substr(0, delivery.file.find('.')) + std::string(kFiguresEnding), figures_text(shown)});
   write_files(*options.output, files);
   staged.publish();
   record_written(path);
@@ -124,14 +123,12 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
     const TableUnits units(options.units);
     print(options.all && delivery.full_table ? delivery.full_table() : delivery.table());
     const bool more_than_document = delivery.files || delivery.pictures;
-    if (options.output && more_than_document)
-      print(fmt::format("\nFiles: {}\n", options.output->string()));
+    if (options.output && more_than_document) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
   return exit_status(delivery.converged);
 }
 
-ProgressLine::ProgressLine(bool quiet)
-    : shown_(!quiet && isatty(STDERR_FILENO) == 1), next_(start_ + kPeriod) {}
+ProgressLine::ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1), next_(start_ + kPeriod) {}
 
 void ProgressLine::show(const StudyProgress& progress) {
   if (!shown_) return;

@@ -44,11 +44,9 @@ int out_of_memory() noexcept {
 /// Before hours are spent on what cannot be written.
 void require_folder(const std::filesystem::path& output) {
   if (output.empty()) throw UsageError("--output: got nothing; expected a folder");
-  if (std::error_code error;
-      std::filesystem::exists(output, error) && !std::filesystem::is_directory(output, error))
-    throw std::runtime_error(
-        fmt::format("--output: got {}, which is a file; expected a folder; give another name",
-                    input::shown(output.string())));
+  if (std::error_code error; std::filesystem::exists(output, error) && !std::filesystem::is_directory(output, error))
+    throw std::runtime_error(fmt::format("--output: got {}, which is a file; expected a folder; give another name",
+                                         input::shown(output.string())));
 }
 
 }  // namespace
@@ -57,9 +55,7 @@ CLI::Option* add_flag(CLI::App& command, const char* name, bool& flag, const cha
   return command.add_flag(name, flag, help)->disable_flag_override();
 }
 
-CLI::Option* take_each(CLI::Option* option) {
-  return option->expected(1)->take_all()->allow_extra_args(false);
-}
+CLI::Option* take_each(CLI::Option* option) { return option->expected(1)->take_all()->allow_extra_args(false); }
 
 void add_json(CLI::App& command, OutputOptions& options) {
   add_flag(command, "--json", options.json, "Print one JSON document and nothing else");
@@ -84,32 +80,26 @@ void add_units_option(CLI::App& command, OutputOptions& options) {
   take_one_of(
       command.add_option_function<std::string>(
           "--units",
-          [&options](const std::string& system) {
-            options.units = system == "us" ? UnitSystem::us : UnitSystem::si;
-          },
+          [&options](const std::string& system) { options.units = system == "us" ? UnitSystem::us : UnitSystem::si; },
           "Units of tables and of pages: us shows in, lbf, ksi; JSON and CSV are always si"),
       {"si", "us"});
 }
 
 void add_csv_options(CLI::App& command, CsvStyle& style) {
-  take_one_of(
-      command.add_option_function<std::string>(
-          "--csv", [&style](const std::string& form) { style.european = form == "european"; },
-          "Of CSV files: european has `;` between fields and decimal commas"),
-      {"plain", "european"});
+  take_one_of(command.add_option_function<std::string>(
+                  "--csv", [&style](const std::string& form) { style.european = form == "european"; },
+                  "Of CSV files: european has `;` between fields and decimal commas"),
+              {"plain", "european"});
   take_whole_number(
-      command.add_option(
-          "--csv-digits", style.digits,
-          "Significant digits in CSV; 17: as many as read the same number back; default: 10"),
+      command.add_option("--csv-digits", style.digits,
+                         "Significant digits in CSV; 17: as many as read the same number back; default: 10"),
       1, CsvStyle::kAllDigits);
 }
 
-int run_recorded(const std::function<int()>& run, const OutputOptions& options,
-                 const std::string& command, const std::string& case_file,
-                 const std::vector<std::string>& overrides) {
+int run_recorded(const std::function<int()>& run, const OutputOptions& options, const std::string& command,
+                 const std::string& case_file, const std::vector<std::string>& overrides) {
   shared_matrix_cache().keep_in(cache_directory());
-  shared_matrix_cache().report_to([line = std::make_shared<ProgressLine>(options.quiet)](
-                                      bool working, int computed) {
+  shared_matrix_cache().report_to([line = std::make_shared<ProgressLine>(options.quiet)](bool working, int computed) {
     if (working)
       line->tell(fmt::format("matrices of `influence`: {} made; a screw has about ten", computed));
     else
@@ -122,8 +112,7 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options,
   const int status = run();
   if (files)
     for (const std::string& text : files->finish()) note(options, "prs: " + text);
-  if (const std::string text = shared_matrix_cache().refusal(); !text.empty())
-    note(options, "prs: " + text);
+  if (const std::string text = shared_matrix_cache().refusal(); !text.empty()) note(options, "prs: " + text);
   return status;
 }
 
@@ -151,8 +140,7 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
     return out_of_memory();
   } catch (const std::exception& error) {
     std::string text = error.what();
-    if (text.starts_with("cannot write"))
-      text += "; check that the place exists, may be written and has room";
+    if (text.starts_with("cannot write")) text += "; check that the place exists, may be written and has room";
     return failed("prs: error: ", text, kFailed);
   } catch (...) {
     return failed("prs: error: ", "of an unknown kind", kFailed);

@@ -14,8 +14,7 @@ CLI::Option* add_flag(CLI::App& command, const char* name, bool& flag, const cha
 
 /// An option, or an argument, whose value the help calls `type`.
 template <class Value>
-auto* add_value(CLI::App& command, const char* name, Value& value, const char* type,
-                const char* help) {
+auto* add_value(CLI::App& command, const char* name, Value& value, const char* type, const char* help) {
   return command.add_option(name, value, help)->type_name(type);
 }
 
@@ -37,9 +36,8 @@ void add_csv_options(CLI::App& command, CsvStyle& style);
 
 /// Runs a command, tells what it found in its folders, and lists what it wrote. `case_file` is
 /// empty where it reads no case.
-int run_recorded(const std::function<int()>& run, const OutputOptions& options,
-                 const std::string& command, const std::string& case_file,
-                 const std::vector<std::string>& overrides);
+int run_recorded(const std::function<int()>& run, const OutputOptions& options, const std::string& command,
+                 const std::string& case_file, const std::vector<std::string>& overrides);
 
 /// The main function of a program: makes the streams safe to write to, and exit statuses and lines
 /// on standard error of what `run` throws.

@@ -15,8 +15,7 @@ namespace {
 
 /// As a shell takes it for one word.
 std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:,+@%[]";
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:,+@%[]";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -26,8 +25,7 @@ std::string quoted(const std::string& word) {
 std::string command_of(const Options& options) {
   std::string command = "prs report " + quoted(options.file);
   for (const std::string& text : options.overrides) command += " --set " + quoted(text);
-  for (const std::filesystem::path& folder : options.results)
-    command += " --results " + quoted(folder.string());
+  for (const std::filesystem::path& folder : options.results) command += " --results " + quoted(folder.string());
   if (options.without_engine) command += " --static";
   if (options.units == UnitSystem::us) command += " --units us";
   if (options.report) command += " --output " + quoted(options.report->string());
@@ -40,12 +38,10 @@ void require_places(const Options& options) {
     return std::filesystem::is_directory(path, error);
   };
   if (const auto& file = options.report) {
-    if (file->empty())
-      throw UsageError("--output: got nothing; expected a file, for example report.html");
+    if (file->empty()) throw UsageError("--output: got nothing; expected a file, for example report.html");
     if (is_folder(*file))
       throw UsageError("--output: got {}, which is a folder; expected a file, for example {}",
-                       input::shown(file->string()),
-                       input::shown((*file / "report.html").string()));
+                       input::shown(file->string()), input::shown((*file / "report.html").string()));
   }
   for (const std::filesystem::path& folder : options.results)
     if (!is_folder(folder))
@@ -58,8 +54,7 @@ void require_places(const Options& options) {
 /// Folders that were named, and have nothing of this case.
 void note_empty_results(const Options& options, const input::Source& source) {
   for (const std::filesystem::path& folder : options.results)
-    if (files_of_run(folder, "study", source).empty() &&
-        files_of_run(folder, "optimize", source).empty())
+    if (files_of_run(folder, "study", source).empty() && files_of_run(folder, "optimize", source).empty())
       note(options, fmt::format("prs: --results: {} has no study or optimization of this case as "
                                 "it is; `prs study FILE --output DIR` writes one",
                                 input::shown(folder.string())));
@@ -67,8 +62,7 @@ void note_empty_results(const Options& options, const input::Source& source) {
 
 void write_html(const std::filesystem::path& path, std::string_view html) {
   std::error_code told_by_the_file;
-  std::filesystem::create_directories(std::filesystem::absolute(path).parent_path(),
-                                      told_by_the_file);
+  std::filesystem::create_directories(std::filesystem::absolute(path).parent_path(), told_by_the_file);
   StagedFile file(path);
   file.append(html);
   file.publish();
@@ -78,8 +72,7 @@ void write_html(const std::filesystem::path& path, std::string_view html) {
 Report write_page(const Options& options) {
   const input::Source source = case_source(options);
   PageOptions asked{command_of(options), options.results, !options.without_engine};
-  if (asked.results.empty())
-    asked.results = {std::filesystem::absolute(options.report.value_or("page")).parent_path()};
+  if (asked.results.empty()) asked.results = {std::filesystem::absolute(options.report.value_or("page")).parent_path()};
   const TableUnits units(options.units);
   Report report = make_report(source, asked);
   if (options.report) write_html(*options.report, report.html);
@@ -91,8 +84,7 @@ Report write_page(const Options& options) {
 /// A page of this case in a new folder for temporary files.
 std::filesystem::path temporary_page(const std::string& file) {
   std::string folder = (temporary_folder() / "prs-XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr)
-    throw std::system_error(errno, std::generic_category(), folder);
+  if (mkdtemp(folder.data()) == nullptr) throw std::system_error(errno, std::generic_category(), folder);
   const std::string stem = std::filesystem::path(file).stem().string();
   return std::filesystem::path(folder) / ((stem.empty() || stem == "-" ? "case" : stem) + ".html");
 }
@@ -130,8 +122,7 @@ int report(const Options& options) {
   if (options.json)
     print(json_text(report.data));
   else if (!options.quiet)
-    print(fmt::format("{}: {:.0f} kB\n", options.report->string(),
-                      static_cast<double>(report.html.size()) / 1000.0));
+    print(fmt::format("{}: {:.0f} kB\n", options.report->string(), static_cast<double>(report.html.size()) / 1000.0));
   return exit_status(report.converged);
 }
 
@@ -160,8 +151,7 @@ int workbench(const Options& options) {
   const std::string page = workbench_page(opened, texts);
   write_html(*options.report, page);
   if (!options.quiet)
-    print(fmt::format("{}: {:.0f} kB\n", options.report->string(),
-                      static_cast<double>(page.size()) / 1000.0));
+    print(fmt::format("{}: {:.0f} kB\n", options.report->string(), static_cast<double>(page.size()) / 1000.0));
   return kDone;
 }
 
@@ -172,8 +162,7 @@ int explore(const Options& options) {
   if (!at.report) at.report = temporary_page(options.file);
   const Report report = write_page(at);
   if (!options.quiet) print(at.report->string() + "\n");
-  if (!open_in_browser(*at.report))
-    note(options, "prs: xdg-open is missing; open the page in a browser yourself");
+  if (!open_in_browser(*at.report)) note(options, "prs: xdg-open is missing; open the page in a browser yourself");
   return exit_status(report.converged);
 }
 

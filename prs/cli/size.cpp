@@ -34,27 +34,22 @@ int size(const Options& options) {
   SizeOptions how{.curve_of = options.curve, .threads = options.threads};
   SizeResult result = [&] {
     ProgressLine line(options.quiet);
-    how.progress = [&](std::size_t done, std::size_t all) {
-      line.tell(fmt::format("{} of {} candidates", done, all));
-    };
+    how.progress = [&](std::size_t done, std::size_t all) { line.tell(fmt::format("{} of {} candidates", done, all)); };
     return size_screws(read_requirement(source), how);
   }();
   const std::size_t ranks = result.candidates.size();
   const auto require = [&](const char* option, std::size_t rank) {
-    if (rank > ranks)
-      fail_option(option, "got {}; expected a rank of the list, 1 to {}", rank, ranks);
+    if (rank > ranks) fail_option(option, "got {}; expected a rank of the list, 1 to {}", rank, ranks);
   };
   require("--curve", options.curve);
   for (const auto& written : cases) require("--write", written.first);
   for (const auto& [rank, file] : cases) {
     const SizedCandidate& c = result.candidates[rank - 1];
     write_case(file, written_candidate(result.input, c));
-    note(options,
-         fmt::format("{0}: {1}, rank {2}, is written; `prs check {0}` is the next step{3}", file,
-                     c.name, rank, c.passes ? "" : "; it does not pass: see the list"));
+    note(options, fmt::format("{0}: {1}, rank {2}, is written; `prs check {0}` is the next step{3}", file, c.name, rank,
+                              c.passes ? "" : "; it does not pass: see the list"));
   }
-  return deliver(size_delivery(std::move(result), options.top),
-                 document_info(source, Command::size), options);
+  return deliver(size_delivery(std::move(result), options.top), document_info(source, Command::size), options);
 }
 
 }  // namespace prs::cli

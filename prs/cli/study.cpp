@@ -15,8 +15,8 @@ namespace {
 
 /// What all ranks must have been started with.
 std::string arguments(const Options& options) {
-  return nlohmann::json{options.file, options.overrides,
-                        options.output ? options.output->string() : "", options.threads}
+  return nlohmann::json{options.file, options.overrides, options.output ? options.output->string() : "",
+                        options.threads}
       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -37,14 +37,11 @@ bool is_full_disk(const std::error_code& code) {
          (code.category() == std::generic_category() && code.value() == EDQUOT);
 }
 
-std::string warning_note(const Warning& warning) {
-  return "warning: " + printable(sentence(warning));
-}
+std::string warning_note(const Warning& warning) { return "warning: " + printable(sentence(warning)); }
 
 /// Tables, figures and files of a study whose rows are complete.
 int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Study& study,
-                  const std::function<const DesignEngine&()>& engine, std::size_t threads,
-                  const Options& options) {
+                  const std::function<const DesignEngine&()>& engine, std::size_t threads, const Options& options) {
   const DocumentInfo info = document_info(in.source, Command::study);
   StudyResult result{study, {}, 0, 0, 0, {}};
   StudyAnalysis analysis(study);
@@ -58,66 +55,61 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
   if (!absent.empty()) note(options, "prs: " + absent);
   result.summary = analysis.summary();
   result.warnings = study_warnings(in, result, engine);
-  const Delivery delivery{
-      .file = "study.json",
-      .document = [&](const DocumentInfo& i) { return study_outline(result, i); },
-      .table = [&] { return study_table(result); },
-      .notes = notes_of(study_failures(result)),
-      .files =
-          [&](const CsvStyle& style) {
-            std::vector<OutputFile> files;
-            if (const StudySummary& s = result.summary; s.envelope)
-              files.push_back({"envelope.csv", envelope_csv(study, *s.maps, *s.envelope, style)});
-            return files;
-          },
-      .pictures = [&] { return study_pictures(result); },
-      .keeps_figures = true,
-      .converged = result.failed == 0,
-      .write = [&](const nlohmann::ordered_json& outline,
-                   const TextSink& sink) { write_study(outline, result, sink); }};
+  const Delivery delivery{.file = "study.json",
+                          .document = [&](const DocumentInfo& i) { return study_outline(result, i); },
+                          .table = [&] { return study_table(result); },
+                          .notes = notes_of(study_failures(result)),
+                          .files =
+                              [&](const CsvStyle& style) {
+                                std::vector<OutputFile> files;
+                                if (const StudySummary& s = result.summary; s.envelope)
+                                  files.push_back({"envelope.csv", envelope_csv(study, *s.maps, *s.envelope, style)});
+                                return files;
+                              },
+                          .pictures = [&] { return study_pictures(result); },
+                          .keeps_figures = true,
+                          .converged = result.failed == 0,
+                          .write = [&](const nlohmann::ordered_json& outline,
+                                       const TextSink& sink) { write_study(outline, result, sink); }};
   return deliver(delivery, info, options);
 }
 
 /// The plan that is one case with its derivatives.
 int derivatives(const input::StudyInput& in, const Options& options) {
   const CaseDerivatives result = run_derivatives(in);
-  const Delivery delivery{
-      .file = "derivatives.json",
-      .document = [&](const DocumentInfo& info) { return derivatives_json(result, info); },
-      .table = [&] { return derivatives_table(result); },
-      .notes = each(result.warnings, warning_note),
-      .files =
-          [&](const CsvStyle& style) {
-            return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result, style)}};
-          },
-      .pictures = [&] { return derivatives_pictures(result); },
-      .keeps_figures = true};
+  const Delivery delivery{.file = "derivatives.json",
+                          .document = [&](const DocumentInfo& info) { return derivatives_json(result, info); },
+                          .table = [&] { return derivatives_table(result); },
+                          .notes = each(result.warnings, warning_note),
+                          .files =
+                              [&](const CsvStyle& style) {
+                                return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result, style)}};
+                              },
+                          .pictures = [&] { return derivatives_pictures(result); },
+                          .keeps_figures = true};
   return deliver(delivery, document_info(in.source, Command::study), options);
 }
 
 /// Where the designs of a run come from; the counts add up.
 std::string origin(const StudyProgress& progress) {
-  return fmt::format("{} were in the journal, {} computed", progress.found,
-                     progress.done - progress.found);
+  return fmt::format("{} were in the journal, {} computed", progress.found, progress.done - progress.found);
 }
 
 /// What a run that was stopped leaves behind.
 int report_interrupted_study(const StudyProgress& progress, const Options& options) {
-  say(fmt::format("prs: interrupted; {} designs: {}, {} left; {}\n", progress.total,
-                  origin(progress), progress.total - progress.done,
+  say(fmt::format("prs: interrupted; {} designs: {}, {} left; {}\n", progress.total, origin(progress),
+                  progress.total - progress.done,
                   options.output ? "the same command continues from there"
                                  : "they are lost: with --output DIR a study can be continued"));
   return Interruption::status();
 }
 
-int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
-            const Options& options) {
+int compute(Ranks& ranks, const input::Source& source, std::size_t threads, const Options& options) {
   const input::StudyInput in = input::read_study_input(source);
   std::optional<StudyFolder> folder;
   const auto open_folder = [&] {
     if (options.output)
-      folder.emplace(*options.output,
-                     options.shard ? StudyFolder::Use::among_shards : StudyFolder::Use::alone);
+      folder.emplace(*options.output, options.shard ? StudyFolder::Use::among_shards : StudyFolder::Use::alone);
   };
   if (in.study.plan == Plan::derivatives) {
     open_folder();
@@ -125,11 +117,10 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
   }
   const DesignEngine engine = study_engine(in);
   const Study& study = engine.study();
-  for (const Warning& warning : void_factor_warnings(in, study.responses))
-    note(options, warning_note(warning));
+  for (const Warning& warning : void_factor_warnings(in, study.responses)) note(options, warning_note(warning));
   open_folder();
-  const JournalHeader header{key_of(in, in.study.command), source, study.responses,
-                             design_count(study), options.shard.value_or(Shard{})};
+  const JournalHeader header{key_of(in, in.study.command), source, study.responses, design_count(study),
+                             options.shard.value_or(Shard{})};
 
   const RunDesigns run_here = [&](const NextRange& next, const TakeRecord& take) {
     run_schedule(threads, engine.chunk(), next, evaluate_with(engine, Interruption::asked), take);
@@ -152,13 +143,11 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
 
   const DesignRange all = part(header.designs, header.shard);
   if (count(rows.missing(all)) > 0) return report_interrupted_study(progress, options);
-  if (progress.found > 0)
-    note(options, fmt::format("{} designs: {}", progress.total, origin(progress)));
+  if (progress.found > 0) note(options, fmt::format("{} designs: {}", progress.total, origin(progress)));
   if (options.shard) {
     note(options, fmt::format("shard {}: {} designs are in {}; with all shards done, `prs study "
                               "merge {} --output DIR` writes the files of the study",
-                              name(*options.shard), all.count, options.output->string(),
-                              options.output->string()));
+                              name(*options.shard), all.count, options.output->string(), options.output->string()));
     return kDone;
   }
   const int status = deliver_study(
@@ -174,9 +163,8 @@ bool agree(const JournalHeader& header, const Study& study) {
   if (header.designs != design_count(study)) return false;
   if (!asked.empty()) return header.responses == asked;
   const std::vector<std::string> known = default_responses(study.command);
-  return std::ranges::all_of(header.responses, [&](const std::string& path) {
-    return std::ranges::find(known, path) != known.end();
-  });
+  return std::ranges::all_of(header.responses,
+                             [&](const std::string& path) { return std::ranges::find(known, path) != known.end(); });
 }
 
 Delivery delivery_of(const OptimizationResult& result, const input::Source& source) {
@@ -199,9 +187,8 @@ Delivery delivery_of(const OptimizationResult& result, const input::Source& sour
 
 /// What a run that was stopped leaves behind.
 int report_interruption(const Options& options) {
-  say(fmt::format("prs: interrupted; {}\n",
-                  options.output ? "the same command continues from there"
-                                 : "with --output DIR an optimization can be continued"));
+  say(fmt::format("prs: interrupted; {}\n", options.output ? "the same command continues from there"
+                                                           : "with --output DIR an optimization can be continued"));
   return Interruption::status();
 }
 
@@ -209,8 +196,7 @@ int report_interruption(const Options& options) {
 
 int study(const Options& options) {
   if (options.shard && !options.output)
-    throw UsageError(
-        "--shard is given alone; expected --output DIR with it, where its part is kept");
+    throw UsageError("--shard is given alone; expected --output DIR with it, where its part is kept");
   Ranks ranks(!options.shard);
   if (!ranks.agree(arguments(options))) {
     if (ranks.is_first())
@@ -237,13 +223,12 @@ int study(const Options& options) {
 
 int merge_study(const Options& options) {
   if (!options.file.empty())
-    throw UsageError(
-        "got FILE {} before `merge`; expected `prs study merge DIR..`: the journals hold the file",
-        input::shown(options.file));
+    throw UsageError("got FILE {} before `merge`; expected `prs study merge DIR..`: the journals hold the file",
+                     input::shown(options.file));
   const StoredRows rows = gather_rows(options.folders);
   const JournalHeader& header = rows.journals().front().header();
-  input::Source source = input::source_of_text(header.source.name, header.source.text,
-                                               header.source.overrides, header.source.folder);
+  input::Source source =
+      input::source_of_text(header.source.name, header.source.text, header.source.overrides, header.source.folder);
   source.files.emplace();  // A journal may come from anywhere: what it names is not opened.
   const input::StudyInput in = input::read_study_input(source);
   if (!agree(header, in.study))
@@ -289,13 +274,11 @@ int optimize(const Options& options) {
   {
     ProgressLine line(options.quiet);
     const Interruption interruption(patience_for(options.output.has_value()));
-    result = run_optimization(
-        in, threads, open,
-        {Interruption::asked, [&](const StudyProgress& progress) { line.show(progress); }});
+    result = run_optimization(in, threads, open,
+                              {Interruption::asked, [&](const StudyProgress& progress) { line.show(progress); }});
   }
   if (!result) return report_interruption(options);
-  const int status =
-      deliver(delivery_of(*result, source), document_info(source, Command::optimize), options);
+  const int status = deliver(delivery_of(*result, source), document_info(source, Command::optimize), options);
   if (folder && status != kFailed) std::filesystem::remove(journal_file);
   return status;
 }

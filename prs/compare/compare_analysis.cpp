@@ -25,9 +25,7 @@ struct MostLoaded {
   const std::vector<double>& shares() const { return loads->load_rate; }
 };
 
-std::optional<double> largest_of(const std::vector<double>& values) {
-  return entry(values, index_of_largest(values));
-}
+std::optional<double> largest_of(const std::vector<double>& values) { return entry(values, index_of_largest(values)); }
 
 std::optional<double> over(std::optional<double> value, std::optional<double> best) {
   if (!value || !best || *best == 0.0) return std::nullopt;
@@ -54,16 +52,14 @@ namespace {
 constexpr Quantity<MostLoaded> kMostLoaded[] = {
     {"most_loaded_thread", of<[](auto& m) { return most_loaded_thread(*m.loads).value_or(1); }>,
      "1 is next to the loaded end of the screw"},
-    {"most_loaded_roller", of<[](auto& m) {
-       return m.loads->rollers ? std::optional(m.loads->rollers->largest_roller) : std::nullopt;
-     }>,
+    {"most_loaded_roller",
+     of<[](auto& m) { return m.loads->rollers ? std::optional(m.loads->rollers->largest_roller) : std::nullopt; }>,
      "from 1; of a full mechanism"},
     {"largest_load_rate_percent", of<[](auto& m) { return largest_of(m.shares()); }>,
      "its share: axial load over force per roller"},
     {"largest_peak_pressure_MPa", of<[](auto& m) { return largest_of(m.loads->peak_pressure); }>,
      "largest of a thread"},
-    {"load_rate_percent", of<&MostLoaded::shares>,
-     "share of each thread; of a full mechanism [roller][thread]"},
+    {"load_rate_percent", of<&MostLoaded::shares>, "share of each thread; of a full mechanism [roller][thread]"},
 };
 
 /// Largest pressure of a thread at either interface [Pa].
@@ -84,10 +80,8 @@ std::optional<double> pressure_over_best(const ComparedModel& m) {
 }
 
 constexpr Quantity<ComparedModel> kModel[] = {
-    {"bodies", of<&ComparedModel::model_name>,
-     "bars | refined | influence of one sector, or full: all rollers"},
-    {"converged", of<[](auto& m) { return m.result().converged(); }>,
-     "whether there is an equilibrium"},
+    {"bodies", of<&ComparedModel::model_name>, "bars | refined | influence of one sector, or full: all rollers"},
+    {"converged", of<[](auto& m) { return m.result().converged(); }>, "whether there is an equilibrium"},
     {"axial_stiffness_N_per_um", of<[](auto& m) { return m.result().axial_stiffness; }>,
      "secant: force over displacement"},
     {"stiffness_over_best", of<stiffness_over_best>, "over that of the best model"},
@@ -96,23 +90,18 @@ constexpr Quantity<ComparedModel> kModel[] = {
     {"largest_peak_pressure_MPa", of<[](auto& m) { return largest_pressure(m.result()); }>,
      "largest of a thread at either interface"},
     {"pressure_over_best", of<pressure_over_best>, "largest over that of the best model"},
-    {"screw", of<[](auto& m) { return most_loaded(m, Interface::screw); }>,
-     "threads of one roller at the screw"},
-    {"nut", of<[](auto& m) { return most_loaded(m, Interface::nut); }>,
-     "threads of one roller at the nut"},
+    {"screw", of<[](auto& m) { return most_loaded(m, Interface::screw); }>, "threads of one roller at the screw"},
+    {"nut", of<[](auto& m) { return most_loaded(m, Interface::nut); }>, "threads of one roller at the nut"},
 };
 
 constexpr Quantity<ComparedLoad> kLoad[] = {
-    {"name", of<[](const ComparedLoad& l) -> const std::string& { return l.load().name; }>,
-     "as the file has it"},
+    {"name", of<[](const ComparedLoad& l) -> const std::string& { return l.load().name; }>, "as the file has it"},
     {"axial_force_N", of<[](auto& l) { return l.load().axial_force; }>, "on the whole screw"},
     {"direction", of<[](auto& l) { return l.load().direction; }>, "tension | compression"},
-    {"position_mm", of<[](auto& l) { return l.load().position; }>,
-     "of the first roller contact on the nut"},
+    {"position_mm", of<[](auto& l) { return l.load().position; }>, "of the first roller contact on the nut"},
     {"models", of<[](auto& l) {
        std::vector<ComparedModel> models;
-       for (std::size_t m = 0; m < l.comparison->models.size(); ++m)
-         models.push_back({l.comparison, l.load_case, m});
+       for (std::size_t m = 0; m < l.comparison->models.size(); ++m) models.push_back({l.comparison, l.load_case, m});
        return models;
      }>,
      "the best last"},
@@ -121,8 +110,7 @@ constexpr Quantity<ComparedLoad> kLoad[] = {
 };
 
 constexpr Quantity<ModelComparison> kComparison[] = {
-    {"models", of<model_names>,
-     "that were compared: bars | refined | influence, or one of them | full; the best last"},
+    {"models", of<model_names>, "that were compared: bars | refined | influence, or one of them | full; the best last"},
     {"load_cases", of<[](auto& c) {
        std::vector<ComparedLoad> loads;
        for (std::size_t k = 0; k < c.load_cases(); ++k) loads.push_back({&c, k});
@@ -139,10 +127,8 @@ std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads) {
   return thread ? std::optional(*thread + 1) : std::nullopt;
 }
 
-PRS_RECORD(MostLoaded, "MostLoadedThread", "What an interface's threads carry, by one model.",
-           kMostLoaded);
-PRS_RECORD(ComparedModel, "ComparedModel", "The answer of one model of the bodies to a load case.",
-           kModel);
+PRS_RECORD(MostLoaded, "MostLoadedThread", "What an interface's threads carry, by one model.", kMostLoaded);
+PRS_RECORD(ComparedModel, "ComparedModel", "The answer of one model of the bodies to a load case.", kModel);
 PRS_RECORD(ComparedLoad, "ComparedLoadCase", "A load case by each model of the bodies.", kLoad);
 PRS_RECORD(ModelComparison, "Comparison", "The models of the bodies side by side.", kComparison);
 
@@ -165,10 +151,9 @@ std::string model_row(const std::string& load_case, const ComparedModel& m) {
   const LoadCaseResult& r = m.result();
   const std::string bodies(m.model_name());
   if (!r.converged()) return comparison_row({load_case, bodies, not_converged(r)});
-  return comparison_row({load_case, bodies, stiffness_cell(r),
-                         fixed(stiffness_over_best(m), 1.0, 3), displacement_cell(r),
-                         most_loaded_cell(r, Interface::screw), most_loaded_cell(r, Interface::nut),
-                         pressure_cell(r), fixed(pressure_over_best(m), 1.0, 3)});
+  return comparison_row({load_case, bodies, stiffness_cell(r), fixed(stiffness_over_best(m), 1.0, 3),
+                         displacement_cell(r), most_loaded_cell(r, Interface::screw),
+                         most_loaded_cell(r, Interface::nut), pressure_cell(r), fixed(pressure_over_best(m), 1.0, 3)});
 }
 
 }  // namespace
@@ -180,38 +165,33 @@ std::string comparison_table(const ModelComparison& c) {
     name_width = std::max(name_width, width(case_name_cell(c.best().load_cases[k])));
   name_width = std::min(name_width, kLongestName);
   const auto cell = [&](const std::string& text) { return fitted(text, name_width, true) + "  "; };
-  std::string text = comparison_row({cell(""), "", "stiffness", "over", "displ.", "screw max.",
-                                     "nut max.", "pressure", "over"}) +
-                     comparison_row({cell("load case"), "model", with_table_unit("N/µm"), "best",
-                                     with_table_unit("µm"), "thread: %", "thread: %",
-                                     with_table_unit("max. GPa"), "best"});
+  std::string text =
+      comparison_row({cell(""), "", "stiffness", "over", "displ.", "screw max.", "nut max.", "pressure", "over"}) +
+      comparison_row({cell("load case"), "model", with_table_unit("N/µm"), "best", with_table_unit("µm"), "thread: %",
+                      "thread: %", with_table_unit("max. GPa"), "best"});
   for (std::size_t k = 0; k < shown; ++k)
     for (std::size_t m = 0; m < c.models.size(); ++m)
       text += model_row(cell(m == 0 ? case_name_cell(c.best().load_cases[k]) : ""), {&c, k, m});
   if (shown < c.load_cases())
-    text += fmt::format("  … {} of {} load cases; {}\n", shown, c.load_cases(),
-                        all_in("comparison.csv"));
+    text += fmt::format("  … {} of {} load cases; {}\n", shown, c.load_cases(), all_in("comparison.csv"));
   return text + warning_section(all_warnings(c.warnings, c.best().load_cases));
 }
 
 std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
   CsvWriter csv(style);
   load_header(csv);
-  csv.row("bodies", "converged", "axial_stiffness_N_per_um", "stiffness_over_best",
-          "axial_displacement_um", "screw_most_loaded_thread", "screw_largest_load_rate_percent",
-          "nut_most_loaded_thread", "nut_largest_load_rate_percent", "largest_peak_pressure_MPa",
-          "pressure_over_best");
+  csv.row("bodies", "converged", "axial_stiffness_N_per_um", "stiffness_over_best", "axial_displacement_um",
+          "screw_most_loaded_thread", "screw_largest_load_rate_percent", "nut_most_loaded_thread",
+          "nut_largest_load_rate_percent", "largest_peak_pressure_MPa", "pressure_over_best");
   for (std::size_t k = 0; k < c.load_cases(); ++k)
     for (std::size_t model = 0; model < c.models.size(); ++model) {
       const ComparedModel m{&c, k, model};
       const LoadCaseResult& r = m.result();
       load_fields(csv, r.load_case);
-      csv.fields(m.model_name(), r.converged(),
-                 scaled(r.axial_stiffness, per_si::newton_per_micrometre), stiffness_over_best(m),
-                 scaled(r.axial_displacement, per_si::micrometre));
+      csv.fields(m.model_name(), r.converged(), scaled(r.axial_stiffness, per_si::newton_per_micrometre),
+                 stiffness_over_best(m), scaled(r.axial_displacement, per_si::micrometre));
       for (const Interface i : kInterfaces) {
-        const std::vector<double> shares =
-            r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
+        const std::vector<double> shares = r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
         csv.integer(r.threads ? most_loaded_thread((*r.threads)[i]) : std::nullopt);
         csv.number(entry(shares, index_of_largest(shares)), per_si::percent);
       }
@@ -225,8 +205,7 @@ namespace {
 /// Shares of the roller with the largest load; of a sector those of its roller.
 std::vector<double> of_most_loaded_roller(const InterfaceLoads& loads) {
   if (!loads.rollers) return loads.load_rate;
-  const auto from =
-      loads.load_rate.begin() + (loads.rollers->largest_roller - 1) * loads.threads_per_roller;
+  const auto from = loads.load_rate.begin() + (loads.rollers->largest_roller - 1) * loads.threads_per_roller;
   return {from, from + loads.threads_per_roller};
 }
 
@@ -235,16 +214,14 @@ std::vector<double> of_most_loaded_roller(const InterfaceLoads& loads) {
 /// answer to.
 Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   const auto answered = [&](std::size_t k) {
-    return std::ranges::all_of(
-        c.models, [&](const Result& model) { return model.load_cases[k].threads.has_value(); });
+    return std::ranges::all_of(c.models, [&](const Result& model) { return model.load_cases[k].threads.has_value(); });
   };
   std::size_t k = options.load_case.value_or(0);
   while (!options.load_case && k < c.load_cases() && !answered(k)) ++k;
   if (k >= c.load_cases() || !answered(k)) return {};
   const LoadCase& load = c.best().load_cases[k].load_case;
-  Figure figure{"loads_by_model",
-                fmt::format("Load distribution by model, {}, {:.4g} kN", shown_name(load.name),
-                            load.axial_force * per_si::kilonewton)};
+  Figure figure{"loads_by_model", fmt::format("Load distribution by model, {}, {:.4g} kN", shown_name(load.name),
+                                              load.axial_force * per_si::kilonewton)};
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
   for (std::size_t m = 0; m < c.models.size(); ++m)
@@ -269,9 +246,7 @@ ModelComparison compared(const input::Source&, const input::CaseInput& in) {
   return result;
 }
 
-std::vector<Warning> warnings_of(const ModelComparison& r) {
-  return all_warnings(r.warnings, r.best().load_cases);
-}
+std::vector<Warning> warnings_of(const ModelComparison& r) { return all_warnings(r.warnings, r.best().load_cases); }
 
 std::vector<std::string> notes(const ModelComparison& r) {
   std::string text = warning_summary(warnings_of(r));
@@ -281,8 +256,7 @@ std::vector<std::string> notes(const ModelComparison& r) {
 }  // namespace
 
 const Analysis<ModelComparison>& compare_analysis() {
-  static const std::vector<Place> places =
-      with_contacts({{"comparison", describe<ModelComparison>}});
+  static const std::vector<Place> places = with_contacts({{"comparison", describe<ModelComparison>}});
   static const Analysis<ModelComparison> analysis{
       .command = Command::compare,
       .help = "The models of the bodies side by side, or two cases",
@@ -301,11 +275,9 @@ const Analysis<ModelComparison>& compare_analysis() {
             return std::vector<OutputFile>{{"comparison.csv", comparison_csv(r, style)}};
           },
       .pictures = [](const ModelComparison& r, const Case&) -> Pictures {
-        return {{"loads_by_model", "a load case that converged with every model",
-                 of_result(r, loads_by_model)}};
+        return {{"loads_by_model", "a load case that converged with every model", of_result(r, loads_by_model)}};
       },
-      .converged =
-          [](const ModelComparison& r) { return std::ranges::all_of(r.models, all_converged); },
+      .converged = [](const ModelComparison& r) { return std::ranges::all_of(r.models, all_converged); },
       .all_warnings = warnings_of,
       .takes_load_cases_apart = true};
   return analysis;

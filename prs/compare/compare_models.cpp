@@ -67,9 +67,8 @@ ModelComparison compare_bodies(const Case& c) {
     } catch (const CaseError& error) {
       if (stated) throw;
       if (bodies != Bodies::influence)
-        comparison.warnings.push_back(
-            {error.path(), fmt::format("without_{}", name(bodies)),
-             fmt::format("without `bodies: {}`: {}", name(bodies), error.what())});
+        comparison.warnings.push_back({error.path(), fmt::format("without_{}", name(bodies)),
+                                       fmt::format("without `bodies: {}`: {}", name(bodies), error.what())});
     }
   }
   return comparison;
@@ -79,8 +78,7 @@ ModelComparison compare_bodies(const Case& c) {
 
 ModelComparison compare_models(const Case& c) {
   Case solved = c;
-  std::erase_if(solved.load_cases,
-                [](const LoadCase& load) { return load.share == LoadCase::Share::equal; });
+  std::erase_if(solved.load_cases, [](const LoadCase& load) { return load.share == LoadCase::Share::equal; });
   ModelComparison comparison;
   if (c.model.mechanism == ModelOptions::Mechanism::full)
     comparison.models = {analyze(as_sector(solved)), analyze(solved)};

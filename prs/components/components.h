@@ -12,8 +12,7 @@
 namespace prs {
 
 struct PictureModule : modules::Module {
-  static constexpr modules::Name kName{"prs_rsvg.so", "librsvg", "librsvg2-dev",
-                                       ", or leave out --png"};
+  static constexpr modules::Name kName{"prs_rsvg.so", "librsvg", "librsvg2-dev", ", or leave out --png"};
 
   /// An SVG file as a PNG file, so many times as large. Throws std::runtime_error.
   std::string (*png)(const std::string& svg, double scale);
@@ -29,8 +28,7 @@ struct PipelineModule : modules::Module {
   /// with `in_order` in the order in which they were given. An exception in a step ends the run and
   /// is thrown again.
   void (*run)(std::size_t threads, std::size_t places, bool in_order,
-              const std::function<bool(std::size_t place)>& give,
-              const std::function<void(std::size_t place)>& prepare,
+              const std::function<bool(std::size_t place)>& give, const std::function<void(std::size_t place)>& prepare,
               const std::function<void(std::size_t place)>& take);
 };
 
@@ -55,8 +53,7 @@ struct SearchModule : modules::Module {
   /// Evaluates the first population in one call and lets pagmo evolve it: generations x population
   /// points in all, in an order that depends on the options and the answers alone. All algorithms
   /// ask for a generation at a time but MOEA/D, whose next point depends on the answer to the last.
-  void (*search_cube)(const SearchOptions& options, const Points& first_population,
-                      const EvaluatePoints& evaluate);
+  void (*search_cube)(const SearchOptions& options, const Points& first_population, const EvaluatePoints& evaluate);
 
   /// Volume between the points and a corner that each of them dominates. Empty: 0.
   double (*hypervolume)(const Points& points, const std::vector<double>& corner);
@@ -70,8 +67,7 @@ class ColumnFile {
   enum class Type { real, integer, byte };
 
   /// Integers have the type of the column; a list of one is a scalar.
-  using Attribute = std::variant<std::string, std::vector<std::string>, double, unsigned long long,
-                                 std::vector<int>>;
+  using Attribute = std::variant<std::string, std::vector<std::string>, double, unsigned long long, std::vector<int>>;
 
   /// Stands for the file itself where a column's number is expected.
   static constexpr int kFile = -1;
@@ -95,8 +91,7 @@ struct NetcdfModule : modules::Module {
   static constexpr modules::Name kName{"prs_netcdf.so", "netCDF", "libnetcdf-dev", ""};
 
   /// A new file at `path`; messages name it `name`.
-  std::unique_ptr<ColumnFile> (*create)(const std::filesystem::path& path,
-                                        const std::filesystem::path& name);
+  std::unique_ptr<ColumnFile> (*create)(const std::filesystem::path& path, const std::filesystem::path& name);
 };
 
 /// The processes that an MPI launcher started together, numbered from 0. Only one thread of each
@@ -133,8 +128,7 @@ class Communicator {
 };
 
 struct MpiModule : modules::Module {
-  static constexpr modules::Name kName{"prs_mpi.so", "MPI", "libopenmpi-dev",
-                                       ", or compute parts by --shard i/n"};
+  static constexpr modules::Name kName{"prs_mpi.so", "MPI", "libopenmpi-dev", ", or compute parts by --shard i/n"};
   std::unique_ptr<Communicator> (*join)();
 };
 

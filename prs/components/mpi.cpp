@@ -56,10 +56,8 @@ class MpiCommunicator : public Communicator {
     if (there == 0) return std::nullopt;
     int length = 0;
     MPI_Get_count(&status, MPI_CHAR, &length);
-    Message message{status.MPI_SOURCE, status.MPI_TAG,
-                    std::string(static_cast<std::size_t>(length), '\0')};
-    MPI_Recv(message.content.data(), length, MPI_CHAR, message.rank, message.tag, MPI_COMM_WORLD,
-             MPI_STATUS_IGNORE);
+    Message message{status.MPI_SOURCE, status.MPI_TAG, std::string(static_cast<std::size_t>(length), '\0')};
+    MPI_Recv(message.content.data(), length, MPI_CHAR, message.rank, message.tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     return message;
   }
 
@@ -85,7 +83,5 @@ class MpiCommunicator : public Communicator {
 }  // namespace
 }  // namespace prs
 
-extern "C" __attribute__((visibility("default")))
-const prs::MpiModule prs_module{{}, []() -> std::unique_ptr<prs::Communicator> {
-                                  return std::make_unique<prs::MpiCommunicator>();
-                                }};
+extern "C" __attribute__((visibility("default"))) const prs::MpiModule prs_module{
+    {}, []() -> std::unique_ptr<prs::Communicator> { return std::make_unique<prs::MpiCommunicator>(); }};

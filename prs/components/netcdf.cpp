@@ -16,8 +16,7 @@ static_assert(ColumnFile::kFile == NC_GLOBAL);
 /// HDF5 does not survive where memory ends: whether it has some to spare.
 bool has_memory() {
   constexpr std::size_t kSpare = std::size_t{16} << 20;
-  void* const memory =
-      ::mmap(nullptr, kSpare, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  void* const memory = ::mmap(nullptr, kSpare, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   return memory != MAP_FAILED && ::munmap(memory, kSpare) == 0;
 }
 
@@ -27,8 +26,7 @@ void require_memory() {
 
 class NetcdfFile : public ColumnFile {
  public:
-  NetcdfFile(const std::filesystem::path& path, const std::filesystem::path& name)
-      : name_(name.string()) {
+  NetcdfFile(const std::filesystem::path& path, const std::filesystem::path& name) : name_(name.string()) {
     require_memory();
     require(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
     int old_fill = 0;
@@ -105,7 +103,7 @@ class NetcdfFile : public ColumnFile {
 }  // namespace
 }  // namespace prs
 
-extern "C" __attribute__((visibility("default"))) const prs::NetcdfModule prs_module{
-    {}, [](const auto& path, const auto& name) -> std::unique_ptr<prs::ColumnFile> {
-      return std::make_unique<prs::NetcdfFile>(path, name);
-    }};
+extern "C" __attribute__((visibility("default")))
+const prs::NetcdfModule prs_module{{}, [](const auto& path, const auto& name) -> std::unique_ptr<prs::ColumnFile> {
+                                     return std::make_unique<prs::NetcdfFile>(path, name);
+                                   }};

@@ -50,8 +50,7 @@ struct CubeProblem {
     for (auto at = xs.begin(); at != xs.end(); at += static_cast<std::ptrdiff_t>(dimensions))
       points.emplace_back(at, at + static_cast<std::ptrdiff_t>(dimensions));
     vector_double all;
-    for (const std::vector<double>& values : (*evaluate)(points))
-      all.insert(all.end(), values.begin(), values.end());
+    for (const std::vector<double>& values : (*evaluate)(points)) all.insert(all.end(), values.begin(), values.end());
     return all;
   }
 
@@ -62,9 +61,8 @@ struct CubeProblem {
 };
 
 /// Evolves by an algorithm of one generation that keeps its memory from call to call.
-void evolve_rehearsed(const pagmo::algorithm& algorithm, std::size_t generations,
-                      const EvaluatePoints& evaluate, Generation& generation,
-                      pagmo::population population) {
+void evolve_rehearsed(const pagmo::algorithm& algorithm, std::size_t generations, const EvaluatePoints& evaluate,
+                      Generation& generation, pagmo::population population) {
   for (std::size_t k = 0; k < generations; ++k) {
     generation = {.rehearsal = true, .points = {}, .answers = {}};
     pagmo::algorithm(algorithm).evolve(population);
@@ -75,9 +73,7 @@ void evolve_rehearsed(const pagmo::algorithm& algorithm, std::size_t generations
 }
 
 /// Whether `algorithm_of` gives one for `evolve_rehearsed`.
-bool is_rehearsed(Algorithm algorithm) {
-  return algorithm == Algorithm::sade || algorithm == Algorithm::cmaes;
-}
+bool is_rehearsed(Algorithm algorithm) { return algorithm == Algorithm::sade || algorithm == Algorithm::cmaes; }
 
 template <class A>
 pagmo::algorithm in_batches(A algorithm) {
@@ -86,15 +82,13 @@ pagmo::algorithm in_batches(A algorithm) {
 }
 
 /// With pagmo's own settings, but that none stops before its last generation.
-pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensions,
-                              std::size_t population) {
+pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensions, std::size_t population) {
   const auto generations = static_cast<unsigned>(options.generations - 1);
   const auto seed = static_cast<unsigned>(options.seed ^ (options.seed >> 32U));
   switch (options.algorithm) {
     case Algorithm::nsga2:
       // A variable mutates with probability 1/n, as its authors have it.
-      return in_batches(
-          pagmo::nsga2(generations, 0.95, 10.0, 1.0 / static_cast<double>(dimensions), 50.0, seed));
+      return in_batches(pagmo::nsga2(generations, 0.95, 10.0, 1.0 / static_cast<double>(dimensions), 50.0, seed));
     case Algorithm::nspso: {
       pagmo::nspso swarm(generations);
       swarm.set_seed(seed);
@@ -102,9 +96,8 @@ pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensio
     }
     case Algorithm::moead: {
       const std::size_t neighbours = std::min<std::size_t>(20, population - 1);
-      return pagmo::algorithm(
-          pagmo::moead(generations, options.objectives == 2 ? "grid" : "low discrepancy",
-                       "tchebycheff", neighbours, 1.0, 0.5, 20.0, 0.9, 2, true, seed));
+      return pagmo::algorithm(pagmo::moead(generations, options.objectives == 2 ? "grid" : "low discrepancy",
+                                           "tchebycheff", neighbours, 1.0, 0.5, 20.0, 0.9, 2, true, seed));
     }
     case Algorithm::sade:
       return pagmo::algorithm(pagmo::sade(1, 2, 1, 0.0, 0.0, true, seed));
@@ -119,20 +112,17 @@ pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensio
   return pagmo::algorithm(pagmo::cmaes(1, -1, -1, -1, -1, 0.3, 0.0, 0.0, true, true, seed));
 }
 
-void search_cube(const SearchOptions& options, const Points& first_population,
-                 const EvaluatePoints& evaluate) {
+void search_cube(const SearchOptions& options, const Points& first_population, const EvaluatePoints& evaluate) {
   const std::size_t dimensions = first_population.front().size();
   Generation generation;
-  pagmo::population population(
-      pagmo::problem(CubeProblem{dimensions, options.objectives, &evaluate, &generation}), 0U, 0U);
+  pagmo::population population(pagmo::problem(CubeProblem{dimensions, options.objectives, &evaluate, &generation}), 0U,
+                               0U);
   const Points fitness = evaluate(first_population);
-  for (std::size_t k = 0; k < first_population.size(); ++k)
-    population.push_back(first_population[k], fitness[k]);
+  for (std::size_t k = 0; k < first_population.size(); ++k) population.push_back(first_population[k], fitness[k]);
   if (options.generations < 2) return;
   const pagmo::algorithm algorithm = algorithm_of(options, dimensions, first_population.size());
   if (is_rehearsed(options.algorithm))
-    evolve_rehearsed(algorithm, options.generations - 1, evaluate, generation,
-                     std::move(population));
+    evolve_rehearsed(algorithm, options.generations - 1, evaluate, generation, std::move(population));
   else
     algorithm.evolve(population);
 }

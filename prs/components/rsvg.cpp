@@ -14,8 +14,7 @@ using Owned = std::unique_ptr<Object, void (*)(Object*)>;
 void require(cairo_status_t status) {
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   if (status != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error(std::string("cannot draw a PNG file: ") +
-                             cairo_status_to_string(status));
+    throw std::runtime_error(std::string("cannot draw a PNG file: ") + cairo_status_to_string(status));
 }
 
 [[noreturn]] void fail(GError* error) {
@@ -41,8 +40,7 @@ std::string png(const std::string& svg, double scale) {
   width = std::ceil(scale * width);
   height = std::ceil(scale * height);
   const Owned<cairo_surface_t> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width),
-                                 static_cast<int>(height)),
+      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height)),
       cairo_surface_destroy);
   require(cairo_surface_status(surface.get()));
   const Owned<cairo_t> context(cairo_create(surface.get()), cairo_destroy);

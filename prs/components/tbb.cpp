@@ -24,10 +24,8 @@ class HandOver {
 #endif
 };
 
-void run(std::size_t threads, std::size_t places, bool in_order,
-         const std::function<bool(std::size_t)>& give,
-         const std::function<void(std::size_t)>& prepare,
-         const std::function<void(std::size_t)>& take) {
+void run(std::size_t threads, std::size_t places, bool in_order, const std::function<bool(std::size_t)>& give,
+         const std::function<void(std::size_t)>& prepare, const std::function<void(std::size_t)>& take) {
   tbb::concurrent_queue<std::size_t> idle;
   for (std::size_t place = 0; place < places; ++place) idle.push(place);
   // From filter to filter, and from one call of a serial filter to the next.
@@ -59,12 +57,10 @@ void run(std::size_t threads, std::size_t places, bool in_order,
     at[place].give();
     idle.push(place);
   };
-  const tbb::filter_mode order =
-      in_order ? tbb::filter_mode::serial_in_order : tbb::filter_mode::serial_out_of_order;
-  const auto filters =
-      tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, next) &
-      tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, prepared) &
-      tbb::make_filter<std::size_t, void>(order, done);
+  const tbb::filter_mode order = in_order ? tbb::filter_mode::serial_in_order : tbb::filter_mode::serial_out_of_order;
+  const auto filters = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, next) &
+                       tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, prepared) &
+                       tbb::make_filter<std::size_t, void>(order, done);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([&] { tbb::parallel_pipeline(places, filters); });
@@ -76,5 +72,4 @@ void run(std::size_t threads, std::size_t places, bool in_order,
 }  // namespace
 }  // namespace prs
 
-extern "C" __attribute__((visibility("default")))
-const prs::PipelineModule prs_module{{}, prs::run};
+extern "C" __attribute__((visibility("default"))) const prs::PipelineModule prs_module{{}, prs::run};

@@ -16,9 +16,8 @@ constexpr int kFewestTeeth = 12, kMostTeeth = 40;
 constexpr double kMostShift = 1.0;
 
 /// ISO 54, and DIN 780-1 below 1 mm, from 0.2 to 10 mm [m].
-constexpr double kSeries1[] = {0.2e-3, 0.25e-3, 0.3e-3, 0.4e-3,  0.5e-3, 0.6e-3, 0.7e-3,
-                               0.8e-3, 0.9e-3,  1e-3,   1.25e-3, 1.5e-3, 2e-3,   2.5e-3,
-                               3e-3,   4e-3,    5e-3,   6e-3,    8e-3,   10e-3};
+constexpr double kSeries1[] = {0.2e-3,  0.25e-3, 0.3e-3, 0.4e-3, 0.5e-3, 0.6e-3, 0.7e-3, 0.8e-3, 0.9e-3, 1e-3,
+                               1.25e-3, 1.5e-3,  2e-3,   2.5e-3, 3e-3,   4e-3,   5e-3,   6e-3,   8e-3,   10e-3};
 constexpr double kSeries2[] = {0.22e-3, 0.28e-3, 0.35e-3,  0.45e-3,  0.55e-3, 0.65e-3, 0.75e-3,
                                0.85e-3, 0.95e-3, 1.125e-3, 1.375e-3, 1.75e-3, 2.25e-3, 2.75e-3,
                                3.5e-3,  4.5e-3,  5.5e-3,   7e-3,     9e-3};
@@ -27,8 +26,7 @@ double involute(double angle) { return std::tan(angle) - angle; }
 
 /// z_body -+ z_roller, of an internal or an external pair.
 int teeth_between(Mechanism::Type type, const GearPair& pair) {
-  return type == Mechanism::Type::standard ? pair.body_teeth - pair.roller_teeth
-                                           : pair.body_teeth + pair.roller_teeth;
+  return type == Mechanism::Type::standard ? pair.body_teeth - pair.roller_teeth : pair.body_teeth + pair.roller_teeth;
 }
 
 /// Working pressure angle and profile shift; false where base circles do not let them mesh or the
@@ -38,8 +36,8 @@ bool fit(Mechanism::Type type, double centre_distance, GearPair& pair) {
   const double cosine = 0.5 * pair.module * teeth / centre_distance * std::cos(kPressureAngle);
   if (!(cosine < 1.0)) return false;
   pair.working_pressure_angle = std::acos(cosine);
-  pair.profile_shift = teeth * (involute(pair.working_pressure_angle) - involute(kPressureAngle)) /
-                       (2.0 * std::tan(kPressureAngle));
+  pair.profile_shift =
+      teeth * (involute(pair.working_pressure_angle) - involute(kPressureAngle)) / (2.0 * std::tan(kPressureAngle));
   return std::abs(pair.profile_shift) <= kMostShift;
 }
 
@@ -48,8 +46,8 @@ constexpr int kMostRollerStarts = 3;
 
 /// Rolling diameters by the starts; without sense where `too_few_starts`.
 PerPart<double> rolling_diameters(const Mechanism& m, double screw_diameter) {
-  const contact::PitchRadii radii = contact::matched_pitch_radii(
-      threads_of(m).type, 0.5 * screw_diameter, m.starts.screw, m.starts.roller);
+  const contact::PitchRadii radii =
+      contact::matched_pitch_radii(threads_of(m).type, 0.5 * screw_diameter, m.starts.screw, m.starts.roller);
   return {screw_diameter, 2.0 * radii.roller, 2.0 * radii.nut};
 }
 
@@ -100,8 +98,7 @@ void count_rollers(Configuration& c, const ConfigurationQuery& query, double cre
   c.crest_gap = neighbour_gap(c.centre_distance, crest, c.mechanism.rollers);
   for (int n = kFewestRollers; n <= c.most_rollers; ++n)
     if (go_in_alike(c.mechanism.starts, n)) c.alike.push_back(n);
-  c.gears = gear_pairs(c.mechanism.type, c.mechanism.starts, c.centre_distance, c.mechanism.rollers,
-                       query.gap);
+  c.gears = gear_pairs(c.mechanism.type, c.mechanism.starts, c.centre_distance, c.mechanism.rollers, query.gap);
 }
 
 /// What `prs check` would say of the mechanism, the first of it; empty where nothing.
@@ -119,8 +116,7 @@ struct Verdict {
 };
 
 /// The mechanism with these starts, in `c`.
-Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechanism::Starts starts,
-                   Configuration& c) {
+Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechanism::Starts starts, Configuration& c) {
   if (too_few_starts(type, starts))
     return {
         "roller and nut can only have the same helix angle with more than two screw starts for "
@@ -129,8 +125,8 @@ Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechan
   c.rolling_diameter = rolling_diameters(c.mechanism, query.screw_diameter);
   if (c.rolling_diameter.roller > query.screw_diameter * (1.0 + 1e-9))
     return {"the rollers would be thicker than the screw"};
-  const double arc = query.roller_profile_radius.value_or(0.5 * c.rolling_diameter.roller /
-                                                          std::sin(query.flank_angle));
+  const double arc =
+      query.roller_profile_radius.value_or(0.5 * c.rolling_diameter.roller / std::sin(query.flank_angle));
   c.mechanism.profile.roller = {Profile::Shape::convex, arc};
 
   Contacts contacts;
@@ -167,8 +163,7 @@ int most_rollers(double centre_distance, double outer_radius, double gap) {
   const double ratio = (outer_radius + 0.5 * gap) / centre_distance;
   if (!(ratio < 1.0)) return 1;
   // A hair of tolerance, so that rollers that just reach the gap count.
-  return static_cast<int>(
-      std::min(kMost, std::floor(std::numbers::pi / std::asin(ratio) * (1.0 + 1e-12))));
+  return static_cast<int>(std::min(kMost, std::floor(std::numbers::pi / std::asin(ratio) * (1.0 + 1e-12))));
 }
 
 double indexing_angle(Mechanism::Type type, Mechanism::Starts starts, int rollers) {
@@ -179,8 +174,8 @@ double indexing_angle(Mechanism::Type type, Mechanism::Starts starts, int roller
 
 bool go_in_alike(Mechanism::Starts starts, int rollers) { return starts.screw % rollers == 0; }
 
-std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts,
-                                 double centre_distance, int rollers, double gap) {
+std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts, double centre_distance, int rollers,
+                                 double gap) {
   std::vector<GearPair> pairs;
   const int first = (kFewestTeeth + starts.roller - 1) / starts.roller;
   for (int k = first; k * starts.roller <= kMostTeeth; ++k) {
@@ -195,8 +190,7 @@ std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts,
         pair.module = module;
         pair.series = series;
         if (!fit(type, centre_distance, pair)) continue;
-        pair.most_rollers =
-            std::min(rollers, most_rollers(centre_distance, pitch_radius + module, gap));
+        pair.most_rollers = std::min(rollers, most_rollers(centre_distance, pitch_radius + module, gap));
         pairs.push_back(pair);
       }
     };
@@ -204,8 +198,7 @@ std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts,
     try_series(kSeries2, 2);
   }
   std::ranges::stable_sort(pairs, {}, [](const GearPair& p) {
-    return std::tuple(-p.most_rollers, p.series, std::round(10.0 * std::abs(p.profile_shift)),
-                      p.roller_teeth);
+    return std::tuple(-p.most_rollers, p.series, std::round(10.0 * std::abs(p.profile_shift)), p.roller_teeth);
   });
   return pairs;
 }
@@ -244,9 +237,7 @@ double roller_diameter(const ScrewData& d, int starts) {
 }
 
 /// Whole number of threads along a length.
-int contacts_over(double length, double pitch) {
-  return static_cast<int>(std::lround(std::min(length / pitch, 1e9)));
-}
+int contacts_over(double length, double pitch) { return static_cast<int>(std::lround(std::min(length / pitch, 1e9))); }
 
 /// Threads of screw, rollers and nut, without their number of contacts.
 struct Threads {
@@ -265,8 +256,7 @@ Mechanism draft_of(const ScrewData& d, int starts) {
   m.starts = {starts, d.roller_starts};
   m.flank_angle = {d.flank_angle, d.flank_angle, d.flank_angle};
   m.pitch_diameter.screw = d.screw_diameter;
-  m.profile.roller = {Profile::Shape::convex,
-                      d.roller_profile_radius.value_or(kProfileRadius * pitch)};
+  m.profile.roller = {Profile::Shape::convex, d.roller_profile_radius.value_or(kProfileRadius * pitch)};
   m.rollers = kFewestRollers;
   m.contacts_per_roller = kFewestContacts;
   return m;
@@ -292,8 +282,7 @@ ThreadHeight thread_height(const contact::Thread& thread, double nominal_radius,
   double crest = limits.largest - thread.pitch_radius, root = thread.pitch_radius - limits.smallest;
   if (thread.internal) std::swap(crest, root);
   const double below = (nominal_radius - thread.pitch_radius) * (thread.internal ? -1.0 : 1.0);
-  return {std::min(kCrestHeight * pitch + below, 0.95 * crest),
-          std::min(kMeshedRootDepth * pitch, 0.95 * root)};
+  return {std::min(kCrestHeight * pitch + below, 0.95 * crest), std::min(kMeshedRootDepth * pitch, 0.95 * root)};
 }
 
 Threads threads_for(const ScrewData& d, int starts) {
@@ -307,8 +296,7 @@ Threads threads_for(const ScrewData& d, int starts) {
   if (t.reason.empty()) {
     const std::optional<Contacts> sharp = t.contacts;
     const PerPart<double> nominal = nominal_radii(d, roller);
-    for (const Part p : kParts)
-      t.mechanism.thread[p] = thread_height(thread_of(sharp->threads, p), nominal[p], pitch);
+    for (const Part p : kParts) t.mechanism.thread[p] = thread_height(thread_of(sharp->threads, p), nominal[p], pitch);
     if (!obstacle(t.mechanism, t.contacts).empty()) {  // Contacts lie beyond a maker's crest.
       t.mechanism.thread = {};
       t.contacts = sharp;
@@ -322,8 +310,8 @@ Threads threads_for(const ScrewData& d, int starts) {
     const contact::MechanismGeometry& threads = t.contacts->threads;
     const double crest = contact::flank_limits(threads.roller).largest;
     t.most_rollers = most_rollers(threads.centre_distance, crest, 0.0);
-    t.mechanism.rollers = std::max(std::min(kFewestRollers, t.most_rollers),
-                                   most_rollers(threads.centre_distance, crest, 0.5 * pitch));
+    t.mechanism.rollers =
+        std::max(std::min(kFewestRollers, t.most_rollers), most_rollers(threads.centre_distance, crest, 0.5 * pitch));
     if (t.most_rollers < kFewestRollers) t.reason = "fewer than three rollers fit";
   }
   if (!t.reason.empty()) t.contacts.reset();
@@ -380,23 +368,20 @@ int usual_starts(const ScrewData& d) {
   };
   const double usual = at_pitch(kUsualPitch), coarsest = at_pitch(kCoarsestPitch);
   if (!works(usual))
-    throw CaseError("lead", fmt::format("got {}; nothing rolls with {} starts: {}", mm(d.lead),
-                                        starts, reason));
+    throw CaseError("lead", fmt::format("got {}; nothing rolls with {} starts: {}", mm(d.lead), starts, reason));
   const double greatest = works(coarsest) ? coarsest : nearest(coarsest, usual, works);
   throw CaseError("lead", fmt::format("got {}; expected {} to {} with {} starts on {}, < 0 where "
                                       "left-handed",
-                                      mm(d.lead), mm(up(at_pitch(kFinestPitch))),
-                                      mm(down(greatest)), starts, mm(d.screw_diameter)));
+                                      mm(d.lead), mm(up(at_pitch(kFinestPitch))), mm(down(greatest)), starts,
+                                      mm(d.screw_diameter)));
 }
 
 void check_starts(const ScrewData& d) {
   const int fewest = is_standard(d) ? 2 * d.roller_starts + 1 : std::max(2, d.roller_starts);
   if (d.starts && (*d.starts < fewest || *d.starts > kStartsLimit))
-    throw CaseError(
-        "starts",
-        fmt::format("got {}; expected {} to {}: the rollers' diameter is that of the "
-                    "screw over {}",
-                    *d.starts, fewest, kStartsLimit, is_standard(d) ? "starts - 2" : "starts"));
+    throw CaseError("starts", fmt::format("got {}; expected {} to {}: the rollers' diameter is that of the "
+                                          "screw over {}",
+                                          *d.starts, fewest, kStartsLimit, is_standard(d) ? "starts - 2" : "starts"));
 }
 
 /// An arc turns parallel to the axis r (1 - sin(flank angle)) above the pitch line.
@@ -405,11 +390,10 @@ void check_profile_radius(const ScrewData& d, int starts) {
   const double pitch = std::abs(d.lead) / starts;
   const double least = kLeastThreadHeight * kCrestHeight * pitch / (1.0 - std::sin(d.flank_angle));
   if (*d.roller_profile_radius < least)
-    throw CaseError(
-        "roller_profile_radius",
-        fmt::format("got {}; expected at least {}, usually 5 pitches, {}: arcs of less end below "
-                    "half of a thread's usual height",
-                    mm(*d.roller_profile_radius), mm(up(least)), mm(kProfileRadius * pitch)));
+    throw CaseError("roller_profile_radius",
+                    fmt::format("got {}; expected at least {}, usually 5 pitches, {}: arcs of less end below "
+                                "half of a thread's usual height",
+                                mm(*d.roller_profile_radius), mm(up(least)), mm(kProfileRadius * pitch)));
 }
 
 Threads sound_threads(const ScrewData& d) {
@@ -426,56 +410,48 @@ Threads sound_threads(const ScrewData& d) {
     by_rule.roller_profile_radius = radius;
     return rolls(by_rule, starts);
   });
-  throw CaseError("roller_profile_radius",
-                  fmt::format("got {}; expected at {} {}, usually 5 pitches, {}", mm(wrong),
-                              wrong < right ? "least" : "most",
-                              mm(wrong < right ? up(limit) : down(limit)), mm(right)));
+  throw CaseError("roller_profile_radius", fmt::format("got {}; expected at {} {}, usually 5 pitches, {}", mm(wrong),
+                                                       wrong < right ? "least" : "most",
+                                                       mm(wrong < right ? up(limit) : down(limit)), mm(right)));
 }
 
 void set_rollers(const ScrewData& d, Threads& t) {
   if (!d.rollers) return;
   if (*d.rollers < kFewestRollers || *d.rollers > t.most_rollers)
-    throw CaseError("rollers",
-                    fmt::format("got {}; expected {} to {}: fewer cannot centre the screw, more "
-                                "overlap",
-                                *d.rollers, kFewestRollers, t.most_rollers));
+    throw CaseError("rollers", fmt::format("got {}; expected {} to {}: fewer cannot centre the screw, more "
+                                           "overlap",
+                                           *d.rollers, kFewestRollers, t.most_rollers));
   t.mechanism.rollers = *d.rollers;
 }
 
 double nut_length(const ScrewData& d, double pitch, double roller_diameter, double nut_diameter) {
   const double least = kFewestContacts * pitch / kThreadedShare,
-               most = is_standard(d) ? kMostContacts * pitch / kThreadedShare
-                                     : kThickestNut * nut_diameter;
+               most = is_standard(d) ? kMostContacts * pitch / kThreadedShare : kThickestNut * nut_diameter;
   if (!d.nut_length) {
-    const double rule = is_standard(d)
-                            ? std::min(kNutLengthSlope * nut_diameter + kNutLengthOffset,
-                                       kSlendernessOfRollers * roller_diameter / kThreadedShare)
-                            : kInvertedNut * kInvertedThreads * d.screw_diameter;
+    const double rule = is_standard(d) ? std::min(kNutLengthSlope * nut_diameter + kNutLengthOffset,
+                                                  kSlendernessOfRollers * roller_diameter / kThreadedShare)
+                                       : kInvertedNut * kInvertedThreads * d.screw_diameter;
     return std::max(whole(rule), up(least));
   }
   if (*d.nut_length < least || *d.nut_length > most)
-    throw CaseError("nut_length",
-                    fmt::format("got {}; expected {} to {}, room for threads of {}",
-                                mm(*d.nut_length), mm(up(least)), mm(down(most)), mm(pitch)));
+    throw CaseError("nut_length", fmt::format("got {}; expected {} to {}, room for threads of {}", mm(*d.nut_length),
+                                              mm(up(least)), mm(down(most)), mm(pitch)));
   return *d.nut_length;
 }
 
 double root_depth(const Mechanism& m) {
-  return m.thread.nut ? m.thread.nut->dedendum
-                      : default_root_depth(axial_pitch(m), m.flank_angle.nut);
+  return m.thread.nut ? m.thread.nut->dedendum : default_root_depth(axial_pitch(m), m.flank_angle.nut);
 }
 
 double nut_outer_diameter(const ScrewData& d, const Mechanism& m, double pitch_diameter) {
   const double threads = pitch_diameter + 2.0 * (root_depth(m) + kLeastWall * axial_pitch(m));
   const double least = std::max(threads, 1.001 * pitch_diameter);
-  if (!d.nut_diameter)
-    return std::max(whole(kNutDiameterSlope * pitch_diameter + kNutDiameterOffset), up(least));
+  if (!d.nut_diameter) return std::max(whole(kNutDiameterSlope * pitch_diameter + kNutDiameterOffset), up(least));
   if (*d.nut_diameter < least || *d.nut_diameter > kThickestNut * pitch_diameter)
-    throw CaseError("nut_diameter",
-                    fmt::format("got {}; expected {} to {}: the nut's threads have a pitch "
-                                "diameter of {}",
-                                mm(*d.nut_diameter), mm(up(least)),
-                                mm(down(kThickestNut * pitch_diameter)), mm(pitch_diameter)));
+    throw CaseError("nut_diameter", fmt::format("got {}; expected {} to {}: the nut's threads have a pitch "
+                                                "diameter of {}",
+                                                mm(*d.nut_diameter), mm(up(least)),
+                                                mm(down(kThickestNut * pitch_diameter)), mm(pitch_diameter)));
   return *d.nut_diameter;
 }
 
@@ -485,10 +461,8 @@ double edge_force(const Mechanism& m, const Contacts& contacts) {
   for (const Interface i : kInterfaces) {
     const InterfaceContact& c = contacts.interfaces[i];
     const contact::FlankEdge edge = contact::nearest_flank_edge(
-        pair_of(contacts.threads, i), c.geometry, c.hertz.semi_major_per_cbrt_load,
-        c.hertz.semi_minor_per_cbrt_load);
-    force = std::min(force, std::pow(edge.scale, 3) * std::cos(c.normal_angle()) *
-                                m.contacts_per_roller * m.rollers);
+        pair_of(contacts.threads, i), c.geometry, c.hertz.semi_major_per_cbrt_load, c.hertz.semi_minor_per_cbrt_load);
+    force = std::min(force, std::pow(edge.scale, 3) * std::cos(c.normal_angle()) * m.contacts_per_roller * m.rollers);
   }
   return force;
 }
@@ -496,15 +470,13 @@ double edge_force(const Mechanism& m, const Contacts& contacts) {
 double load_of(const ScrewData& d, const Mechanism& m, const Contacts& contacts) {
   const double moderate = moderate_force(m, contacts);
   if (!d.load)
-    return proposed(std::min(
-        {moderate, kModerateStress * 0.25 * std::numbers::pi * d.screw_diameter * d.screw_diameter,
-         kModerateEdgeShare * edge_force(m, contacts)}));
+    return proposed(std::min({moderate, kModerateStress * 0.25 * std::numbers::pi * d.screw_diameter * d.screw_diameter,
+                              kModerateEdgeShare * edge_force(m, contacts)}));
   const double most = moderate * std::pow(kGreatestPressure / kModeratePressure, 3);
   if (*d.load > most)
-    throw CaseError("load",
-                    fmt::format("got {:.6g} kN; expected at most {:.6g} kN, with which "
-                                "equal shares give {:g} GPa: twice the static capacity",
-                                1e-3 * *d.load, 1e-3 * down(most), 1e-9 * kGreatestPressure));
+    throw CaseError("load", fmt::format("got {:.6g} kN; expected at most {:.6g} kN, with which "
+                                        "equal shares give {:g} GPa: twice the static capacity",
+                                        1e-3 * *d.load, 1e-3 * down(most), 1e-9 * kGreatestPressure));
   return *d.load;
 }
 
@@ -512,8 +484,7 @@ Structure structure_of(const ScrewData& d, const Mechanism& m, double nut_diamet
   const double roller = roller_diameter(d, m.starts.screw);
   const double threaded = m.contacts_per_roller * axial_pitch(m);
   Structure s;
-  s.roller.end_length =
-      is_standard(d) ? 0.5 * kRollerEndsShare * (length - threaded) : 0.7 * roller;
+  s.roller.end_length = is_standard(d) ? 0.5 * kRollerEndsShare * (length - threaded) : 0.7 * roller;
   s.roller.end_diameter = kRollerEndDiameter * roller;
   s.nut.length = length;
   s.nut.outer_diameter = nut_outer_diameter(d, m, nut_diameter);
@@ -546,8 +517,7 @@ double moderate_force(const Mechanism& m, const Contacts& contacts) {
     const InterfaceContact& contact = contacts.interfaces[i];
     const double pressure_of_1_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
     const double normal_load = std::pow(kModeratePressure / pressure_of_1_newton, 3);
-    force = std::min(
-        force, normal_load * std::cos(contact.normal_angle()) * m.contacts_per_roller * m.rollers);
+    force = std::min(force, normal_load * std::cos(contact.normal_angle()) * m.contacts_per_roller * m.rollers);
   }
   return force;
 }
@@ -567,17 +537,15 @@ CompleteScrew complete_screw(const ScrewData& d) {
   const double length = nut_length(d, pitch, screw.pitch_diameter.roller, screw.pitch_diameter.nut);
   m.contacts_per_roller = contacts_over(kThreadedShare * length, pitch);
   if (!is_standard(d))
-    m.contacts_per_roller =
-        std::min(m.contacts_per_roller, contacts_over(kInvertedThreads * d.screw_diameter, pitch));
+    m.contacts_per_roller = std::min(m.contacts_per_roller, contacts_over(kInvertedThreads * d.screw_diameter, pitch));
   screw.position = 0.5 * (length - (m.contacts_per_roller - 1) * pitch);
   screw.gears = gear_pairs(m.type, m.starts, screw.centre_distance, m.rollers, 0.5 * pitch);
   screw.load = load_of(d, m, contacts);
   constexpr double one_rpm = std::numbers::pi / 30.0;
-  screw.speed = d.speed.value_or(
-      one_rpm * proposed(kSpeedShare * kGreatestSpeedTimesDiameter / d.screw_diameter / one_rpm));
+  screw.speed =
+      d.speed.value_or(one_rpm * proposed(kSpeedShare * kGreatestSpeedTimesDiameter / d.screw_diameter / one_rpm));
   screw.c.structure = structure_of(d, m, screw.pitch_diameter.nut, length);
-  screw.c.structure->screw.free_length =
-      is_standard(d) ? screw.position : screw.c.structure->roller.end_length;
+  screw.c.structure->screw.free_length = is_standard(d) ? screw.position : screw.c.structure->roller.end_length;
   screw.c.materials = Materials{kSteel, kSteel, kSteel};
   screw.c.mechanism = m;
   return screw;
@@ -589,8 +557,7 @@ Heat::Conductance estimated_conductance(const CompleteScrew& s, double shaft_len
   const double count = static_cast<double>(m.rollers) * m.contacts_per_roller;
   const auto spots = [&](Interface i) {
     const InterfaceContact& contact = contacts.interfaces[i];
-    const contact::HertzContact e =
-        contact::at_load(contact.hertz, s.load / count / std::cos(contact.normal_angle()));
+    const contact::HertzContact e = contact::at_load(contact.hertz, s.load / count / std::cos(contact.normal_angle()));
     return count * 2.0 * kSteelConductivity * std::sqrt(e.semi_major * e.semi_minor);
   };
   const Structure::Nut& nut = s.c.structure->nut;

@@ -71,8 +71,8 @@ struct GearPair {
 ///
 /// The pairs that hold most rollers come first, then those of series 1, then those of least shift,
 /// to a tenth of the module, and of fewest teeth.
-std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts,
-                                 double centre_distance, int rollers, double gap);
+std::vector<GearPair> gear_pairs(Mechanism::Type type, Mechanism::Starts starts, double centre_distance, int rollers,
+                                 double gap);
 
 /// What is known of a mechanism before it is drawn. SI units.
 struct ConfigurationQuery {
@@ -83,8 +83,8 @@ struct ConfigurationQuery {
   std::optional<int> screw_starts;               ///< Absent: 3 to 10.
   std::optional<int> roller_starts;              ///< Absent: 1 to 3.
   std::optional<int> rollers;                    ///< Absent: as many as fit.
-  double gap = 0.0;  ///< Least gap between the crests of neighbouring rollers [m].
-  std::optional<double> roller_profile_radius;  ///< r_BR [m]; absent: arcs about the axis.
+  double gap = 0.0;                              ///< Least gap between the crests of neighbouring rollers [m].
+  std::optional<double> roller_profile_radius;   ///< r_BR [m]; absent: arcs about the axis.
 };
 
 /// A mechanism whose helix angles and gear ratio agree.
@@ -254,8 +254,7 @@ struct CaseLubricant {
 /// The screw as a commented case for which every command but `preload`, `study` and `optimize` has
 /// all it needs. `origin` says in its first lines where the data come from. A full mechanism has
 /// supports and loads across the axis as well. Throws CaseError where `prs life` would refuse it.
-std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
-                       const std::string& origin,
+std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant, const std::string& origin,
                        ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);
 
 /// The first half of that: heading, mechanism, structure and materials.

@@ -25,11 +25,9 @@ constexpr Quantity<Configuration> kRollers[] = {
     {"most", always<&Configuration::most_rollers>, "that fit with the gap"},
     {"chosen", always<its_mechanism<&Mechanism::rollers>>},
     {"crest_gap_mm", of<&Configuration::crest_gap>, "between neighbours"},
-    {"indexing_angle_deg",
-     of<its_mechanism<[](auto& m) { return indexing_angle(m.type, m.starts, m.rollers); }>>,
+    {"indexing_angle_deg", of<its_mechanism<[](auto& m) { return indexing_angle(m.type, m.starts, m.rollers); }>>,
      "by which each is turned against its neighbour"},
-    {"alike", always<&Configuration::alike>,
-     "numbers of rollers that all go in turned the same way"},
+    {"alike", always<&Configuration::alike>, "numbers of rollers that all go in turned the same way"},
 };
 
 constexpr Quantity<GearPair> kGears[] = {
@@ -45,8 +43,7 @@ constexpr Quantity<GearPair> kGears[] = {
 using Numbered = Within<Configurations, Configuration>;
 
 constexpr Quantity<Numbered> kConfiguration[] = {
-    {"number", always<[](auto& c) { return c.item - c.whole->found.data() + 1; }>,
-     "what `--write` takes"},
+    {"number", always<[](auto& c) { return c.item - c.whole->found.data() + 1; }>, "what `--write` takes"},
     {"type", always<[](auto& c) { return type_name(c.item->mechanism.type); }>, kTypes},
     {"starts", always_table<kStarts, its<its_mechanism<&Mechanism::starts>>>},
     {"pitch_mm", of<its<its_mechanism<axial_pitch>>>},
@@ -56,10 +53,8 @@ constexpr Quantity<Numbered> kConfiguration[] = {
     {"gear_ratio", of<its<&Configuration::gear_ratio>>},
     {"lead_mm", of<its<&Configuration::lead>>},
     {"helix_angle_deg", of<its<&Configuration::helix_angle>>},
-    {"roller_hand", of<[](auto& c) { return (c.item->lead.roller > 0.0) ? "right" : "left"; }>,
-     "right | left"},
-    {"roller_profile_radius_mm",
-     of<its<its_mechanism<[](auto& m) { return m.profile.roller.radius; }>>>},
+    {"roller_hand", of<[](auto& c) { return (c.item->lead.roller > 0.0) ? "right" : "left"; }>, "right | left"},
+    {"roller_profile_radius_mm", of<its<its_mechanism<[](auto& m) { return m.profile.roller.radius; }>>>},
     {"rollers", always_table<kRollers, its<std::identity{}>>},
     {"gears", always_table<kGears, its<&Configuration::gears>>, "the most suitable first"},
 };
@@ -72,8 +67,7 @@ constexpr Quantity<LeftOut> kLeftOut[] = {
 };
 
 constexpr Quantity<Configurations> kConfigurations[] = {
-    {"configurations",
-     always_table<kConfiguration, [](auto& all) { return within(all, all.found); }>},
+    {"configurations", always_table<kConfiguration, [](auto& all) { return within(all, all.found); }>},
     {"left_out", always_table<kLeftOut, &Configurations::left_out>},
 };
 
@@ -102,52 +96,40 @@ struct Column {
 };
 
 constexpr Column kColumns[] = {
-    {"  type", "", 12, [](Found c) { return fmt::format("  {}", type_name(c.mechanism.type)); },
-     true},
+    {"  type", "", 12, [](Found c) { return fmt::format("  {}", type_name(c.mechanism.type)); }, true},
     {"starts", "S/R", 6,
-     [](Found c) {
-       return fmt::format("{}/{}", c.mechanism.starts.screw, c.mechanism.starts.roller);
-     }},
+     [](Found c) { return fmt::format("{}/{}", c.mechanism.starts.screw, c.mechanism.starts.roller); }},
     {"pitch", "mm", 7, [](Found c) { return millimetres(axial_pitch(c.mechanism)); }},
     {"screw", "mm", 8, [](Found c) { return millimetres(c.pitch_diameter.screw); }},
     {"roller", "mm", 8, [](Found c) { return millimetres(c.pitch_diameter.roller); }},
     {"nut", "mm", 8, [](Found c) { return millimetres(c.pitch_diameter.nut); }},
     {"centres", "mm", 8, [](Found c) { return millimetres(c.centre_distance); }},
-    {"hand", "roller", 7,
-     [](Found c) { return std::string(c.lead.roller > 0.0 ? "right" : "left"); }},
+    {"hand", "roller", 7, [](Found c) { return std::string(c.lead.roller > 0.0 ? "right" : "left"); }},
     {"rollers", "≤", 8, [](Found c) { return std::to_string(c.most_rollers); }},
     {"one", "angle", 7,
-     [](Found c) {
-       return c.alike.empty() ? std::string(kAbsent) : fmt::format("{}", fmt::join(c.alike, " "));
-     }},
+     [](Found c) { return c.alike.empty() ? std::string(kAbsent) : fmt::format("{}", fmt::join(c.alike, " ")); }},
     {"gears", "teeth, module/mm", 18, gears_cell}};
 
 /// A number and the cells behind it.
 std::string line(std::string text, const auto& cell) {
   text = padded(text, 3, false);
-  for (const Column& column : kColumns)
-    text += padded(cell(column), column.width, column.left_aligned);
+  for (const Column& column : kColumns) text += padded(cell(column), column.width, column.left_aligned);
   return ended(text);
 }
 
 std::string heading(const ConfigurationQuery& q) {
-  const auto length = [](double si) {
-    return fmt::format("{:.6g} {}", shown(si, "mm"), table_unit("mm").text);
-  };
-  return fmt::format(
-      "Screw {}, lead {}, flanks {}, no backlash, crests of neighbours {} apart or more\n\n",
-      length(q.screw_diameter), length(q.lead),
-      input::format_quantity(q.flank_angle, input::unit::angle), length(q.gap));
+  const auto length = [](double si) { return fmt::format("{:.6g} {}", shown(si, "mm"), table_unit("mm").text); };
+  return fmt::format("Screw {}, lead {}, flanks {}, no backlash, crests of neighbours {} apart or more\n\n",
+                     length(q.screw_diameter), length(q.lead),
+                     input::format_quantity(q.flank_angle, input::unit::angle), length(q.gap));
 }
 
 }  // namespace
 
-PRS_RECORD(Configurations, "Configurations",
-           "Starts that give a sound mechanism, and those that do not.", kConfigurations);
+PRS_RECORD(Configurations, "Configurations", "Starts that give a sound mechanism, and those that do not.",
+           kConfigurations);
 
-std::string_view type_name(Mechanism::Type type) {
-  return type == Mechanism::Type::standard ? "standard" : "inverted";
-}
+std::string_view type_name(Mechanism::Type type) { return type == Mechanism::Type::standard ? "standard" : "inverted"; }
 
 nlohmann::ordered_json configurations_json(const Configurations& all, const DocumentInfo& info) {
   nlohmann::ordered_json document = document_head(info, {});
@@ -169,8 +151,7 @@ std::string left_out_text(const Configurations& all) {
     known->second += fmt::format(" {}/{}", left_out.starts.screw, left_out.starts.roller);
   }
   std::string text;
-  for (const auto& [key, who] : reasons)
-    text += wrapped(who + key.substr(key.find(':')), "  ", kTableWidth);
+  for (const auto& [key, who] : reasons) text += wrapped(who + key.substr(key.find(':')), "  ", kTableWidth);
   return text;
 }
 
@@ -179,8 +160,7 @@ std::string configurations_table(const ConfigurationQuery& query, const Configur
   text += line("#", [](const Column& column) { return column.title; });
   text += line("", [](const Column& column) { return with_table_unit(column.subtitle); });
   for (std::size_t k = 0; k < all.found.size(); ++k)
-    text += line(std::to_string(k + 1),
-                 [&](const Column& column) { return column.cell(all.found[k]); });
+    text += line(std::to_string(k + 1), [&](const Column& column) { return column.cell(all.found[k]); });
   text += "\n";
   text += wrapped(
       "Every number of rollers up to the one given meshes at equal spacing; with those of `one "
@@ -194,12 +174,11 @@ std::string configurations_table(const ConfigurationQuery& query, const Configur
 
 std::string configurations_csv(const Configurations& all, const CsvStyle& style) {
   CsvWriter csv(style);
-  csv.row("number", "type", "screw_starts", "roller_starts", "pitch_mm",
-          "screw_rolling_diameter_mm", "roller_rolling_diameter_mm", "nut_rolling_diameter_mm",
-          "screw_pitch_diameter_mm", "roller_pitch_diameter_mm", "nut_pitch_diameter_mm",
-          "centre_distance_mm", "gear_ratio", "lead_mm", "roller_lead_mm", "screw_helix_angle_deg",
-          "roller_helix_angle_deg", "nut_helix_angle_deg", "most_rollers", "rollers",
-          "crest_gap_mm", "indexing_angle_deg", "alike");
+  csv.row("number", "type", "screw_starts", "roller_starts", "pitch_mm", "screw_rolling_diameter_mm",
+          "roller_rolling_diameter_mm", "nut_rolling_diameter_mm", "screw_pitch_diameter_mm",
+          "roller_pitch_diameter_mm", "nut_pitch_diameter_mm", "centre_distance_mm", "gear_ratio", "lead_mm",
+          "roller_lead_mm", "screw_helix_angle_deg", "roller_helix_angle_deg", "nut_helix_angle_deg", "most_rollers",
+          "rollers", "crest_gap_mm", "indexing_angle_deg", "alike");
   constexpr double mm = per_si::millimetre, degree = per_si::degree;
   for (std::size_t k = 0; k < all.found.size(); ++k) {
     const Configuration& c = all.found[k];
@@ -210,16 +189,15 @@ std::string configurations_csv(const Configurations& all, const CsvStyle& style)
     csv.fields(c.centre_distance * mm, c.gear_ratio, c.lead.screw * mm, c.lead.roller * mm);
     for (const Part p : kParts) csv.number(c.helix_angle[p], degree);
     csv.row(c.most_rollers, m.rollers, scaled(c.crest_gap, mm),
-            scaled(indexing_angle(m.type, m.starts, m.rollers), degree),
-            fmt::format("{}", fmt::join(c.alike, " ")));
+            scaled(indexing_angle(m.type, m.starts, m.rollers), degree), fmt::format("{}", fmt::join(c.alike, " ")));
   }
   return csv.take();
 }
 
 std::string gear_pairs_csv(const Configurations& all, const CsvStyle& style) {
   CsvWriter csv(style);
-  csv.row("number", "roller_teeth", "body_teeth", "module_mm", "series",
-          "working_pressure_angle_deg", "profile_shift", "most_rollers");
+  csv.row("number", "roller_teeth", "body_teeth", "module_mm", "series", "working_pressure_angle_deg", "profile_shift",
+          "most_rollers");
   for (std::size_t k = 0; k < all.found.size(); ++k)
     for (const GearPair& g : all.found[k].gears)
       csv.row(k + 1, g.roller_teeth, g.body_teeth, g.module * per_si::millimetre, g.series,

@@ -21,12 +21,10 @@ struct QuantityOption {
 };
 
 const QuantityOption kQuantities[] = {
-    {"--nut-diameter", &NewOptions::nut_diameter, &ScrewData::nut_diameter, input::unit::length,
-     "nut diameter"},
-    {"--nut-length", &NewOptions::nut_length, &ScrewData::nut_length, input::unit::length,
-     "nut length"},
-    {"--roller-profile-radius", &NewOptions::roller_profile_radius,
-     &ScrewData::roller_profile_radius, input::unit::length, "profile radius"},
+    {"--nut-diameter", &NewOptions::nut_diameter, &ScrewData::nut_diameter, input::unit::length, "nut diameter"},
+    {"--nut-length", &NewOptions::nut_length, &ScrewData::nut_length, input::unit::length, "nut length"},
+    {"--roller-profile-radius", &NewOptions::roller_profile_radius, &ScrewData::roller_profile_radius,
+     input::unit::length, "profile radius"},
     {"--load", &NewOptions::load, &ScrewData::load, input::unit::force, "load"},
     {"--speed", &NewOptions::speed, &ScrewData::speed, input::unit::rotational_speed, "speed"},
 };
@@ -34,18 +32,9 @@ const QuantityOption kQuantities[] = {
 /// Screws of the examples that the command writes without options.
 ScrewData example(Mechanism::Type type) {
   if (type == Mechanism::Type::standard)
-    return {.type = type,
-            .screw_diameter = 30e-3,
-            .lead = 10e-3,
-            .starts = 5,
-            .nut_diameter = 64e-3,
-            .nut_length = 85e-3};
-  return {.type = type,
-          .screw_diameter = 21e-3,
-          .lead = 5e-3,
-          .starts = 3,
-          .nut_diameter = 46e-3,
-          .nut_length = 90e-3};
+    return {
+        .type = type, .screw_diameter = 30e-3, .lead = 10e-3, .starts = 5, .nut_diameter = 64e-3, .nut_length = 85e-3};
+  return {.type = type, .screw_diameter = 21e-3, .lead = 5e-3, .starts = 3, .nut_diameter = 46e-3, .nut_length = 90e-3};
 }
 
 /// `nut_diameter` -> `--nut-diameter`
@@ -70,20 +59,17 @@ std::string spaced(std::string_view quantity) {
 
 ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::string>& given) {
   using namespace input;
-  for (const auto& [option, text] :
-       {std::pair{"--screw-diameter", &o.screw_diameter}, std::pair{"--lead", &o.lead}})
+  for (const auto& [option, text] : {std::pair{"--screw-diameter", &o.screw_diameter}, std::pair{"--lead", &o.lead}})
     if (!*text)
-      throw CaseError(
-          option, fmt::format("missing; expected diameter and lead with the other options; add "
-                              "`{} \"{}\"`, for example",
-                              option, option == std::string_view("--lead") ? "10 mm" : "30 mm"));
+      throw CaseError(option, fmt::format("missing; expected diameter and lead with the other options; add "
+                                          "`{} \"{}\"`, for example",
+                                          option, option == std::string_view("--lead") ? "10 mm" : "30 mm"));
   ScrewData d;
   d.type = type;
-  d.screw_diameter = quantity_of_option("--screw-diameter", *o.screw_diameter, unit::length,
-                                        {1e-3, 1.0}, "1 mm to 1 m; check the unit");
+  d.screw_diameter = quantity_of_option("--screw-diameter", *o.screw_diameter, unit::length, {1e-3, 1.0},
+                                        "1 mm to 1 m; check the unit");
   d.lead = quantity_of_option("--lead", *o.lead, unit::length, {}, "");
-  given = {fmt::format("screw diameter {}", shown(*o.screw_diameter)),
-           fmt::format("lead {}", shown(*o.lead))};
+  given = {fmt::format("screw diameter {}", shown(*o.screw_diameter)), fmt::format("lead {}", shown(*o.lead))};
   d.as_written = {{"screw_diameter", spaced(*o.screw_diameter)}, {"lead", spaced(*o.lead)}};
   d.starts = o.starts;
   d.rollers = o.rollers;
@@ -92,8 +78,8 @@ ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::st
   for (const QuantityOption& q : kQuantities)
     if (const std::optional<std::string>& text = o.*q.text) {
       const bool travels = q.dimension.by_lead && is_travel_speed(*text);
-      const double value = quantity_of_option(
-          q.name, *text, travels ? unit::travel_speed : q.dimension, positive, "more than 0");
+      const double value =
+          quantity_of_option(q.name, *text, travels ? unit::travel_speed : q.dimension, positive, "more than 0");
       d.*q.value = travels ? std::abs(rotation(value, d.lead)) : value;
       d.as_written[member_of(q.name)] = spaced(*text);
       given.push_back(fmt::format("{} {}", q.meaning, shown(*text)));
@@ -109,15 +95,14 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
     const auto names = each(named_lubricants(), &NamedLubricant::name);
     if (std::ranges::find(names, l.name) == names.end()) {
       const std::string hint = input::did_you_mean(l.name, names);
-      throw CaseError("--lubricant",
-                      fmt::format("got {}; expected a name of `prs list lubricants`{}{}",
-                                  input::shown(l.name), hint.empty() ? "" : "; ", hint));
+      throw CaseError("--lubricant", fmt::format("got {}; expected a name of `prs list lubricants`{}{}",
+                                                 input::shown(l.name), hint.empty() ? "" : "; ", hint));
     }
     given.push_back("lubricant " + l.name);
   }
   if (o.temperature) {
-    l.temperature = quantity_of_option("--temperature", *o.temperature, input::unit::temperature,
-                                       {230.0, 500.0}, "an oil's temperature, -43 to 226 degC");
+    l.temperature = quantity_of_option("--temperature", *o.temperature, input::unit::temperature, {230.0, 500.0},
+                                       "an oil's temperature, -43 to 226 degC");
     l.temperature_as_written = spaced(*o.temperature);
     given.push_back("its temperature " + *o.temperature);
   }
@@ -125,11 +110,9 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
 }
 
 /// Refuses what is none of two names.
-void check_name(const char* option, const std::string& text, const char* first,
-                const char* second) {
+void check_name(const char* option, const std::string& text, const char* first, const char* second) {
   if (text != first && text != second)
-    throw CaseError(option,
-                    fmt::format("got {}; expected {} or {}", input::shown(text), first, second));
+    throw CaseError(option, fmt::format("got {}; expected {} or {}", input::shown(text), first, second));
 }
 
 ModelOptions::Mechanism mechanism_of(const NewOptions& o) {
@@ -150,18 +133,15 @@ bool has_screw(NewOptions o) {
 
 }  // namespace
 
-double quantity_of_option(std::string_view option, const std::string& text,
-                          const input::Dimension& dimension, const input::Bounds& bounds,
-                          std::string_view expected) {
+double quantity_of_option(std::string_view option, const std::string& text, const input::Dimension& dimension,
+                          const input::Bounds& bounds, std::string_view expected) {
   const input::ParsedQuantity parsed = input::parse_quantity(text, dimension);
   if (!parsed.value)
     throw CaseError(std::string(option),
-                    fmt::format("got {}; expected {} with its unit, for example `{}`{}{}",
-                                input::shown(text), dimension.name, dimension.example,
-                                parsed.hint.empty() ? "" : "; ", parsed.hint));
+                    fmt::format("got {}; expected {} with its unit, for example `{}`{}{}", input::shown(text),
+                                dimension.name, dimension.example, parsed.hint.empty() ? "" : "; ", parsed.hint));
   if (!bounds.contain(*parsed.value))
-    throw CaseError(std::string(option),
-                    fmt::format("got {}; expected {}", input::shown(text), expected));
+    throw CaseError(std::string(option), fmt::format("got {}; expected {}", input::shown(text), expected));
   return *parsed.value;
 }
 
@@ -202,13 +182,13 @@ std::string new_case_text(const NewOptions& o) {
   try {
     const ScrewData data = by_options ? data_of(o, type, given) : example(type);
     const CaseLubricant lubricant = lubricant_of(o, given);
-    const std::string origin =
-        by_options ? fmt::format("Given: {}.", fmt::join(given, ", "))
-                   : fmt::format(
-                         "An example: replace what is marked `given`, or write a case of your "
-                         "screw with `prs new {} FILE --screw-diameter \"{}\" --lead \"{}\"` and "
-                         "what else is known of it.",
-                         type_name(type), mm(data.screw_diameter), mm(data.lead));
+    const std::string origin = by_options
+                                   ? fmt::format("Given: {}.", fmt::join(given, ", "))
+                                   : fmt::format(
+                                         "An example: replace what is marked `given`, or write a case of your "
+                                         "screw with `prs new {} FILE --screw-diameter \"{}\" --lead \"{}\"` and "
+                                         "what else is known of it.",
+                                         type_name(type), mm(data.screw_diameter), mm(data.lead));
     return screw_case(complete_screw(data), lubricant, origin, mechanism_of(o));
   } catch (const CaseError& error) {
     if (error.path().starts_with("--")) throw;

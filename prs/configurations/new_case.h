@@ -26,8 +26,7 @@ std::string assumptions(const NewOptions& options);
 
 /// The value of an option [SI] within bounds that `expected` puts into words. A blank between
 /// number and unit may be missing. Throws CaseError with the name of the option.
-double quantity_of_option(std::string_view option, const std::string& text,
-                          const input::Dimension& dimension, const input::Bounds& bounds,
-                          std::string_view expected);
+double quantity_of_option(std::string_view option, const std::string& text, const input::Dimension& dimension,
+                          const input::Bounds& bounds, std::string_view expected);
 
 }  // namespace prs

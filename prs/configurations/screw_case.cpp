@@ -38,9 +38,7 @@ std::string origin_of(bool given, const std::string& assumed) {
   return given ? "given" : std::string(kAssumed) + assumed;
 }
 
-std::string degrees(double angle) {
-  return fmt::format("{:.6g} deg", angle * 180.0 / std::numbers::pi);
-}
+std::string degrees(double angle) { return fmt::format("{:.6g} deg", angle * 180.0 / std::numbers::pi); }
 /// What was given, to 15 digits: 0.3937 in is 9.99998 mm, no 9.999979999999999 mm.
 std::string exact(double length) { return fmt::format("{:.15g} mm", 1e3 * length); }
 std::string kilonewton(double force) { return fmt::format("{:.7g} kN", 1e-3 * force); }
@@ -50,17 +48,13 @@ std::string written_or(const ScrewData& d, const std::string& member, std::strin
   const auto known = d.as_written.find(member);
   return known == d.as_written.end() ? std::move(otherwise) : known->second;
 }
-std::string length_text(const ScrewData& d, const std::string& member,
-                        const std::optional<double>& given, double otherwise) {
+std::string length_text(const ScrewData& d, const std::string& member, const std::optional<double>& given,
+                        double otherwise) {
   return written_or(d, member, given ? exact(*given) : mm(otherwise));
 }
-std::string diameter_text(const ScrewData& d) {
-  return written_or(d, "screw_diameter", exact(d.screw_diameter));
-}
+std::string diameter_text(const ScrewData& d) { return written_or(d, "screw_diameter", exact(d.screw_diameter)); }
 std::string lead_text(const ScrewData& d) { return written_or(d, "lead", exact(d.lead)); }
-std::string load_text(const CompleteScrew& s) {
-  return written_or(s.data, "load", kilonewton(s.load));
-}
+std::string load_text(const CompleteScrew& s) { return written_or(s.data, "load", kilonewton(s.load)); }
 /// At which the screw drives a load in tension or in compression. Against a speed along the axis
 /// the hand of the thread is of no account.
 std::string speed_text(const CompleteScrew& s, Direction direction) {
@@ -77,9 +71,9 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
   const Mechanism& m = s.c.mechanism;
   const bool standard = is_standard(s);
   const bool right_handed = standard == (m.lead > 0.0);
-  std::string text = case_remark(fmt::format("{} planetary roller screw, {} x {}.",
-                                             standard ? "A standard" : "An inverted",
-                                             diameter_text(s.data), lead_text(s.data)));
+  std::string text =
+      case_remark(fmt::format("{} planetary roller screw, {} x {}.", standard ? "A standard" : "An inverted",
+                              diameter_text(s.data), lead_text(s.data)));
   text += "#\n" + case_remark(origin);
   text += case_remark(
       "What was not given is marked `assumed`, with its value and the reason: replace what you "
@@ -103,19 +97,17 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
       "in "
       "turned by {:.6g} deg against the carrier, in the sense in which the places are counted.",
       mm(s.pitch_diameter.roller), right_handed ? "right" : "left", standard ? "nut" : "screw",
-      static_cast<double>(m.starts.screw) / m.starts.roller, 1e3 * s.pitch_diameter.nut,
-      1e3 * s.pitch_diameter.screw, 1e3 * s.centre_distance, s.most_rollers,
-      indexing_angle(m.type, m.starts, m.rollers) * 180.0 / std::numbers::pi));
+      static_cast<double>(m.starts.screw) / m.starts.roller, 1e3 * s.pitch_diameter.nut, 1e3 * s.pitch_diameter.screw,
+      1e3 * s.centre_distance, s.most_rollers, indexing_angle(m.type, m.starts, m.rollers) * 180.0 / std::numbers::pi));
   if (s.gears.empty())
     text += case_remark("Gears: no pair of standard module fits; see `prs configurations`.");
   else
-    text += case_remark(fmt::format(
-        "Gears: {} teeth on the rollers, {} {}, module {:.4g} mm, working pressure angle {:.2f} "
-        "deg, profile shifts {:+.2f} in all. `prs configurations` lists others.",
-        s.gears.front().roller_teeth, s.gears.front().body_teeth,
-        standard ? "in the nut's rings" : "on the screw", s.gears.front().module * 1e3,
-        s.gears.front().working_pressure_angle * 180.0 / std::numbers::pi,
-        s.gears.front().profile_shift));
+    text += case_remark(
+        fmt::format("Gears: {} teeth on the rollers, {} {}, module {:.4g} mm, working pressure angle {:.2f} "
+                    "deg, profile shifts {:+.2f} in all. `prs configurations` lists others.",
+                    s.gears.front().roller_teeth, s.gears.front().body_teeth,
+                    standard ? "in the nut's rings" : "on the screw", s.gears.front().module * 1e3,
+                    s.gears.front().working_pressure_angle * 180.0 / std::numbers::pi, s.gears.front().profile_shift));
   return text;
 }
 
@@ -131,17 +123,15 @@ std::string thread_text(const CompleteScrew& s) {
   const auto outer = [&](Part p, double direction) {
     return 0.5 * s.pitch_diameter[p] + direction * m.thread[p]->addendum;
   };
-  const PerPart<double> crest = {outer(Part::screw, 1.0) - nominal.screw,
-                                 outer(Part::roller, 1.0) - nominal.roller,
+  const PerPart<double> crest = {outer(Part::screw, 1.0) - nominal.screw, outer(Part::roller, 1.0) - nominal.roller,
                                  nominal.nut - outer(Part::nut, -1.0)};
   const double lowest = std::min({crest.screw, crest.roller, crest.nut});
   const double root = m.thread.roller->dedendum;
-  const bool as_makers =
-      lowest > 0.999 * kCrestHeight * pitch && root > 0.999 * kMeshedRootDepth * pitch;
+  const bool as_makers = lowest > 0.999 * kCrestHeight * pitch && root > 0.999 * kMeshedRootDepth * pitch;
   std::string lines, value;
   for (const Part p : kParts) {
-    const std::string part = fmt::format("{}: {{addendum: {}, dedendum: {}}}", name(p),
-                                         mm(m.thread[p]->addendum), mm(m.thread[p]->dedendum));
+    const std::string part = fmt::format("{}: {{addendum: {}, dedendum: {}}}", name(p), mm(m.thread[p]->addendum),
+                                         mm(m.thread[p]->dedendum));
     lines += "    " + part + "\n";
     value += (value.empty() ? "{" : ", ") + part;
   }
@@ -149,51 +139,43 @@ std::string thread_text(const CompleteScrew& s) {
       "crests {:.2g} pitches beyond diameters of {}, {} and {}, roots {:.2g} from the pitch line, "
       "{}. At the static capacity ellipses reach beyond such crests: `prs life` has the load at "
       "the edge, and warns where yours comes near",
-      lowest / pitch, mm(2.0 * nominal.screw), mm(2.0 * nominal.roller), mm(2.0 * nominal.nut),
-      root / pitch,
-      as_makers ? "after outer and root diameters of a catalogue"
-                : "as far as these flanks reach: makers have more");
+      lowest / pitch, mm(2.0 * nominal.screw), mm(2.0 * nominal.roller), mm(2.0 * nominal.nut), root / pitch,
+      as_makers ? "after outer and root diameters of a catalogue" : "as far as these flanks reach: makers have more");
   return case_remark(assumption(value + "}", reason), 2) + "  thread:\n" + lines;
 }
 
 std::string mechanism_text(const CompleteScrew& s) {
   const Mechanism& m = s.c.mechanism;
   const ScrewData& d = s.data;
-  const std::string rule =
-      is_standard(s) ? fmt::format("threads over {:g} of the nut's length", kThreadedShare)
-                     : fmt::format(
-                           "threads over {:g} screw diameters, as on a published "
-                           "screw, but no more than {:g} of the nut's length",
-                           kInvertedThreads, kThreadedShare);
+  const std::string rule = is_standard(s) ? fmt::format("threads over {:g} of the nut's length", kThreadedShare)
+                                          : fmt::format(
+                                                "threads over {:g} screw diameters, as on a published "
+                                                "screw, but no more than {:g} of the nut's length",
+                                                kInvertedThreads, kThreadedShare);
   return "\nmechanism:\n" +
          case_line(fmt::format("  type: {}", type_name(m.type)),
                    is_standard(s) ? "rollers keep their place on the nut; or inverted"
                                   : "rollers keep their place on the screw; or standard") +
          case_line("  geometry: design", "assumed: roller, nut and centre distance follow") +
          case_line(fmt::format("  lead: {}", lead_text(d)), "given; < 0 left-handed") +
-         case_line(
-             fmt::format("  starts: {{screw: {}, roller: {}}}", m.starts.screw, m.starts.roller),
-             d.starts
-                 ? assumption(fmt::format("{{roller: {}}}", m.starts.roller),
-                              "rollers with as few starts as mesh; the screw's are given, the nut "
-                              "has as many")
-                 : fmt::format("assumed: of 5, 4, 3 the first whose rollers are {} or "
-                               "thicker, as in makers' catalogues; the nut has the screw's",
-                               mm(kThinnestRoller))) +
-         case_line(
-             fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
-             "assumed: as on nearly all screws; one value, or {screw: .., roller: .., nut: ..}") +
+         case_line(fmt::format("  starts: {{screw: {}, roller: {}}}", m.starts.screw, m.starts.roller),
+                   d.starts ? assumption(fmt::format("{{roller: {}}}", m.starts.roller),
+                                         "rollers with as few starts as mesh; the screw's are given, the nut "
+                                         "has as many")
+                            : fmt::format("assumed: of 5, 4, 3 the first whose rollers are {} or "
+                                          "thicker, as in makers' catalogues; the nut has the screw's",
+                                          mm(kThinnestRoller))) +
+         case_line(fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
+                   "assumed: as on nearly all screws; one value, or {screw: .., roller: .., nut: ..}") +
          case_line(fmt::format("  pitch_diameter: {{screw: {}}}", diameter_text(d)),
                    "given: weights in catalogues show that the nominal diameter is this one") +
          case_line("  backlash: {screw: 0 mm, nut: 0 mm}",
                    "assumed: a nut without play; take a half of yours for each") +
          case_line(
              fmt::format("  profile: {{screw: straight, roller: {{convex: {}}}, nut: straight}}",
-                         length_text(d, "roller_profile_radius", d.roller_profile_radius,
-                                     m.profile.roller.radius)),
+                         length_text(d, "roller_profile_radius", d.roller_profile_radius, m.profile.roller.radius)),
              d.roller_profile_radius
-                 ? assumption("{screw: straight, nut: straight}",
-                              "as of most published screws; the radius is given")
+                 ? assumption("{screw: straight, nut: straight}", "as of most published screws; the radius is given")
                  : fmt::format("assumed: screw and nut straight, rollers with arcs of {:g} "
                                "pitches: with it, as in makers' catalogues, the "
                                "static capacity hardly depends on the lead. No catalogue prints "
@@ -201,10 +183,8 @@ std::string mechanism_text(const CompleteScrew& s) {
                                kProfileRadius)) +
          thread_text(s) +
          case_line(fmt::format("  rollers: {}", m.rollers),
-                   origin_of(d.rollers.has_value(),
-                             "as many as fit with half a pitch between their crests")) +
-         case_line(fmt::format("  contacts_per_roller: {}", m.contacts_per_roller),
-                   "assumed: " + rule);
+                   origin_of(d.rollers.has_value(), "as many as fit with half a pitch between their crests")) +
+         case_line(fmt::format("  contacts_per_roller: {}", m.contacts_per_roller), "assumed: " + rule);
 }
 
 std::string structure_text(const CompleteScrew& s, ModelOf model) {
@@ -213,15 +193,14 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
   const bool standard = is_standard(s), full = model == ModelOf::full;
   const std::string nut_length = length_text(d, "nut_length", d.nut_length, of.nut.length);
   return "\nstructure:\n" +
-         case_line(fmt::format("  screw: {{bore: 0 mm, free_length: {}{}}}",
-                               mm(of.screw.free_length), full ? ", far_length: 0 mm" : ""),
+         case_line(fmt::format("  screw: {{bore: 0 mm, free_length: {}{}}}", mm(of.screw.free_length),
+                               full ? ", far_length: 0 mm" : ""),
                    fmt::format("assumed: solid; loaded at {}, add your shaft's length{}",
                                standard ? "the nut's face" : "the end of the rollers",
                                full ? "; far_length: of the shaft behind the last contact" : "")) +
-         (full ? case_remark(
-                     "Assumed: the rollers alone hold the screw across its axis; bearings of its "
-                     "shaft: see `bearings` in docs/full_mechanism.md",
-                     2)
+         (full ? case_remark("Assumed: the rollers alone hold the screw across its axis; bearings of its "
+                             "shaft: see `bearings` in docs/full_mechanism.md",
+                             2)
                : "") +
          case_line(fmt::format("  roller: {{end_length: {}, end_diameter: {}, guidance: "
                                "both_end_nodes{}}}",
@@ -229,30 +208,26 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
                                !full      ? ""
                                : standard ? ", rings: nut"
                                           : ", rings: screw"),
-                   standard
-                       ? "assumed: toothed ends over 0.9 of the length that the threads leave in "
-                         "the nut, 0.92 of the rollers' diameter, after inertias of a catalogue"
-                       : "assumed: toothed ends 0.7 of the rollers' diameter long and 0.92 thick") +
+                   standard ? "assumed: toothed ends over 0.9 of the length that the threads leave in "
+                              "the nut, 0.92 of the rollers' diameter, after inertias of a catalogue"
+                            : "assumed: toothed ends 0.7 of the rollers' diameter long and 0.92 thick") +
          "  nut:\n" +
-         case_line(
-             fmt::format("    length: {}", nut_length),
-             origin_of(d.nut_length.has_value(),
-                       standard ? fmt::format(
-                                      "{:g} times the nut's pitch diameter and {}, 0.84 to 1.15 "
-                                      "times the lengths of a catalogue, with threads of no more "
-                                      "than {:g} roller diameters",
-                                      kNutLengthSlope, mm(kNutLengthOffset), kSlendernessOfRollers)
-                                : fmt::format("{:g} times the rollers' threads, so that these can "
-                                              "travel: take stroke and threads",
-                                              kInvertedNut))) +
-         case_line(
-             fmt::format("    outer_diameter: {}",
-                         length_text(d, "nut_diameter", d.nut_diameter, of.nut.outer_diameter)),
-             origin_of(d.nut_diameter.has_value(),
-                       fmt::format("{:g} times the nut's pitch diameter and {}, 0.96 to 1.03 times "
-                                   "the diameters of a catalogue",
-                                   kNutDiameterSlope, mm(kNutDiameterOffset))) +
-                 "; a plain cylinder") +
+         case_line(fmt::format("    length: {}", nut_length),
+                   origin_of(d.nut_length.has_value(),
+                             standard ? fmt::format("{:g} times the nut's pitch diameter and {}, 0.84 to 1.15 "
+                                                    "times the lengths of a catalogue, with threads of no more "
+                                                    "than {:g} roller diameters",
+                                                    kNutLengthSlope, mm(kNutLengthOffset), kSlendernessOfRollers)
+                                      : fmt::format("{:g} times the rollers' threads, so that these can "
+                                                    "travel: take stroke and threads",
+                                                    kInvertedNut))) +
+         case_line(fmt::format("    outer_diameter: {}",
+                               length_text(d, "nut_diameter", d.nut_diameter, of.nut.outer_diameter)),
+                   origin_of(d.nut_diameter.has_value(),
+                             fmt::format("{:g} times the nut's pitch diameter and {}, 0.96 to 1.03 times "
+                                         "the diameters of a catalogue",
+                                         kNutDiameterSlope, mm(kNutDiameterOffset))) +
+                       "; a plain cylinder") +
          case_line(fmt::format("    thrust: {{tension: 0 mm, compression: {}}}", nut_length),
                    "assumed: the housing holds the nut at its end faces; with a flange, see "
                    "`structure.nut.flanges`") +
@@ -264,12 +239,10 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
 /// Model, and what belongs to all rollers but is not a load.
 std::string model_text(ModelOf model) {
   if (model == ModelOf::sector)
-    return case_line(
-        "model: {bodies: refined}",
-        "assumed: bars are faster but stiffer, influence is slower: see `prs compare`");
+    return case_line("model: {bodies: refined}",
+                     "assumed: bars are faster but stiffer, influence is slower: see `prs compare`");
   return case_line("model: {mechanism: full, bodies: refined}",
-                   assumption("{bodies: refined}",
-                              "on a screw and a nut that bend; bars are faster but stiffer")) +
+                   assumption("{bodies: refined}", "on a screw and a nut that bend; bars are faster but stiffer")) +
          case_remark(
              "Assumed: equal rollers, all there, and nominal threads; one value per roller or "
              "start, in braces: deviations: {roller_diameter: [..], missing_rollers: [1], "
@@ -290,14 +263,11 @@ std::string loads_text(const CompleteScrew& s, ModelOf model) {
   const std::string force = fmt::format(", axial_force: {}", load_text(s));
   const auto load_case = [&](const char* name, const std::string& load, std::string_view line) {
     const bool is_tension = name == std::string_view("tension");
-    return fmt::format(
-        "{{name: {0}{1}, direction: {0}, position: {2}{3}{4}}}", name, load, mm(s.position),
-        is_tension ? "" : fmt::format(", speed: {}", speed_text(s, Direction::compression)),
-        spatial_text(model, line));
+    return fmt::format("{{name: {0}{1}, direction: {0}, position: {2}{3}{4}}}", name, load, mm(s.position),
+                       is_tension ? "" : fmt::format(", speed: {}", speed_text(s, Direction::compression)),
+                       spatial_text(model, line));
   };
-  const auto in_mark = [&](const char* name) {
-    return load_case(name, d.load ? std::string() : force, " ");
-  };
+  const auto in_mark = [&](const char* name) { return load_case(name, d.load ? std::string() : force, " "); };
   const auto in_file = [&](const char* name) { return load_case(name, force, "\n     "); };
   return "\n" + model_text(model) +
          case_remark(assumption(
@@ -307,26 +277,22 @@ std::string loads_text(const CompleteScrew& s, ModelOf model) {
                                    "capacity by 4.0 GPa, but no more than {:g} MPa in the "
                                    "screw and {:g} times what brings an ellipse to the end of a "
                                    "flank",
-                                   1e-9 * kModeratePressure, 1e-6 * kModerateStress,
-                                   kModerateEdgeShare)) +
+                                   1e-9 * kModeratePressure, 1e-6 * kModerateStress, kModerateEdgeShare)) +
                  "; rollers in the middle of the nut. The screw drives in both cases." +
-                 (model == ModelOf::full
-                      ? " In line, no load across the axis; y and z lie across it, roller 1 "
-                        "on y. What a turn of the carrier does: add `orbit: {steps: 8}`."
-                      : ""))) +
+                 (model == ModelOf::full ? " In line, no load across the axis; y and z lie across it, roller 1 "
+                                           "on y. What a turn of the carrier does: add `orbit: {steps: 8}`."
+                                         : ""))) +
          "load_cases:\n  - " + in_file("tension") + "\n  - " + in_file("compression") + "\n\n" +
          case_line(
              fmt::format("operation: {{speed: {}}}", speed_text(s, Direction::tension)),
-             origin_of(d.speed.has_value(),
-                       "a half of 150,000 mm/min over the screw's diameter, which makers allow"));
+             origin_of(d.speed.has_value(), "a half of 150,000 mm/min over the screw's diameter, which makers allow"));
 }
 
 std::string lubricant_text(const CaseLubricant& l) {
   const bool assumed_temperature = l.temperature_as_written.empty();
   const std::string name = "name: " + l.name,
                     temperature =
-                        "temperature: " +
-                        (assumed_temperature ? celsius(l.temperature) : l.temperature_as_written);
+                        "temperature: " + (assumed_temperature ? celsius(l.temperature) : l.temperature_as_written);
   const std::string assumed = l.assumed && assumed_temperature ? name + ", " + temperature
                               : l.assumed                      ? name
                               : assumed_temperature            ? temperature
@@ -335,8 +301,7 @@ std::string lubricant_text(const CaseLubricant& l) {
                    assumed.empty()
                        ? "given"
                        : assumption("{" + assumed + "}",
-                                    l.assumed ? "a common grade; others: `prs list lubricants`"
-                                              : "of an oil at work"));
+                                    l.assumed ? "a common grade; others: `prs list lubricants`" : "of an oil at work"));
 }
 
 /// Proposed length of the shaft between its supports [m].
@@ -344,12 +309,11 @@ double shaft_length(const CompleteScrew& s) { return 20.0 * s.data.screw_diamete
 
 std::string heat_text(const CompleteScrew& s) {
   const Heat::Conductance k = estimated_conductance(s, shaft_length(s));
-  return case_remark(fmt::format(
-             "For temperatures that follow from the losses, with `prs slip`, for example the next "
-             "two lines. Assumed: bare nut and shaft in still air, {:g} W/(m^2 K), and conduction "
-             "through the contact spots alone. A housing, grease and motion take several times as "
-             "much.",
-             kStillAir)) +
+  return case_remark(fmt::format("For temperatures that follow from the losses, with `prs slip`, for example the next "
+                                 "two lines. Assumed: bare nut and shaft in still air, {:g} W/(m^2 K), and conduction "
+                                 "through the contact spots alone. A housing, grease and motion take several times as "
+                                 "much.",
+                                 kStillAir)) +
          fmt::format(
              "# heat: {{ambient: 25 degC, conductance: {{screw_ambient: {:.2g} W/K, "
              "nut_ambient: {:.2g} W/K,\n"
@@ -363,10 +327,9 @@ constexpr double kGradeFive = 23e-6;
 std::string deviations_text(const CompleteScrew& s) {
   const Mechanism& m = s.c.mechanism;
   const double length = (m.contacts_per_roller - 1) * axial_pitch(m);
-  return case_remark(fmt::format(
-             "Parts are perfect here. For real ones state what you measured or allow; on a screw "
-             "of grade 5 of ISO 3408-3, {:g} um in 300 mm, over the contacts of a roller:",
-             1e6 * kGradeFive)) +
+  return case_remark(fmt::format("Parts are perfect here. For real ones state what you measured or allow; on a screw "
+                                 "of grade 5 of ISO 3408-3, {:g} um in 300 mm, over the contacts of a roller:",
+                                 1e6 * kGradeFive)) +
          fmt::format("# deviations: {{pitch_error: {{screw: {{linear: {:.2g} um}}}}}}\n",
                      1e6 * kGradeFive * length / 0.3);
 }
@@ -377,19 +340,15 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
                    "catalogue; jacod: full films") +
          lubricant_text(lubricant) +
          case_line("roughness: 0.2 um", "assumed: Rq of finely ground flanks; for the film ratio") +
-         case_remark(
-             "For friction in the carrier, plain bearings of the rollers' ends, for example:") +
+         case_remark("For friction in the carrier, plain bearings of the rollers' ends, for example:") +
          fmt::format("# carrier: {{bearing: {{length: {}, diameter: {}, radial_clearance: {}}}}}\n",
                      mm(0.5 * s.pitch_diameter.roller), mm(0.6 * s.pitch_diameter.roller),
                      mm(0.005 * s.pitch_diameter.roller)) +
          heat_text(s) + deviations_text(s) + "\nlife:\n" +
-         case_line(fmt::format("  position: {}", mm(s.position)),
-                   "assumed: rollers in the middle of the nut") +
-         case_line(
-             fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]", load_text(s)),
-             (s.data.load ? assumption("[{direction: tension, share: 1}]", "")
-                          : std::string(kAssumed)) +
-                 "one load all the time; or several with their shares, or `history`, a file") +
+         case_line(fmt::format("  position: {}", mm(s.position)), "assumed: rollers in the middle of the nut") +
+         case_line(fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]", load_text(s)),
+                   (s.data.load ? assumption("[{direction: tension, share: 1}]", "") : std::string(kAssumed)) +
+                       "one load all the time; or several with their shares, or `history`, a file") +
          "  # dynamic_capacity: .. kN             # of your catalogue, in place of Lemor's "
          "formula\n"
          "  # static_capacity: .. kN\n"
@@ -398,41 +357,35 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
                    "assumed: of the whole screw, for the estimate of "
                    "efficiency") +
          case_line("  yield_strength: 700 MPa", "assumed: core of a hardened screw, for buckling") +
-         case_line(
-             fmt::format("  shaft: {{length: {}, ends: fixed_supported}}", mm(shaft_length(s))),
-             "assumed: 20 screw diameters between the supports") +
+         case_line(fmt::format("  shaft: {{length: {}, ends: fixed_supported}}", mm(shaft_length(s))),
+                   "assumed: 20 screw diameters between the supports") +
          "  # loaded_width: .. mm                # of a thread under one contact, for its tooth\n";
 }
 
 }  // namespace
 
-std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
-                       const std::string& origin, ModelOf model) {
+std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant, const std::string& origin,
+                       ModelOf model) {
   require_capacity(screw);
   return screw_text(screw, origin, model) + loads_text(screw, model) + rest_text(screw, lubricant);
 }
 
 std::string screw_text(const CompleteScrew& screw, const std::string& origin, ModelOf model) {
   return case_heading(screw, origin) + mechanism_text(screw) + structure_text(screw, model) + "\n" +
-         case_line(
-             fmt::format("materials: {{youngs_modulus: {:g} GPa, poisson_ratio: {:g}, density: "
-                         "{:g} kg/m^3, thermal_expansion: {:g} um/m/K}}",
-                         1e-9 * kSteel.youngs_modulus, kSteel.poisson_ratio, *kSteel.density,
-                         1e6 * *kSteel.thermal_expansion),
-             "assumed: steel; density of a catalogue's screws");
+         case_line(fmt::format("materials: {{youngs_modulus: {:g} GPa, poisson_ratio: {:g}, density: "
+                               "{:g} kg/m^3, thermal_expansion: {:g} um/m/K}}",
+                               1e-9 * kSteel.youngs_modulus, kSteel.poisson_ratio, *kSteel.density,
+                               1e6 * *kSteel.thermal_expansion),
+                   "assumed: steel; density of a catalogue's screws");
 }
 
 CompleteScrew as_written(CompleteScrew s) {
-  const auto write = [](double& length) {
-    length = *input::parse_quantity(mm(length), input::unit::length).value;
-  };
+  const auto write = [](double& length) { length = *input::parse_quantity(mm(length), input::unit::length).value; };
   if (!s.data.roller_profile_radius) write(s.c.mechanism.profile.roller.radius);
   for (const Part p : kParts)
-    if (std::optional<ThreadHeight>& height = s.c.mechanism.thread[p])
-      write(height->addendum), write(height->dedendum);
+    if (std::optional<ThreadHeight>& height = s.c.mechanism.thread[p]) write(height->addendum), write(height->dedendum);
   Structure& of = *s.c.structure;
-  for (double* length : {&of.screw.free_length, &of.roller.end_length, &of.roller.end_diameter})
-    write(*length);
+  for (double* length : {&of.screw.free_length, &of.roller.end_length, &of.roller.end_diameter}) write(*length);
   if (!s.data.nut_length) write(of.nut.length);
   if (!s.data.nut_diameter) write(of.nut.outer_diameter);
   of.nut.thrust.compression = of.nut.length;
@@ -444,19 +397,17 @@ CompleteScrew as_written(CompleteScrew s) {
 void require_capacity(const CompleteScrew& s) {
   const Contacts contacts = find_contacts(s.c.mechanism, s.c.materials, Detail::numbers);
   const PerInterface<InterfaceContact>& of = contacts.interfaces;
-  const LemorGeometry g = lemor_geometry(
-      contacts.mechanism, contact_angle({of.screw.normal_angle(), of.nut.normal_angle()}));
+  const LemorGeometry g =
+      lemor_geometry(contacts.mechanism, contact_angle({of.screw.normal_angle(), of.nut.normal_angle()}));
   if (lemor_capacity(g)) return;
   const int starts = s.c.mechanism.starts.screw, more = is_standard(s) ? 0 : 2;
-  throw CaseError(
-      "starts",
-      fmt::format("got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this "
-                  "nut: Lemor's "
-                  "capacity, which `life` needs, is not known for this ratio of diameters; take "
-                  "fewer starts",
-                  starts,
-                  std::floor((starts + more) * factor_ratio(g) / kFactorRatios.least) - more,
-                  1e3 * s.pitch_diameter.roller));
+  throw CaseError("starts",
+                  fmt::format("got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this "
+                              "nut: Lemor's "
+                              "capacity, which `life` needs, is not known for this ratio of diameters; take "
+                              "fewer starts",
+                              starts, std::floor((starts + more) * factor_ratio(g) / kFactorRatios.least) - more,
+                              1e3 * s.pitch_diameter.roller));
 }
 
 std::string configuration_case(const Configuration& c) {

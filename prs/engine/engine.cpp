@@ -61,8 +61,8 @@ T value_of(const Json& question, const char* key, T absent, const char* expected
 
 /// Another file's command; null where it is none.
 const OtherFile* other_named(const std::string& name) {
-  const auto found = std::ranges::find_if(
-      other_files(), [&](const OtherFile& file) { return prs::name(file.command) == name; });
+  const auto found =
+      std::ranges::find_if(other_files(), [&](const OtherFile& file) { return prs::name(file.command) == name; });
   return found == other_files().end() ? nullptr : &*found;
 }
 
@@ -75,18 +75,15 @@ const AnyAnalysis& analysis_named(const std::string& name) {
   }
   for (const OtherFile& file : other_files()) known.push_back(prs::name(file.command));
   known.insert(known.end(), {kReport, kWrite, kNew});
-  throw QuestionError("command", input::shown(name),
-                      fmt::format("one of {}", fmt::join(known, ", ")));
+  throw QuestionError("command", input::shown(name), fmt::format("one of {}", fmt::join(known, ", ")));
 }
 
 LiveQuestion live_question(const Json& json) {
   LiveQuestion question;
   question.own = value_of<std::size_t>(json, "own", 0, "a number of overrides");
   question.quick = value_of<bool>(json, "quick", false, "true or false");
-  question.sections =
-      value_of<std::vector<std::string>>(json, "sections", {}, "a list of names of sections");
-  if (value_of<std::string>(json, "units", "si", "si or us") == "us")
-    question.units = UnitSystem::us;
+  question.sections = value_of<std::vector<std::string>>(json, "sections", {}, "a list of names of sections");
+  if (value_of<std::string>(json, "units", "si", "si or us") == "us") question.units = UnitSystem::us;
   if (const Json thread = value_of<Json>(json, "thread", nullptr, "an object"); thread.is_object())
     question.thread = {value_of<std::size_t>(thread, "load_case", 0, "a number from 0"),
                        value_of<std::size_t>(thread, "thread", 0, "a number from 0")};
@@ -109,8 +106,7 @@ NewOptions new_options(const Json& json) {
   for (const auto& [key, text] : kTexts) known.emplace_back(key);
   for (const auto& item : json.items())
     if (std::ranges::find(known, item.key()) == known.end())
-      throw QuestionError("new", input::shown(item.key()),
-                          fmt::format("the keys {}", fmt::join(known, ", ")));
+      throw QuestionError("new", input::shown(item.key()), fmt::format("the keys {}", fmt::join(known, ", ")));
   NewOptions options;
   options.type = value_of<std::string>(json, "type", "standard", "standard or inverted");
   for (const auto& [key, text] : kTexts)
@@ -128,8 +124,7 @@ Question parsed(std::string_view text) {
                                         "load_cases", "figures", "report", "rank", "new"};
   for (const auto& item : json.items())
     if (std::ranges::find(kKeys, item.key()) == std::end(kKeys))
-      throw QuestionError(input::shown(item.key()),
-                          fmt::format("the keys {}", fmt::join(kKeys, ", ")));
+      throw QuestionError(input::shown(item.key()), fmt::format("the keys {}", fmt::join(kKeys, ", ")));
   Question question;
   question.name = value_of<std::string>(json, "command", "", "a text");
   for (const char* key : {"command", "yaml"})
@@ -138,23 +133,20 @@ Question parsed(std::string_view text) {
   question.new_case = new_options(value_of<Json>(json, "new", Json::object(), "an object"));
   if (question.name == kNew) return question;
 
-  if (question.name != kReport && question.name != kWrite && !other_named(question.name))
-    analysis_named(question.name);
+  if (question.name != kReport && question.name != kWrite && !other_named(question.name)) analysis_named(question.name);
   question.report = live_question(value_of<Json>(json, "report", Json::object(), "an object"));
   std::vector<std::string> overrides;
   for (const Json& pair : value_of<std::vector<Json>>(json, "set", {}, "a list of pairs")) {
     if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string())
       throw QuestionError("set", input::shown(pair.dump()), "a pair of path and value, two texts");
-    overrides.push_back(
-        fmt::format("{}={}", pair[0].get<std::string>(), pair[1].get<std::string>()));
+    overrides.push_back(fmt::format("{}={}", pair[0].get<std::string>(), pair[1].get<std::string>()));
   }
   std::istringstream yaml(value_of<std::string>(json, "yaml", "", "a text"));
-  question.source = input::read_source(
-      yaml, value_of<std::string>(json, "file", "case.yaml", "a text"), std::move(overrides));
-  question.source.files = value_of<std::map<std::string, std::string>>(
-      json, "histories", {}, "texts by the names of their files");
-  question.load_cases =
-      value_of<std::vector<std::string>>(json, "load_cases", {}, "a list of names");
+  question.source =
+      input::read_source(yaml, value_of<std::string>(json, "file", "case.yaml", "a text"), std::move(overrides));
+  question.source.files =
+      value_of<std::map<std::string, std::string>>(json, "histories", {}, "texts by the names of their files");
+  question.load_cases = value_of<std::vector<std::string>>(json, "load_cases", {}, "a list of names");
   question.figures = value_of<bool>(json, "figures", false, "true or false");
   return question;
 }
@@ -168,12 +160,10 @@ void choose(const std::vector<std::string>& names, Command command, Case& c) {
     return load.name == name || load.name.substr(0, load.name.rfind('[')) == name;
   };
   for (const std::string& name : names)
-    if (std::ranges::none_of(c.load_cases,
-                             [&](const LoadCase& load) { return is_called(load, name); }))
+    if (std::ranges::none_of(c.load_cases, [&](const LoadCase& load) { return is_called(load, name); }))
       throw QuestionError("load_cases", input::shown(name), "the name of a load case of the file");
   std::erase_if(c.load_cases, [&](const LoadCase& load) {
-    return std::ranges::none_of(names,
-                                [&](const std::string& name) { return is_called(load, name); });
+    return std::ranges::none_of(names, [&](const std::string& name) { return is_called(load, name); });
   });
   if (c.heat) c.heat->duty.clear();
 }
@@ -207,8 +197,7 @@ Answer report_answer(const Question& question) {
   }
   text += "},\n\"head\": ";
   append_quoted(text, found.head);
-  text += fmt::format(",\n\"threads\": {},\n\"all_follow\": {}}}", found.threads.dump(),
-                      found.all_follow);
+  text += fmt::format(",\n\"threads\": {},\n\"all_follow\": {}}}", found.threads.dump(), found.all_follow);
   return {.status = found.converged ? kDone : kNotConverged,
           .messages = std::move(found.notes),
           .document_text = std::move(text)};
@@ -228,8 +217,7 @@ Answer candidate_answer(const Question& question) {
   if (question.rank > result.candidates.size())
     throw QuestionError("rank", std::to_string(question.rank),
                         fmt::format("a rank of the list, 1 to {}", result.candidates.size()));
-  return {.document = {
-              {"yaml", written_candidate(result.input, result.candidates[question.rank - 1])}}};
+  return {.document = {{"yaml", written_candidate(result.input, result.candidates[question.rank - 1])}}};
 }
 
 Answer written_answer(const Question& question) {
@@ -241,8 +229,7 @@ Answer written_answer(const Question& question) {
   return {.document = {{"yaml", *text}}};
 }
 
-void put_lines(std::vector<std::string>& messages, std::string_view text,
-               std::string_view before = "") {
+void put_lines(std::vector<std::string>& messages, std::string_view text, std::string_view before = "") {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     if (!line.empty()) messages.push_back(fmt::format("{}{}", before, line));
@@ -299,11 +286,10 @@ Answer answer_or_refusal(std::string_view question) {
 
 std::string answer(std::string_view question) {
   const Answer answer = answer_or_refusal(question);
-  return fmt::format(
-      "{{\"status\": {},\n\"document\": {},\n\"figures\": {},\n\"messages\": {}}}\n",
-      static_cast<int>(answer.status),
-      answer.document_text.empty() ? json_text(answer.document) : answer.document_text + '\n',
-      json_text(answer.figures), json_text(answer.messages));
+  return fmt::format("{{\"status\": {},\n\"document\": {},\n\"figures\": {},\n\"messages\": {}}}\n",
+                     static_cast<int>(answer.status),
+                     answer.document_text.empty() ? json_text(answer.document) : answer.document_text + '\n',
+                     json_text(answer.figures), json_text(answer.messages));
 }
 
 }  // namespace prs

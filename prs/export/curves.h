@@ -13,7 +13,7 @@ extern "C" {
    root of the way: the stiffness is good from the first contact on. */
 typedef struct {
   double origin; /* |deflection| at which the force begins [m] */
-  int root; /* The nodes stand over the root of the way beyond the origin, else over the way. */
+  int root;      /* The nodes stand over the root of the way beyond the origin, else over the way. */
   size_t count;
   const double* at;    /* Of the nodes, ascending from 0 [m^0.5] or [m] */
   const double* force; /* Magnitude [N] */

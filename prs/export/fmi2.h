@@ -31,16 +31,11 @@ typedef char fmi2Byte;
 
 typedef enum { fmi2OK, fmi2Warning, fmi2Discard, fmi2Error, fmi2Fatal, fmi2Pending } fmi2Status;
 typedef enum { fmi2ModelExchange, fmi2CoSimulation } fmi2Type;
-typedef enum {
-  fmi2DoStepStatus,
-  fmi2PendingStatus,
-  fmi2LastSuccessfulTime,
-  fmi2Terminated
-} fmi2StatusKind;
+typedef enum { fmi2DoStepStatus, fmi2PendingStatus, fmi2LastSuccessfulTime, fmi2Terminated } fmi2StatusKind;
 
 typedef struct {
-  void (*logger)(fmi2ComponentEnvironment, fmi2String instance, fmi2Status, fmi2String category,
-                 fmi2String message, ...);
+  void (*logger)(fmi2ComponentEnvironment, fmi2String instance, fmi2Status, fmi2String category, fmi2String message,
+                 ...);
   void* (*allocateMemory)(size_t count, size_t size);
   void (*freeMemory)(void*);
   void (*stepFinished)(fmi2ComponentEnvironment, fmi2Status);

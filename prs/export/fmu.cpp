@@ -30,12 +30,10 @@ std::string bytes_of(const std::vector<double>& numbers) {
 }
 
 /// Variables have the order of the value references in unit.c.
-std::string description_xml(const SystemCurves& curves, const ModelText& text,
-                            const std::string& guid) {
-  return fmt::format(fmt::runtime(description()), fmt::arg("name", text.name),
-                     fmt::arg("guid", guid), fmt::arg("file", html(text.case_file)),
-                     fmt::arg("sha", text.case_sha256), fmt::arg("version", kVersion),
-                     fmt::arg("range", html(curves_text(curves))));
+std::string description_xml(const SystemCurves& curves, const ModelText& text, const std::string& guid) {
+  return fmt::format(fmt::runtime(description()), fmt::arg("name", text.name), fmt::arg("guid", guid),
+                     fmt::arg("file", html(text.case_file)), fmt::arg("sha", text.case_sha256),
+                     fmt::arg("version", kVersion), fmt::arg("range", html(curves_text(curves))));
 }
 
 std::string documentation(const SystemCurves& curves, const ModelText& text) {
@@ -45,10 +43,8 @@ std::string documentation(const SystemCurves& curves, const ModelText& text) {
       "<p>Planetary roller screw of {1}, SHA-256 {2}, by prs {3}.</p>\n<p>{4}</p>\n",
       text.name, html(text.case_file), text.case_sha256, kVersion, html(curves_text(curves)));
   if (!curves.load_case.empty())
-    page +=
-        fmt::format("<p>Under the conditions of the load case {}.</p>\n", html(curves.load_case));
-  for (const std::string& warning : sentences(curves.warnings))
-    page += fmt::format("<p>{}</p>\n", html(warning));
+    page += fmt::format("<p>Under the conditions of the load case {}.</p>\n", html(curves.load_case));
+  for (const std::string& warning : sentences(curves.warnings)) page += fmt::format("<p>{}</p>\n", html(warning));
   return page +
          "<p>Other platforms: compile the files of <code>sources</code> into one shared library, "
          "for several units in one program with "
@@ -58,8 +54,8 @@ std::string documentation(const SystemCurves& curves, const ModelText& text) {
 /// Made of the content, in the form of a GUID.
 std::string guid_of(const std::string& content) {
   const std::string hash = sha256(content);
-  return fmt::format("{{{}-{}-{}-{}-{}}}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(12, 4),
-                     hash.substr(16, 4), hash.substr(20, 12));
+  return fmt::format("{{{}-{}-{}-{}-{}}}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(12, 4), hash.substr(16, 4),
+                     hash.substr(20, 12));
 }
 
 constexpr std::size_t kNumbersPerLine = 4;
@@ -67,11 +63,7 @@ constexpr std::size_t kNumbersPerLine = 4;
 std::string numbers(const std::vector<double>& values) {
   std::string text = "{";
   for (std::size_t k = 0; k < values.size(); ++k)
-    text += fmt::format("{}{:.17g}",
-                        k == 0                     ? ""
-                        : k % kNumbersPerLine == 0 ? ",\n      "
-                                                   : ", ",
-                        values[k]);
+    text += fmt::format("{}{:.17g}", k == 0 ? "" : k % kNumbersPerLine == 0 ? ",\n      " : ", ", values[k]);
   return text + "}";
 }
 
@@ -80,9 +72,8 @@ std::string rows(const std::vector<double>& values, std::size_t columns) {
   if (values.empty()) return "fill(0.0, 0, 0)";
   std::string text = "{";
   for (std::size_t k = 0; k < values.size(); k += columns)
-    text += (k == 0 ? "" : ",\n      ") +
-            numbers({values.begin() + static_cast<std::ptrdiff_t>(k),
-                     values.begin() + static_cast<std::ptrdiff_t>(k + columns)});
+    text += (k == 0 ? "" : ",\n      ") + numbers({values.begin() + static_cast<std::ptrdiff_t>(k),
+                                                   values.begin() + static_cast<std::ptrdiff_t>(k + columns)});
   return text + "}";
 }
 
@@ -93,8 +84,7 @@ std::string branch(const BranchTable& table, std::string_view name) {
       "    constant Real {0}_at[:] = {3};\n"
       "    constant Real {0}_force[:](each unit = \"N\") = {4};\n"
       "    constant Real {0}_slope[:] = {5};\n",
-      name, table.origin, table.over_root, numbers(table.at), numbers(table.force),
-      numbers(table.slope));
+      name, table.origin, table.over_root, numbers(table.at), numbers(table.force), numbers(table.slope));
 }
 
 std::string friction(const FrictionTable& table) {
@@ -107,8 +97,7 @@ std::string friction(const FrictionTable& table) {
       "    constant Real slowest[:](each unit = \"rad/s\") = {};\n"
       "    constant Real forward[:, :](each unit = \"N.m\") = {} \"A row per speed\";\n"
       "    constant Real backward[:, :](each unit = \"N.m\") = {};\n",
-      list(table.root_force), list(table.speed), rows(table.forward, columns),
-      rows(table.backward, columns));
+      list(table.root_force), list(table.speed), rows(table.forward, columns), rows(table.backward, columns));
 }
 
 /// As a text of Modelica holds it.
@@ -125,16 +114,13 @@ std::string quoted(const std::string& text) {
 
 std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& text) {
   const std::string data = bytes_of(curves.data());
-  const std::string guid =
-      guid_of(description_xml(curves, text, "") + data + std::string(library()));
+  const std::string guid = guid_of(description_xml(curves, text, "") + data + std::string(library()));
   std::vector<OutputFile> files{{"modelDescription.xml", description_xml(curves, text, guid)}};
 #if defined(__x86_64__) && defined(__linux__)  // The standard has names for few platforms.
   files.push_back({fmt::format("binaries/linux64/{}.so", text.name), std::string(library())});
 #endif
   files.push_back({"documentation/index.html", documentation(curves, text)});
-  const auto add = [&](const char* name, std::string_view content) {
-    files.push_back({name, std::string(content)});
-  };
+  const auto add = [&](const char* name, std::string_view content) { files.push_back({name, std::string(content)}); };
   add("documentation/licenses/license.txt", licence());
   add("resources/curves.bin", data);
   add("resources/guid.txt", guid);
@@ -151,10 +137,8 @@ std::string modelica_package(const SystemCurves& curves, const ModelText& text) 
       "  // Made by prs {} of a case with the SHA-256 {}.\n  // {}\n",
       text.name, quoted(text.case_file), kVersion, text.case_sha256, curves_text(curves));
   if (!curves.load_case.empty())
-    package += fmt::format("  // Under the conditions of the load case {}.\n",
-                           input::shown(curves.load_case));
-  for (const std::string& warning : sentences(curves.warnings))
-    package += fmt::format("  // {}\n", warning);
+    package += fmt::format("  // Under the conditions of the load case {}.\n", input::shown(curves.load_case));
+  for (const std::string& warning : sentences(curves.warnings)) package += fmt::format("  // {}\n", warning);
   package += fmt::format(
       "\n  package Data \"Nodes of the curves\"\n    extends Modelica.Icons.Package;\n"
       "    constant Real lead(unit = \"m\") = {:.17g};\n",
@@ -164,8 +148,7 @@ std::string modelica_package(const SystemCurves& curves, const ModelText& text) 
   package += friction(curves.friction);
   package += "  end Data;\n\n";
   package += modelica_functions();
-  return package +
-         fmt::format("  annotation (uses(Modelica(version = \"4.0.0\")));\nend {};\n", text.name);
+  return package + fmt::format("  annotation (uses(Modelica(version = \"4.0.0\")));\nend {};\n", text.name);
 }
 
 }  // namespace prs

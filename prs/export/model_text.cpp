@@ -72,8 +72,7 @@ std::string model_name(const std::string& case_file) {
     name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   // File names of 255 bytes must have room for the ending.
   name = name.substr(0, 100);
-  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-                 !is_word_of_modelica(name)
+  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 && !is_word_of_modelica(name)
              ? name
              : "screw_" + name;
 }
@@ -88,11 +87,10 @@ std::string curves_text(const SystemCurves& curves) {
       "Force over deflection from -{:.6g} um, -{:.6g} N to {:.6g} um, {:.6g} N; tension is "
       "positive. Beyond, the force goes on in a straight line. Between the nodes it is within "
       "{:.1g} of the largest force, the stiffness within {:.1g} of the largest one. ",
-      deflection.first / kMicrometre, force.first, deflection.second / kMicrometre, force.second,
-      curves.force_error, curves.stiffness_error);
+      deflection.first / kMicrometre, force.first, deflection.second / kMicrometre, force.second, curves.force_error,
+      curves.stiffness_error);
   const FrictionTable& table = curves.friction;
-  if (table.root_force.empty())
-    return text + "The torque is force x lead / (2 pi): the case has no friction.";
+  if (table.root_force.empty()) return text + "The torque is force x lead / (2 pi): the case has no friction.";
   return text + fmt::format(
                     "Torque with friction from {:.4g} to {:.4g} rad/s in both senses, between the "
                     "nodes within {:.1g} of the largest torque.",

@@ -15,9 +15,7 @@ struct Errors {
   double force = 0.0, stiffness = 0.0;
 
   /// The larger one, in tolerances.
-  double share() const {
-    return std::max(force / kForceTolerance, stiffness / kStiffnessTolerance);
-  }
+  double share() const { return std::max(force / kForceTolerance, stiffness / kStiffnessTolerance); }
   void take(const Errors& other) {
     force = std::max(force, other.force);
     stiffness = std::max(stiffness, other.stiffness);
@@ -53,8 +51,7 @@ BranchTable table_of(const std::vector<Node>& nodes, double origin, bool over_ro
 void keep_monotone(BranchTable& table) {
   for (std::size_t k = 0; k + 1 < table.at.size(); ++k) {
     const double secant = (table.force[k + 1] - table.force[k]) / (table.at[k + 1] - table.at[k]);
-    for (double* slope : {&table.slope[k], &table.slope[k + 1]})
-      *slope = std::clamp(*slope, 0.0, 3.0 * secant);
+    for (double* slope : {&table.slope[k], &table.slope[k + 1]}) *slope = std::clamp(*slope, 0.0, 3.0 * secant);
   }
 }
 
@@ -77,8 +74,7 @@ std::vector<bool> to_look_at(const std::vector<Node>& nodes, std::size_t room) {
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < nodes.size(); ++k)
     if (nodes[k].is_open) open.push_back(k);
-  std::ranges::stable_sort(open, std::greater(),
-                           [&](std::size_t k) { return nodes[k].missed.share(); });
+  std::ranges::stable_sort(open, std::greater(), [&](std::size_t k) { return nodes[k].missed.share(); });
   if (open.size() > room) open.resize(room);
   std::vector<bool> look(nodes.size());
   for (const std::size_t k : open) look[k] = true;
@@ -86,8 +82,7 @@ std::vector<bool> to_look_at(const std::vector<Node>& nodes, std::size_t room) {
 }
 
 /// Adds a node in open intervals; where the curve missed it, both parts stay open.
-void refine(std::vector<Node>& nodes, double origin, bool over_root, const Solve& solve,
-            Errors& errors) {
+void refine(std::vector<Node>& nodes, double origin, bool over_root, const Solve& solve, Errors& errors) {
   const BranchTable table = table_of(nodes, origin, over_root);
   const PrsCurves curves = in_tension(table);
   const auto place = [&](double a, double b) {
@@ -110,8 +105,7 @@ void refine(std::vector<Node>& nodes, double origin, bool over_root, const Solve
     int beyond = 0;
     double stiffness = 0.0;
     const double force = prs_force(&curves, between.deflection, &stiffness, &beyond);
-    between.missed = {std::abs(force - between.force) / largest,
-                      std::abs(stiffness - between.stiffness) / stiffest};
+    between.missed = {std::abs(force - between.force) / largest, std::abs(stiffness - between.stiffness) / stiffest};
     between.is_open = between.missed.share() > kReserve;
     if (!between.is_open) errors.take(between.missed);
     const bool divides = between.deflection > nodes[k].deflection;
@@ -122,8 +116,7 @@ void refine(std::vector<Node>& nodes, double origin, bool over_root, const Solve
   nodes = std::move(finer);
 }
 
-BranchTable branch_table(std::vector<Node> nodes, double origin, bool over_root, const Solve& solve,
-                         Errors& errors) {
+BranchTable branch_table(std::vector<Node> nodes, double origin, bool over_root, const Solve& solve, Errors& errors) {
   nodes.back().is_open = false;
   while (nodes.size() < kMostNodes && std::ranges::any_of(nodes, &Node::is_open))
     refine(nodes, origin, over_root, solve, errors);
@@ -139,8 +132,7 @@ constexpr int kOctaves = 8, kOctavesOfFull = 5;
 /// From the first contact on. Near it the deflection is origin + a F^(2/3) + b F. Where a
 /// misalignment moves the loaded section before there is a force, `shift` is the deflection [m] < 0
 /// from which that of the table counts. The first node stands at the largest force over 8^octaves.
-BranchTable branch_from_contact(const Solve& solve, double largest, int octaves, Errors& errors,
-                                double& shift) {
+BranchTable branch_from_contact(const Solve& solve, double largest, int octaves, Errors& errors, double& shift) {
   std::vector<double> forces;
   for (int k = octaves; k >= 0; --k) forces.push_back(largest * std::pow(8.0, -k));
   std::vector<Node> nodes = solve(forces);
@@ -203,12 +195,10 @@ class LoadsOfCase {
     std::vector<LoadCaseResult> results = analyze(conditions_, contacts_, options).load_cases;
     for (const LoadCaseResult& r : results)
       if (!r.threads || !r.tangent_stiffness)
-        throw CaseError(
-            pattern_.input_path.empty() ? "preload" : pattern_.input_path,
-            fmt::format(
-                "has no {} at {:.4g} N in {}, and the curves of `export` need each force from zero "
-                "on; leave out what only larger forces hold in place, such as `side_force`",
-                r.threads ? "stiffness" : "equilibrium", r.load_case.axial_force, name(d)));
+        throw CaseError(pattern_.input_path.empty() ? "preload" : pattern_.input_path,
+                        fmt::format("has no {} at {:.4g} N in {}, and the curves of `export` need each force from zero "
+                                    "on; leave out what only larger forces hold in place, such as `side_force`",
+                                    r.threads ? "stiffness" : "equilibrium", r.load_case.axial_force, name(d)));
     return results;
   }
 
@@ -218,8 +208,7 @@ class LoadsOfCase {
     c.load_cases = {at(d, force)};
     Result result = analyze(c, contacts_);
     std::vector<Warning>& of_load = result.load_cases.front().warnings;
-    for (Warning& warning : of_load)
-      warning.what += fmt::format(", at {:.4g} kN in {}", 1e-3 * force, name(d));
+    for (Warning& warning : of_load) warning.what += fmt::format(", at {:.4g} kN in {}", 1e-3 * force, name(d));
     add_new(std::move(of_load), result.warnings);
     return result.warnings;
   }
@@ -231,8 +220,8 @@ class LoadsOfCase {
   FullSolver full_{FullStart::neighbour};
 };
 
-void add_loaded_branches(const Conditions& c, const Contacts& contacts, const LoadCase& pattern,
-                         double largest, Errors& errors, SystemCurves& curves) {
+void add_loaded_branches(const Conditions& c, const Contacts& contacts, const LoadCase& pattern, double largest,
+                         Errors& errors, SystemCurves& curves) {
   LoadsOfCase loads(c, contacts, pattern);
   // Rollers that a misalignment presses to one side take seconds to find hold without a load.
   const bool full = c.model.mechanism == ModelOptions::Mechanism::full;
@@ -257,10 +246,9 @@ void add_loaded_branches(const Conditions& c, const Contacts& contacts, const Lo
   }
 }
 
-void add_preloaded_branches(const Conditions& c, const Contacts& contacts, double largest,
-                            Errors& errors, SystemCurves& curves) {
-  const PreloadSectors sectors =
-      preload_sectors(c, contacts, contact_laws(c, contacts), c.preload->position);
+void add_preloaded_branches(const Conditions& c, const Contacts& contacts, double largest, Errors& errors,
+                            SystemCurves& curves) {
+  const PreloadSectors sectors = preload_sectors(c, contacts, contact_laws(c, contacts), c.preload->position);
   PreloadedMechanism mechanism(sectors, preload_fit(c, contacts, sectors));
   for (const Direction d : kDirections) {
     const double sign = d == Direction::tension ? 1.0 : -1.0;
@@ -269,10 +257,9 @@ void add_preloaded_branches(const Conditions& c, const Contacts& contacts, doubl
       for (const double force : forces) {
         const PreloadPoint point = mechanism.solve(sign * force);
         if (!point.solve.converged() || !point.tangent_stiffness)
-          throw CaseError("preload",
-                          fmt::format("does not converge at {:.4g} N; expected every force from "
-                                      "zero on for `export`; take less preload",
-                                      sign * force));
+          throw CaseError("preload", fmt::format("does not converge at {:.4g} N; expected every force from "
+                                                 "zero on for `export`; take less preload",
+                                                 sign * force));
         nodes.push_back({force, sign * point.axial_displacement, *point.tangent_stiffness});
       }
       return nodes;
@@ -303,8 +290,7 @@ class FrictionTorque {
     SlipModel& model = model_at(force);
     model.speed = speed;
     const SlipResult slip = slip_result(model);
-    if (slip.converged())
-      known->second = slip.torque_screw - force * model.geometry.lead / (2.0 * std::numbers::pi);
+    if (slip.converged()) known->second = slip.torque_screw - force * model.geometry.lead / (2.0 * std::numbers::pi);
     status_ = slip.status;
     return known->second;
   }
@@ -322,14 +308,12 @@ class FrictionTorque {
     status_ = slip ? slip->status : SlipStatus::no_equilibrium;
     if (!found.threads) return std::nullopt;
     const SlipModel model = models_.of(found);
-    return drive_torques(model, slip->balance).screw -
-           force * model.geometry.lead / (2.0 * std::numbers::pi);
+    return drive_torques(model, slip->balance).screw - force * model.geometry.lead / (2.0 * std::numbers::pi);
   }
   SlipModel& model_at(double force) {
     if (const auto known = model_.find(force); known != model_.end()) return known->second;
     const Direction d = force < 0.0 ? Direction::compression : Direction::tension;
-    return model_.emplace(force, models_.of(loads_.solve(d, {std::abs(force)}).front()))
-        .first->second;
+    return model_.emplace(force, models_.of(loads_.solve(d, {std::abs(force)}).front())).first->second;
   }
 
   LoadCase pattern_;
@@ -350,8 +334,7 @@ struct FrictionGrid {
   std::vector<double> roots() const {
     std::vector<double> roots;
     for (std::size_t k = 0; k <= forces; ++k)
-      roots.push_back(least_root + (largest_root - least_root) * static_cast<double>(k) /
-                                       static_cast<double>(forces));
+      roots.push_back(least_root + (largest_root - least_root) * static_cast<double>(k) / static_cast<double>(forces));
     std::vector<double> all;
     std::transform(roots.rbegin(), roots.rend(), std::back_inserter(all), std::negate{});
     all.insert(all.end(), roots.begin(), roots.end());
@@ -361,8 +344,7 @@ struct FrictionGrid {
     std::vector<double> all;
     for (std::size_t k = 0; k <= speeds; ++k)
       all.push_back(largest_speed *
-                    std::pow(least_speed / largest_speed,
-                             1.0 - static_cast<double>(k) / static_cast<double>(speeds)));
+                    std::pow(least_speed / largest_speed, 1.0 - static_cast<double>(k) / static_cast<double>(speeds)));
     return all;
   }
 };
@@ -376,12 +358,10 @@ FrictionTable table_on(const FrictionGrid& grid, FrictionTorque& torque) {
       for (const double sign : {1.0, -1.0}) {
         const std::optional<double> found = torque.at(force_of(root), sign * speed);
         if (!found)
-          throw CaseError(
-              "friction",
-              fmt::format(
-                  "slip ends as {} at {:.4g} N and {:.4g} rad/s, so that there is no torque for "
-                  "`export`; ask for less by --force or --speed, or check friction and carrier",
-                  name(torque.status()), force_of(root), sign * speed));
+          throw CaseError("friction",
+                          fmt::format("slip ends as {} at {:.4g} N and {:.4g} rad/s, so that there is no torque for "
+                                      "`export`; ask for less by --force or --speed, or check friction and carrier",
+                                      name(torque.status()), force_of(root), sign * speed));
         (sign > 0.0 ? table.forward : table.backward).push_back(*found);
       }
   return table;
@@ -434,15 +414,14 @@ double least_root(FrictionTorque& torque, const FrictionGrid& grid) {
 constexpr std::size_t kMostIntervals = 128;
 constexpr double kSpeedRange = 1e-3;  ///< Smallest speed of the table over the largest.
 
-FrictionTable friction_table(FrictionTorque& torque, double force, double speed,
-                             bool depends_on_speed, double lead, double& error) {
+FrictionTable friction_table(FrictionTorque& torque, double force, double speed, bool depends_on_speed, double lead,
+                             double& error) {
   FrictionGrid grid{0.0, std::sqrt(force), kSpeedRange * speed, speed};
   if (!depends_on_speed) grid.speeds = 1;
   grid.least_root = least_root(torque, grid);
   FrictionTable table = table_on(grid, torque);
-  const double largest =
-      std::abs(force * lead) / (2.0 * std::numbers::pi) +
-      std::max(std::ranges::max(table.forward), std::abs(std::ranges::min(table.backward)));
+  const double largest = std::abs(force * lead) / (2.0 * std::numbers::pi) +
+                         std::max(std::ranges::max(table.forward), std::abs(std::ranges::min(table.backward)));
   bool is_coarse_in_force = true, is_coarse_in_speed = depends_on_speed;
   const auto refine_by = [&](std::size_t FrictionGrid::*intervals, bool& is_coarse) {
     if (!is_coarse || grid.*intervals >= kMostIntervals) return false;
@@ -489,15 +468,13 @@ std::optional<Warning> lacking_friction(const Case& c, const LoadCase& pattern) 
   one.load_cases = {pattern};
   const std::vector<Problem> problems = missing(one, Command::slip);
   if (problems.empty()) return {};
-  return Warning{
-      problems.front().path, "no_friction",
-      fmt::format("{}; the torque is that of a screw without friction", problems.front().message)};
+  return Warning{problems.front().path, "no_friction",
+                 fmt::format("{}; the torque is that of a screw without friction", problems.front().message)};
 }
 
 double largest_speed(const Case& c) {
   double speed = c.operation ? std::abs(c.operation->speed) : 0.0;
-  for (const LoadCase& load : c.load_cases)
-    speed = std::max(speed, std::abs(load.speed.value_or(0.0)));
+  for (const LoadCase& load : c.load_cases) speed = std::max(speed, std::abs(load.speed.value_or(0.0)));
   return speed;
 }
 
@@ -508,8 +485,8 @@ std::optional<Warning> torque_of_preloaded(const Case& c, const LoadCase& patter
   if (c.heat) conditions.push_back("temperatures");
   std::string where;
   if (!pattern.name.empty() && !conditions.empty())
-    where = fmt::format(", at the {} of load case `{}`, which the force does not have",
-                        fmt::join(conditions, " and "), pattern.name);
+    where = fmt::format(", at the {} of load case `{}`, which the force does not have", fmt::join(conditions, " and "),
+                        pattern.name);
   if (slip_takes_running_loads(c.model, pattern.share)) {
     if (where.empty()) return std::nullopt;
     return Warning{"preload", "torque_elsewhere", "the torque is that of both flanks" + where};
@@ -520,8 +497,8 @@ std::optional<Warning> torque_of_preloaded(const Case& c, const LoadCase& patter
                              where)};
 }
 
-void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, double force,
-                  const CurveOptions& options, SystemCurves& curves) {
+void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, double force, const CurveOptions& options,
+                  SystemCurves& curves) {
   if (!pattern.speed && !c.operation && options.speed) pattern.speed = options.speed;
   if (std::optional<Warning> lacking = lacking_friction(c, pattern)) {
     curves.warnings.push_back(std::move(*lacking));
@@ -534,14 +511,12 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
   }
   require_rolling(c, contacts);
   if (c.preload)
-    if (std::optional<Warning> note =
-            torque_of_preloaded(c, pattern, options.load_case.has_value()))
+    if (std::optional<Warning> note = torque_of_preloaded(c, pattern, options.load_case.has_value()))
       curves.warnings.push_back(std::move(*note));
   const Running parts = running(c, contacts, pattern);
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
   curves.friction = friction_table(torque, force, options.speed.value_or(largest_speed(c)),
-                                   c.friction->of_film() || c.carrier.is_oiled(), curves.lead,
-                                   curves.torque_error);
+                                   c.friction->of_film() || c.carrier.is_oiled(), curves.lead, curves.torque_error);
 }
 
 /// The load case whose conditions hold: position, misalignment, speed. With `preload` and no load
@@ -569,15 +544,14 @@ LoadCase pattern_of(const Case& c, const CurveOptions& options) {
     throw CaseError("load_cases",
                     "got equal shares in each; expected one that the models solve for `export`; "
                     "add a load case without `share: equal`");
-  throw CaseError("load_cases", fmt::format("there is none called `{}`; expected one of {}",
-                                            *options.load_case, names));
+  throw CaseError("load_cases",
+                  fmt::format("there is none called `{}`; expected one of {}", *options.load_case, names));
 }
 
 double largest_force(const Case& c) {
   double force = 0.0;
   for (const LoadCase& load : c.load_cases) force = std::max(force, std::abs(load.axial_force));
-  if (c.preload)
-    force = std::max({force, std::abs(c.preload->load.from), std::abs(c.preload->load.to)});
+  if (c.preload) force = std::max({force, std::abs(c.preload->load.from), std::abs(c.preload->load.to)});
   return force;
 }
 
@@ -587,9 +561,7 @@ PrsBranch BranchTable::view() const {
   return {origin, over_root ? 1 : 0, at.size(), at.data(), force.data(), slope.data()};
 }
 
-double BranchTable::deflection(std::size_t node) const {
-  return origin + (over_root ? at[node] * at[node] : at[node]);
-}
+double BranchTable::deflection(std::size_t node) const { return origin + (over_root ? at[node] * at[node] : at[node]); }
 
 double BranchTable::stiffness(std::size_t node) const {
   if (!over_root) return slope[node];
@@ -606,9 +578,7 @@ PrsCurves SystemCurves::view() const {
 
 std::vector<double> SystemCurves::data() const {
   std::vector<double> all{1.0, lead};
-  const auto add = [&](const std::vector<double>& values) {
-    all.insert(all.end(), values.begin(), values.end());
-  };
+  const auto add = [&](const std::vector<double>& values) { all.insert(all.end(), values.begin(), values.end()); };
   for (const Direction d : kDirections) {
     const BranchTable& branch = senses[d];
     add({branch.origin, branch.over_root ? 1.0 : 0.0, static_cast<double>(branch.at.size())});
@@ -616,8 +586,7 @@ std::vector<double> SystemCurves::data() const {
     add(branch.force);
     add(branch.slope);
   }
-  add({static_cast<double>(friction.root_force.size()),
-       static_cast<double>(friction.speed.size())});
+  add({static_cast<double>(friction.root_force.size()), static_cast<double>(friction.speed.size())});
   add(friction.root_force);
   add(friction.speed);
   add(friction.forward);
@@ -632,8 +601,7 @@ SystemCurves system_curves(const Case& c, const CurveOptions& asked) {
   const Contacts contacts = checked_contacts(c, Detail::complete);
   const double force = options.force.value_or(largest_force(c));
   curves.lead = contacts.threads.screw.lead;
-  if (asked.speed && asked.speed_along_axis)
-    options.speed = std::abs(input::rotation(*asked.speed, curves.lead));
+  if (asked.speed && asked.speed_along_axis) options.speed = std::abs(input::rotation(*asked.speed, curves.lead));
   Errors errors;
   if (c.preload) {
     add_preloaded_branches(c, contacts, force, errors, curves);

@@ -6,9 +6,9 @@
 namespace prs {
 
 struct CurveOptions {
-  std::optional<double> force = {};  ///< Largest of both senses [N]; else that of the case.
-  std::optional<double> speed = {};  ///< Largest of both senses [rad/s]; else that of the case.
-  bool speed_along_axis = false;     ///< `speed` is that of the travel [m/s].
+  std::optional<double> force = {};           ///< Largest of both senses [N]; else that of the case.
+  std::optional<double> speed = {};           ///< Largest of both senses [rad/s]; else that of the case.
+  bool speed_along_axis = false;              ///< `speed` is that of the travel [m/s].
   std::optional<std::string> load_case = {};  ///< Else the first whose loads are solved.
 };
 

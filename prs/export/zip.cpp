@@ -6,8 +6,7 @@ namespace prs {
 namespace {
 
 // Records of PKWARE's APPNOTE 6.3.10, sections 4.3.7, 4.3.12 and 4.3.16.
-constexpr std::uint32_t kLocalHeader = 0x04034b50, kCentralHeader = 0x02014b50,
-                        kEndRecord = 0x06054b50;
+constexpr std::uint32_t kLocalHeader = 0x04034b50, kCentralHeader = 0x02014b50, kEndRecord = 0x06054b50;
 constexpr std::uint16_t kVersion20 = 20, kMadeOnUnix = 3 << 8;
 constexpr std::uint16_t kFirstDay = (1 << 5) | 1;  ///< 1980-01-01, as MS-DOS counts.
 constexpr std::uint32_t kPlainFile = std::uint32_t{0100644} << 16;

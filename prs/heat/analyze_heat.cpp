@@ -28,17 +28,15 @@ void warn(const HeatResult& heat, std::vector<Warning>& warnings) {
     return;
   }
   if (heat.others)
-    warnings.push_back(
-        {"heat", "several_steady_states",
-         "there are several steady states; this is the one that the parts reach from the "
-         "temperature of their surroundings, hotter ones hold once they are reached"});
+    warnings.push_back({"heat", "several_steady_states",
+                        "there are several steady states; this is the one that the parts reach from the "
+                        "temperature of their surroundings, hotter ones hold once they are reached"});
   for (const Part p : kParts)
     if (heat.temperature[p] > kHotParts)
-      warnings.push_back(
-          Warning{"heat", fmt::format("hot_{}", name(p)),
-                  fmt::format("{} at {:.0f} degC: above {} oils and hardened flanks do not last",
-                              name(p), heat.temperature[p] - 273.15, celsius(kHotParts))}
-              .with(heat.temperature[p], kHotParts, text_unit::kelvin));
+      warnings.push_back(Warning{"heat", fmt::format("hot_{}", name(p)),
+                                 fmt::format("{} at {:.0f} degC: above {} oils and hardened flanks do not last",
+                                             name(p), heat.temperature[p] - 273.15, celsius(kHotParts))}
+                             .with(heat.temperature[p], kHotParts, text_unit::kelvin));
 }
 
 /// Forces of one sense up to this number are solved one by one; of more, heat is interpolated over
@@ -74,8 +72,7 @@ Shares on_points(const Shares& shares) {
     double sum = 0.0;
     for (std::size_t n = 0; n < kForces; ++n) sum += weight[n] / (f - force[n]);
     for (std::size_t n = 0; n < kForces; ++n) {
-      const double basis =
-          at != force.end() ? (*at == force[n] ? 1.0 : 0.0) : weight[n] / (f - force[n]) / sum;
+      const double basis = at != force.end() ? (*at == force[n] ? 1.0 : 0.0) : weight[n] / (f - force[n]) / sum;
       found[force[n]] += share * basis;
     }
   }
@@ -83,8 +80,7 @@ Shares on_points(const Shares& shares) {
 }
 
 /// The loads of a spectrum and their shares of time. With a clock, a history's rests have theirs.
-std::vector<TimedLoad> timed_loads(const Conditions& c, double lead,
-                                   const std::optional<LoadHistory>& history) {
+std::vector<TimedLoad> timed_loads(const Conditions& c, double lead, const std::optional<LoadHistory>& history) {
   const double speed = std::abs(c.operation->speed);
   const std::vector<LoadStep> steps = load_steps(*c.life, history, lead, speed);
   std::vector<double> time(steps.size());
@@ -101,8 +97,7 @@ std::vector<TimedLoad> timed_loads(const Conditions& c, double lead,
     if (!(time[k] > 0.0) || (step.axial_force == 0.0 && !c.preload)) continue;
     const Direction d = step.axial_force < 0.0 ? Direction::compression : Direction::tension;
     const double by_load = step.revolutions > 0.0 ? step.driven_by_load / step.revolutions : 0.0;
-    for (const auto& [by, part] :
-         {std::pair(DrivenBy::screw, 1.0 - by_load), std::pair(DrivenBy::load, by_load)})
+    for (const auto& [by, part] : {std::pair(DrivenBy::screw, 1.0 - by_load), std::pair(DrivenBy::load, by_load)})
       if (part > 0.0) kinds[{d, by}][std::abs(step.axial_force)] += part * time[k] / total;
   }
   std::vector<TimedLoad> loads;
@@ -146,14 +141,10 @@ void chebyshev(double x, int n, Basis& value, Basis& slope) {
 }
 
 /// Extreme point j of T_{n-1} on [-1, 1]; the middle where n = 1.
-double extreme_point(int j, int n) {
-  return n == 1 ? 0.0 : std::cos(std::numbers::pi * j / (n - 1));
-}
+double extreme_point(int j, int n) { return n == 1 ? 0.0 : std::cos(std::numbers::pi * j / (n - 1)); }
 
 /// Its number among `kMostPoints`.
-int on_finest(int j, int n) {
-  return n == 1 ? (kMostPoints - 1) / 2 : j * ((kMostPoints - 1) / (n - 1));
-}
+int on_finest(int j, int n) { return n == 1 ? (kMostPoints - 1) / 2 : j * ((kMostPoints - 1) / (n - 1)); }
 
 /// What the value at point j of n adds to coefficient k.
 double coefficient_weight(int j, int k, int n) {
@@ -193,16 +184,14 @@ Eigen::Matrix3d coordinates_by_parts() {
 
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings) {
   for (Warning& warning : found)
-    if (std::ranges::find(warnings, warning) == warnings.end())
-      warnings.push_back(std::move(warning));
+    if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
 }
 
 Warning no_steady_state(HeatStatus status, const std::string& reason) {
   return {"heat", "no_steady_state", fmt::format("{}: {}", name(status), reason)};
 }
 
-HeatSource mean_heat(const std::vector<LossShare>& exact, const std::vector<LossShare>& equal,
-                     bool may_grow) {
+HeatSource mean_heat(const std::vector<LossShare>& exact, const std::vector<LossShare>& equal, bool may_grow) {
   const auto sum = [](const std::vector<LossShare>& parts, auto heat_of) -> std::optional<OfParts> {
     OfParts all = OfParts::Zero();
     for (const LossShare& part : parts) {
@@ -226,36 +215,29 @@ HeatSource mean_heat(const std::vector<LossShare>& exact, const std::vector<Loss
             return sum(equal, [&](const LossShare& part) { return part.losses->estimate(oil); });
           },
           [=](const PerInterface<double>& oil) {
-            return sum(equal,
-                       [&](const LossShare& part) { return part.losses->rough_estimate(oil); });
+            return sum(equal, [&](const LossShare& part) { return part.losses->rough_estimate(oil); });
           },
           may_grow};
 }
 
-SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts,
-                          std::span<const TimedLoad> loads) {
+SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts, std::span<const TimedLoad> loads) {
   const ThermalNetwork network = thermal_network(*c.heat);
-  const auto shares_of = [&](const Conditions& conditions,
-                             std::optional<LoadCase::Share> in_place) {
+  const auto shares_of = [&](const Conditions& conditions, std::optional<LoadCase::Share> in_place) {
     std::vector<LossShare> shares;
     for (const TimedLoad& l : loads)
       if (l.share > 0.0)
-        shares.push_back({l.share,
-                          std::make_shared<CaseLosses>(conditions, contacts, l.load,
-                                                       in_place.value_or(l.load.share)),
-                          {}});
+        shares.push_back(
+            {l.share, std::make_shared<CaseLosses>(conditions, contacts, l.load, in_place.value_or(l.load.share)), {}});
     return shares;
   };
   const std::vector<LossShare> equal = shares_of(c, LoadCase::Share::equal);
   SteadyHeat found = find_steady_heat(network, mean_heat(equal, equal, heat_may_grow(c)));
-  const bool solved = std::ranges::any_of(
-      loads, [](const TimedLoad& l) { return l.load.share == LoadCase::Share::solved; });
+  const bool solved =
+      std::ranges::any_of(loads, [](const TimedLoad& l) { return l.load.share == LoadCase::Share::solved; });
   if (!solved || !found.converged()) return found;
   const bool others = found.others;
-  const Conditions fitted =
-      has_both_flanks(c, LoadCase::Share::solved) ? with_interference(c, contacts) : c;
-  found =
-      find_steady_heat(network, mean_heat(shares_of(fitted, {}), equal, false), found.temperature);
+  const Conditions fitted = has_both_flanks(c, LoadCase::Share::solved) ? with_interference(c, contacts) : c;
+  found = find_steady_heat(network, mean_heat(shares_of(fitted, {}), equal, false), found.temperature);
   found.others = found.others || others;
   return found;
 }
@@ -268,8 +250,7 @@ Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions opti
   for (const LoadCase& load : c.load_cases) {
     const TimedLoad all_the_time[] = {{load}};
     const SteadyHeat found = steady_heat_of(c, contacts, all_the_time);
-    const OfParts temperature =
-        found.converged() ? found.temperature : OfParts::Constant(c.heat->ambient);
+    const OfParts temperature = found.converged() ? found.temperature : OfParts::Constant(c.heat->ambient);
     const Oils oils = warm_oils(c, oil_temperatures(temperature));
     Result one = analyze_slip(at_temperatures(c, load, temperature), contacts, options, oils);
     LoadCaseResult& loaded = one.load_cases.front();
@@ -283,8 +264,7 @@ Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions opti
     result.heat_cycle = periodic_heat_cycle(c, contacts, result.warnings);
     if (!result.heat_cycle->converged())
       result.warnings.push_back(
-          {"heat.duty", "no_cycle",
-           fmt::format("{}: {}", name(result.heat_cycle->status), result.heat_cycle->reason)});
+          {"heat.duty", "no_cycle", fmt::format("{}: {}", name(result.heat_cycle->status), result.heat_cycle->reason)});
   }
   result.contacts = std::move(contacts);
   return result;
@@ -293,32 +273,27 @@ Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions opti
 PreloadResult analyze_warm_preload(const Conditions& c, Contacts contacts) {
   if (!c.heat) return analyze_preload(c, std::move(contacts));
   require_rolling(c, contacts);
-  const auto named = std::ranges::find_if(c.load_cases, [&](const LoadCase& load) {
-    return !c.preload->load_case || load.name == *c.preload->load_case;
-  });
+  const auto named = std::ranges::find_if(
+      c.load_cases, [&](const LoadCase& load) { return !c.preload->load_case || load.name == *c.preload->load_case; });
   const TimedLoad all_the_time[] = {{*named}};
   const SteadyHeat heat = steady_heat_of(c, contacts, all_the_time);
   PreloadResult result = analyze_preload(
-      warm(c, per_part(heat.converged() ? heat.temperature : OfParts::Constant(c.heat->ambient))),
-      std::move(contacts));
+      warm(c, per_part(heat.converged() ? heat.temperature : OfParts::Constant(c.heat->ambient))), std::move(contacts));
   result.load_case = named->name;
   result.heat_status = heat.status;
   if (!heat.converged()) result.warnings.push_back(no_steady_state(heat.status, heat.reason));
   return result;
 }
 
-LifeResult analyze_warm_life(const Conditions& c, Contacts contacts,
-                             std::optional<LoadHistory> history) {
-  if (!c.life->takes_heat(c.heat.has_value()))
-    return analyze_life(c, std::move(contacts), std::move(history));
+LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history) {
+  if (!c.life->takes_heat(c.heat.has_value())) return analyze_life(c, std::move(contacts), std::move(history));
   require_rolling(c, contacts);
   HeatStatus status = HeatStatus::converged;
   std::string reason;
   PerPart<double> temperature;
   std::vector<Warning> warnings;
   if (c.heat->duty.empty()) {
-    const SteadyHeat heat =
-        steady_heat_of(c, contacts, timed_loads(c, contacts.mechanism.lead, history));
+    const SteadyHeat heat = steady_heat_of(c, contacts, timed_loads(c, contacts.mechanism.lead, history));
     status = heat.status, reason = heat.reason;
     temperature = per_part(heat.temperature);
   } else {
@@ -331,8 +306,7 @@ LifeResult analyze_warm_life(const Conditions& c, Contacts contacts,
     warnings.push_back(no_steady_state(status, reason));
   }
   const Oils oils = warm_oils(c, oil_temperatures(of_parts(temperature)));
-  LifeResult result =
-      analyze_life(warm(c, temperature), std::move(contacts), std::move(history), oils);
+  LifeResult result = analyze_life(warm(c, temperature), std::move(contacts), std::move(history), oils);
   result.temperature_status = status;
   if (status == HeatStatus::converged)
     result.temperature = temperature;
@@ -355,8 +329,7 @@ Oils warm_oils(const Conditions& c, const PerInterface<double>& oil) {
 
 bool heat_may_grow(const Conditions& c) { return c.friction->model == Friction::Model::mixed; }
 
-CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load,
-                       LoadCase::Share share)
+CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load, LoadCase::Share share)
     : conditions_(c),
       contacts_(contacts),
       load_(load),
@@ -389,8 +362,7 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
     return std::optional(Losses{heat, std::max(flow.shaft, 0.0) + std::max(flow.load, 0.0),
                                 std::max(-flow.shaft, 0.0) + std::max(-flow.load, 0.0)});
   };
-  if (load_.share == LoadCase::Share::equal)
-    return add(models_.equal_shares(load_, &oils), {}) ? all() : std::nullopt;
+  if (load_.share == LoadCase::Share::equal) return add(models_.equal_shares(load_, &oils), {}) ? all() : std::nullopt;
   const Conditions warm = at_temperatures(conditions_, load_, temperature);
   const SlipModels models(warm, contacts_, oils);
   std::array<std::optional<SlipEquilibrium>, 2> known;
@@ -400,13 +372,11 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
     found = solver.solve(load_, Detail::numbers, known[0]);
     known[1] = solver.second_nut();
   } else {
-    found = has_both_flanks(conditions_, load_.share)
-                ? FlankSolver(warm, contacts_).solve(load_)
-                : analyze(warm, contacts_, kManyDesigns).load_cases.front();
+    found = has_both_flanks(conditions_, load_.share) ? FlankSolver(warm, contacts_).solve(load_)
+                                                      : analyze(warm, contacts_, kManyDesigns).load_cases.front();
   }
   if (!found.threads)
-    failure_ = found.warnings.empty() ? "the loads of the threads do not converge"
-                                      : sentence(found.warnings.back());
+    failure_ = found.warnings.empty() ? "the loads of the threads do not converge" : sentence(found.warnings.back());
   if (!found.threads) return std::nullopt;
   const std::vector<SlipModel> nuts = models.of_nuts(found);
   for (std::size_t n = 0; n < nuts.size(); ++n)
@@ -414,8 +384,7 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
   return all();
 }
 
-std::optional<OfParts> CaseLosses::estimate(const SlipModels& models,
-                                            const PerInterface<double>& oil) const {
+std::optional<OfParts> CaseLosses::estimate(const SlipModels& models, const PerInterface<double>& oil) const {
   const Oils oils = warm_oils(conditions_, oil);
   const SlipModel model = models.equal_shares(load_, &oils);
   SlipBalance balance;
@@ -445,8 +414,8 @@ LossTable::LossTable(const Losses& constant) {
   layers_ = {{Node{std::move(all)}}};
 }
 
-std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at, bool by_rollers,
-                                         const Effort& effort, LossTable rough) {
+std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at, bool by_rollers, const Effort& effort,
+                                         LossTable rough) {
   int evaluations = 0;
   const auto panel_on = [&](const TemperatureBox& here) {
     return rough.fit(here, at, by_rollers, effort.accuracy, evaluations);
@@ -478,9 +447,8 @@ std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at
   return table;
 }
 
-std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const At& exact,
-                                               bool by_rollers, double accuracy,
-                                               int& evaluations) const {
+std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const At& exact, bool by_rollers,
+                                               double accuracy, int& evaluations) const {
   Panel panel;
   panel.box = box;
   const OfParts middle = 0.5 * (box.least + box.greatest);
@@ -503,8 +471,8 @@ std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const 
     for (int i = 0; i < n[0]; ++i)
       for (int j = 0; j < n[1]; ++j)
         for (int k = 0; k < n[2]; ++k) {
-          const auto [found, is_new] = known.try_emplace(
-              {on_finest(i, n[0]), on_finest(j, n[1]), on_finest(k, n[2])}, Flows::Zero());
+          const auto [found, is_new] =
+              known.try_emplace({on_finest(i, n[0]), on_finest(j, n[1]), on_finest(k, n[2])}, Flows::Zero());
           if (is_new) {
             const std::optional<Flows> left =
                 left_at({extreme_point(i, n[0]), extreme_point(j, n[1]), extreme_point(k, n[2])});
@@ -521,8 +489,7 @@ std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const 
     std::ranges::sort(order, std::greater{}, [&](std::size_t d) { return panel.last[d]; });
     for (const std::size_t d : order) {
       const int more = 2 * n[d] - 1;
-      if (panel.last[d] > accuracy && more <= kMostPoints &&
-          n[0] * n[1] * n[2] / n[d] * more <= kMostOfAPanel)
+      if (panel.last[d] > accuracy && more <= kMostPoints && n[0] * n[1] * n[2] / n[d] * more <= kMostOfAPanel)
         n[d] = more;
     }
     if (n == panel.points) return panel;
@@ -552,8 +519,7 @@ void LossTable::Panel::transform(const std::vector<Flows>& values, double larges
         for (int i = 0; i < n[0]; ++i)
           for (int j = 0; j < n[1]; ++j) {
             const double ij = coefficient_weight(i, p, n[0]) * coefficient_weight(j, q, n[1]);
-            for (int k = 0; k < n[2]; ++k)
-              sum += ij * coefficient_weight(k, r, n[2]) * values[at++];
+            for (int k = 0; k < n[2]; ++k) sum += ij * coefficient_weight(k, r, n[2]) * values[at++];
           }
         coefficients.push_back(sum);
         const std::size_t number[] = {static_cast<std::size_t>(p), static_cast<std::size_t>(q),

@@ -28,8 +28,7 @@ bool heat_may_grow(const Conditions& c);
 class CaseLosses {
  public:
   /// With the load case's shares, or with equal ones in their place.
-  CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load,
-             LoadCase::Share share);
+  CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load, LoadCase::Share share);
 
   /// Loads, slip and friction at these temperatures of the parts [K]; none where there is no slip.
   std::optional<Losses> at(const OfParts& temperature);
@@ -38,13 +37,9 @@ class CaseLosses {
 
   /// A good estimate for a small part of the effort: heat of equal shares at the slip ratio that
   /// `at` found last, for the temperatures of the oils [K].
-  std::optional<OfParts> estimate(const PerInterface<double>& oil) const {
-    return estimate(models_, oil);
-  }
+  std::optional<OfParts> estimate(const PerInterface<double>& oil) const { return estimate(models_, oil); }
   /// The same on a coarse grid of points in the patches, some per cent off.
-  std::optional<OfParts> rough_estimate(const PerInterface<double>& oil) const {
-    return estimate(rough_models_, oil);
-  }
+  std::optional<OfParts> rough_estimate(const PerInterface<double>& oil) const { return estimate(rough_models_, oil); }
 
  private:
   std::optional<OfParts> estimate(const SlipModels& models, const PerInterface<double>& oil) const;
@@ -71,8 +66,7 @@ struct LossShare {
 };
 
 /// Mean heat of loads that take turns; `equal` gives the estimates of it.
-HeatSource mean_heat(const std::vector<LossShare>& exact, const std::vector<LossShare>& equal,
-                     bool may_grow);
+HeatSource mean_heat(const std::vector<LossShare>& exact, const std::vector<LossShare>& equal, bool may_grow);
 
 /// Least and greatest of the three coordinates of temperatures in a `LossTable` [K].
 struct TemperatureBox {
@@ -109,8 +103,8 @@ class LossTable {
   /// `by_rollers`: whether the losses depend on the parts' temperatures other than by the oils'.
   /// What `rough`, nearly the same losses, leaves over takes fewer points. None where `at` has
   /// none.
-  static std::optional<LossTable> over(const TemperatureBox& box, const At& at, bool by_rollers,
-                                       const Effort& effort, LossTable rough);
+  static std::optional<LossTable> over(const TemperatureBox& box, const At& at, bool by_rollers, const Effort& effort,
+                                       LossTable rough);
 
   using ByTemperature = Eigen::Matrix<double, 5, 3>;
   struct Value {
@@ -147,8 +141,8 @@ class LossTable {
   };
   using Layer = std::vector<Node>;
 
-  std::optional<Panel> fit(const TemperatureBox& box, const At& exact, bool by_rollers,
-                           double accuracy, int& evaluations) const;
+  std::optional<Panel> fit(const TemperatureBox& box, const At& exact, bool by_rollers, double accuracy,
+                           int& evaluations) const;
   static const Panel& panel_at(const Layer& layer, const OfParts& coordinates);
 
   std::vector<Layer> layers_;  ///< Which add up.
@@ -168,8 +162,7 @@ struct TimedLoad {
 ///
 /// With solved shares from the steady state of equal ones. The case must have passed `check_case`
 /// and the requirements of `slip`.
-SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts,
-                          std::span<const TimedLoad> loads);
+SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts, std::span<const TimedLoad> loads);
 
 /// Moves those over that are not there yet.
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings);
@@ -200,8 +193,7 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& mechanism);
 /// to 1e-8 K in a step; the start of the cycle that is also its end is found by Newton's method.
 /// Energies are integrated along with the temperatures, so that they balance to rounding.
 /// The peak is that within steps too. `warnings` tells of tables that losses are too rough for.
-HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
-                              std::vector<Warning>& warnings);
+HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings);
 
 // Preload and life at the temperatures that follow from the losses, where the case states `heat`.
 
@@ -217,8 +209,7 @@ inline PreloadResult analyze_warm_preload(const Case& c) {
 /// at one temperature of each part: that at which the mean heat of the spectrum flows off, or the
 /// mean over the cycle of `heat.duty`. The case must have passed `check_case` and the requirements
 /// of `life`.
-LifeResult analyze_warm_life(const Conditions& c, Contacts contacts,
-                             std::optional<LoadHistory> history = {});
+LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history = {});
 inline LifeResult analyze_warm_life(const Case& c, std::optional<LoadHistory> history = {}) {
   return analyze_warm_life(c, checked_contacts(c, Detail::complete), std::move(history));
 }

@@ -49,10 +49,8 @@ struct Warming {
     const auto [losses, by_temperature] = table.at(from.head<3>());
     const State rate = rate_at(from, losses);
     Derivative derivative;
-    derivative << capacity.cwiseInverse().asDiagonal() *
-                      (by_temperature.topRows<3>() - network.conductance),
-        Eigen::Matrix3d::Identity(), by_temperature.topRows<3>().colwise().sum(),
-        by_temperature.bottomRows<2>();
+    derivative << capacity.cwiseInverse().asDiagonal() * (by_temperature.topRows<3>() - network.conductance),
+        Eigen::Matrix3d::Identity(), by_temperature.topRows<3>().colwise().sum(), by_temperature.bottomRows<2>();
     std::array<State, kColumns> row;
     for (int j = 0; j < kColumns; ++j) {
       State next = steps(from, rate, derivative, h, j + 1);
@@ -89,8 +87,8 @@ struct Warming {
         return rate(*then)[p];
       };
       std::uintmax_t most = 8;
-      boost::math::tools::toms748_solve(slope, 0.0, h, first[p], last[p],
-                                        boost::math::tools::eps_tolerance<double>(20), most);
+      boost::math::tools::toms748_solve(slope, 0.0, h, first[p], last[p], boost::math::tools::eps_tolerance<double>(20),
+                                        most);
     }
     return greatest;
   }
@@ -100,16 +98,15 @@ struct Warming {
   State rate_at(const State& x, const Flows& losses) const {
     const OfParts rise = (x.head<3>().array() - network.ambient).matrix();
     State rate;
-    rate << (losses.head<3>() - network.conductance * rise).cwiseQuotient(capacity), rise,
-        losses.head<3>().sum(), losses.tail<2>();
+    rate << (losses.head<3>() - network.conductance * rise).cwiseQuotient(capacity), rise, losses.head<3>().sum(),
+        losses.tail<2>();
     return rate;
   }
 
   /// After n linearly implicit Euler steps of h/n in all.
   State steps(const State& from, State rate, const Derivative& derivative, double h, int n) const {
     const double small = h / n;
-    const Eigen::Matrix3d inverse =
-        (Eigen::Matrix3d::Identity() - small * derivative.topRows<3>()).inverse();
+    const Eigen::Matrix3d inverse = (Eigen::Matrix3d::Identity() - small * derivative.topRows<3>()).inverse();
     State x = from;
     for (int i = 0; i < n; ++i) {
       if (i > 0) rate = rate_at(x, table.value_at(x.head<3>()));
@@ -123,8 +120,7 @@ struct Warming {
 /// The duty as lumped parts see it.
 class RepeatedCycle {
  public:
-  RepeatedCycle(const ThermalNetwork& network, const OfParts& capacity,
-                std::vector<Segment> segments)
+  RepeatedCycle(const ThermalNetwork& network, const OfParts& capacity, std::vector<Segment> segments)
       : network_(network), capacity_(capacity), segments_(std::move(segments)) {
     for (const Segment& s : segments_) period_ += s.duration;
   }
@@ -137,8 +133,7 @@ class RepeatedCycle {
   template <class Visit>
   bool run(const std::vector<LossTable>& tables, State& state, Visit visit) const {
     const double longest = period_ / kLeastPoints;
-    const double shortest =
-        kShortest * capacity_.cwiseQuotient(network_.conductance.diagonal()).minCoeff();
+    const double shortest = kShortest * capacity_.cwiseQuotient(network_.conductance.diagonal()).minCoeff();
     double start = 0.0, h = longest;
     for (const Segment& segment : segments_) {
       const Warming warming{network_, capacity_, tables[segment.table]};
@@ -159,8 +154,7 @@ class RepeatedCycle {
         if (!(t.minCoeff() > 0.0 && t.maxCoeff() < 2.0 * kHottest)) return false;
         done = here >= left * (1.0 - 1e-12) ? segment.duration : done + here;
         if (columns < kColumns - 1) h = std::max(h, 2.0 * here);
-        visit(segment.table, start + done, t,
-              [&] { return warming.greatest_within(before, state, here); });
+        visit(segment.table, start + done, t, [&] { return warming.greatest_within(before, state, here); });
       }
       start += segment.duration;
     }
@@ -170,12 +164,10 @@ class RepeatedCycle {
   /// Temperatures at the start that are those at the end, from a guess. Newton's matrix serves on
   /// while it leads on.
   using Factors = std::optional<Eigen::PartialPivLU<Eigen::Matrix3d>>;
-  std::optional<OfParts> periodic(const std::vector<LossTable>& tables, OfParts t,
-                                  Factors& factors) const {
+  std::optional<OfParts> periodic(const std::vector<LossTable>& tables, OfParts t, Factors& factors) const {
     const auto after = [&](const OfParts& from) -> std::optional<OfParts> {
       State x = starting_at(from);
-      if (!run(tables, x, [](std::size_t, double, const OfParts&, const auto&) {}))
-        return std::nullopt;
+      if (!run(tables, x, [](std::size_t, double, const OfParts&, const auto&) {})) return std::nullopt;
       return x.head<3>();
     };
     double before = std::numeric_limits<double>::infinity();
@@ -232,12 +224,9 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
     const auto index = static_cast<std::size_t>(known - duty.cases.begin());
     if (known == duty.cases.end()) {
       const LoadCase& load = *std::ranges::find(c.load_cases, *step.load_case, &LoadCase::name);
-      const auto with = [&](LoadCase::Share share) {
-        return std::make_unique<CaseLosses>(c, contacts, load, share);
-      };
-      duty.cases.push_back(
-          {{0.0, with(load.share), load.name},
-           load.share == LoadCase::Share::solved ? with(LoadCase::Share::equal) : nullptr});
+      const auto with = [&](LoadCase::Share share) { return std::make_unique<CaseLosses>(c, contacts, load, share); };
+      duty.cases.push_back({{0.0, with(load.share), load.name},
+                            load.share == LoadCase::Share::solved ? with(LoadCase::Share::equal) : nullptr});
     }
     duty.cases[index].share += step.time();
     duty.segments.push_back({index + 1, step.time()});
@@ -249,11 +238,10 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
 /// Losses of a load case. With solved shares equal ones come first: they cost little, and what is
 /// left over is small.
 std::optional<LossTable> table_over(const TemperatureBox& box, const DutyCase& load, bool good) {
-  const auto of = [&](CaseLosses& losses, bool by_rollers, const LossTable::Effort& effort,
-                      LossTable rough) {
+  const auto of = [&](CaseLosses& losses, bool by_rollers, const LossTable::Effort& effort, LossTable rough) {
     return LossTable::over(
-        box, [&losses](const OfParts& t) { return losses.at(t); }, by_rollers,
-        good ? effort : kRoughTable, std::move(rough));
+        box, [&losses](const OfParts& t) { return losses.at(t); }, by_rollers, good ? effort : kRoughTable,
+        std::move(rough));
   };
   if (!load.equal) return of(*load.losses, false, kTable, {});
   const std::optional<LossTable> equal = of(*load.equal, false, kTable, {});
@@ -298,8 +286,7 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
   const std::size_t cases = duty.cases.size();
   Periodic found{HeatStatus::converged, {}, std::vector<LossTable>(cases + 1), guess};
   for (std::size_t k = 0; k < cases; ++k)
-    if (const std::optional<Losses> losses = duty.cases[k].losses->at(guess))
-      found.tables[k + 1] = LossTable(*losses);
+    if (const std::optional<Losses> losses = duty.cases[k].losses->at(guess)) found.tables[k + 1] = LossTable(*losses);
 
   bool good = false;
   RepeatedCycle::Factors factors;
@@ -312,9 +299,7 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
                    "parts more conductance, less load or more rest");
     found.start = *start;
     const std::vector<TemperatureBox> visited = visited_from(*start, cycle, found.tables);
-    const auto is_covered = [&](std::size_t k) {
-      return round > 0 && covered[k].contains(visited[k + 1]);
-    };
+    const auto is_covered = [&](std::size_t k) { return round > 0 && covered[k].contains(visited[k + 1]); };
     bool inside = round > 0;
     for (std::size_t k = 0; k < cases && inside; ++k) inside = is_covered(k);
     if (good && inside) return found;
@@ -323,24 +308,20 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
       if (was_good && is_covered(k)) continue;
       // Constant losses lead too far, so that what they visited is not kept.
       TemperatureBox box = visited[k + 1];
-      if (round > 1 && good == was_good)
-        box.include(covered[k].least), box.include(covered[k].greatest);
+      if (round > 1 && good == was_good) box.include(covered[k].least), box.include(covered[k].greatest);
       covered[k] = box.widened(0.25);
       std::optional<LossTable> table = table_over(covered[k], duty.cases[k], good);
       if (!table)
-        return ended(found, HeatStatus::no_steady_state,
-                     duty.cases[k].failure() + " at temperatures of the cycle");
+        return ended(found, HeatStatus::no_steady_state, duty.cases[k].failure() + " at temperatures of the cycle");
       found.tables[k + 1] = std::move(*table);
     }
   }
   return ended(found, HeatStatus::iteration_limit,
-               fmt::format("the range of temperatures of the cycle is not settled after {} rounds",
-                           kMostRounds));
+               fmt::format("the range of temperatures of the cycle is not settled after {} rounds", kMostRounds));
 }
 
 /// Temperatures and energies of one period.
-void keep_course(const Periodic& found, const RepeatedCycle& cycle, double ambient,
-                 HeatCycle& result) {
+void keep_course(const Periodic& found, const RepeatedCycle& cycle, double ambient, HeatCycle& result) {
   const auto keep = [&](double time, const OfParts& t) {
     result.time.push_back(time);
     const PerPart<double> parts = per_part(t);
@@ -349,11 +330,10 @@ void keep_course(const Periodic& found, const RepeatedCycle& cycle, double ambie
   State state = starting_at(found.start);
   keep(0.0, found.start);
   OfParts peak = found.start;
-  cycle.run(found.tables, state,
-            [&](std::size_t, double time, const OfParts& t, const auto& greatest) {
-              peak = peak.cwiseMax(greatest());
-              keep(time, t);
-            });
+  cycle.run(found.tables, state, [&](std::size_t, double time, const OfParts& t, const auto& greatest) {
+    peak = peak.cwiseMax(greatest());
+    keep(time, t);
+  });
   result.peak = per_part(peak);
   result.mean = per_part((state.segment<3>(3).array() / result.period + ambient).matrix());
   result.energy_lost = state[6];
@@ -367,17 +347,14 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& m) {
   const Heat& heat = *c.heat;
   if (heat.capacity) return {heat.capacity->screw, heat.capacity->rollers, heat.capacity->nut};
   const Structure& s = *c.structure;
-  const PerPart<double> volume{screw_body(m, s.screw, s.nut.length).volume,
-                               m.rollers * roller_body(m, s.roller).volume,
+  const PerPart<double> volume{screw_body(m, s.screw, s.nut.length).volume, m.rollers * roller_body(m, s.roller).volume,
                                nut_body(m, s.nut).volume};
   PerPart<double> capacity;
-  for (const Part p : kParts)
-    capacity[p] = *heat.specific_heat * *(*c.materials)[p].density * volume[p];
+  for (const Part p : kParts) capacity[p] = *heat.specific_heat * *(*c.materials)[p].density * volume[p];
   return of_parts(capacity);
 }
 
-HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
-                              std::vector<Warning>& warnings) {
+HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   const Duty duty = duty_of(c, contacts);
@@ -392,12 +369,11 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
   if (found.status != HeatStatus::converged) return ended(result, found.status, found.reason);
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
     if (found.tables[k + 1].error() > kTellTable)
-      warnings.push_back(
-          Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.cases[k].name),
-                  fmt::format("the losses of `{}` are not smooth over the temperatures of the "
-                              "cycle: interpolated to {{value}} of their largest",
-                              duty.cases[k].name)}
-              .with(found.tables[k + 1].error(), kTellTable));
+      warnings.push_back(Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.cases[k].name),
+                                 fmt::format("the losses of `{}` are not smooth over the temperatures of the "
+                                             "cycle: interpolated to {{value}} of their largest",
+                                             duty.cases[k].name)}
+                             .with(found.tables[k + 1].error(), kTellTable));
   keep_course(found, cycle, network.ambient, result);
   return ended(result, HeatStatus::converged, {});
 }

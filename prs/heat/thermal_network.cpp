@@ -14,17 +14,14 @@ constexpr int kMostRounds = 50;
 constexpr double kDifference = 0.05;  // Of temperatures, for derivatives [K].
 
 double largest(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
-bool is_sound(const OfParts& t) {
-  return t.allFinite() && t.minCoeff() > kCoolest && t.maxCoeff() < kHottest;
-}
+bool is_sound(const OfParts& t) { return t.allFinite() && t.minCoeff() > kCoolest && t.maxCoeff() < kHottest; }
 
 /// The estimate, scaled to the exact heat where that is known.
 class ScaledEstimate {
  public:
   using OfOil = std::function<std::optional<OfParts>(const PerInterface<double>& oil)>;
 
-  ScaledEstimate(const ThermalNetwork& network, const OfOil& of_oil)
-      : network_(network), of_oil_(of_oil) {}
+  ScaledEstimate(const ThermalNetwork& network, const OfOil& of_oil) : network_(network), of_oil_(of_oil) {}
 
   void scale_to(const OfParts& temperature, const OfParts& exact) {
     ratio_.setOnes();
@@ -61,8 +58,7 @@ class ScaledEstimate {
     const std::optional<OfParts> q = heat(t);
     return q && sign * (q->sum() / (network_.conductance * rise).sum() - share) > 0.0;
   }
-  bool crosses_at_any(std::initializer_list<double> shares, const OfParts& steady,
-                      double sign) const {
+  bool crosses_at_any(std::initializer_list<double> shares, const OfParts& steady, double sign) const {
     return std::ranges::any_of(shares, [&](double s) { return crosses(s, steady, sign); });
   }
   /// Whether the parts would stop warming before they get there, or do not stay there.
@@ -119,8 +115,7 @@ std::optional<OfParts> newton(const ScaledEstimate& estimate, OfParts t, OfParts
 
 /// Follows the warming parts from t, all with time constants of one, by linearly implicit Euler
 /// steps that grow; none where they pass `kHottest` or their heat is not known.
-std::optional<OfParts> follow(const ScaledEstimate& estimate, const ThermalNetwork& network,
-                              OfParts t) {
+std::optional<OfParts> follow(const ScaledEstimate& estimate, const ThermalNetwork& network, OfParts t) {
   constexpr double kMostRise = 5.0;  // In a step [K].
   const Eigen::Matrix3d capacity = network.conductance.diagonal().asDiagonal();
   double h = 0.1;
@@ -164,19 +159,16 @@ ThermalNetwork thermal_network(const Heat& heat) {
   ThermalNetwork n;
   n.ambient = heat.ambient;
   n.conductance << c.screw_ambient + c.screw_rollers, -c.screw_rollers, 0.0,  //
-      -c.screw_rollers, c.rollers_ambient + c.screw_rollers + c.rollers_nut, -c.rollers_nut, 0.0,
-      -c.rollers_nut, c.nut_ambient + c.rollers_nut;
+      -c.screw_rollers, c.rollers_ambient + c.screw_rollers + c.rollers_nut, -c.rollers_nut, 0.0, -c.rollers_nut,
+      c.nut_ambient + c.rollers_nut;
   return n;
 }
 
 OfParts heat_of(const PowerBySource& p) {
-  return {0.5 * p.screw + p.carrier_screw, 0.5 * (p.screw + p.nut) + p.carrier_roller,
-          0.5 * p.nut + p.carrier_nut};
+  return {0.5 * p.screw + p.carrier_screw, 0.5 * (p.screw + p.nut) + p.carrier_roller, 0.5 * p.nut + p.carrier_nut};
 }
 
-PerInterface<double> oil_temperatures(const OfParts& t) {
-  return {0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2])};
-}
+PerInterface<double> oil_temperatures(const OfParts& t) { return {0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2])}; }
 
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
                             const std::optional<OfParts>& start) {
@@ -190,8 +182,8 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
     const std::optional<OfParts> heat = source.exact(t);
     if (!heat)
       return ended(found, HeatStatus::no_steady_state,
-                   fmt::format("{} with the screw at {}, the rollers at {}, the nut at {}",
-                               source.failure(), celsius(t[0]), celsius(t[1]), celsius(t[2])));
+                   fmt::format("{} with the screw at {}, the rollers at {}, the nut at {}", source.failure(),
+                               celsius(t[0]), celsius(t[1]), celsius(t[2])));
     found.heat = *heat;
     found.temperature = network.steady(*heat);
     const double change = largest(found.temperature - t);
@@ -212,8 +204,8 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
     t = *next;
   }
   return ended(found, HeatStatus::iteration_limit,
-               fmt::format("the temperatures still change by {:.1e} K after {} rounds",
-                           largest(found.temperature - t), kMostRounds));
+               fmt::format("the temperatures still change by {:.1e} K after {} rounds", largest(found.temperature - t),
+                           kMostRounds));
 }
 
 }  // namespace prs

@@ -8,8 +8,7 @@ void alternatives(Choices& io, Mechanism::Type& t) {
 }
 
 void alternatives(Choices& io, Mechanism::Geometry& g) {
-  io("simulation", g, Mechanism::Geometry::simulation,
-     "all pitch diameters and the centre distance are given");
+  io("simulation", g, Mechanism::Geometry::simulation, "all pitch diameters and the centre distance are given");
   io("design", g, Mechanism::Geometry::design,
      "the screw's pitch diameter and the backlash are given, the others follow");
 }
@@ -31,8 +30,7 @@ void alternatives(Choices& io, Profile& p) {
 void alternatives(Choices& io, Guidance& g) {
   io("both_end_nodes", g.kind, Guidance::Kind::both_end_nodes,
      "no radial displacement at both nodes of each end element");
-  io("outer_node", g.kind, Guidance::Kind::outer_node,
-     "no radial displacement at the two outermost nodes");
+  io("outer_node", g.kind, Guidance::Kind::outer_node, "no radial displacement at the two outermost nodes");
   io("ring", g.kind, Guidance::Kind::ring, g.ring_stiffness, Quantity{unit::stiffness, positive},
      "a radial spring of this stiffness at both nodes of each end element");
 }
@@ -40,22 +38,19 @@ void alternatives(Choices& io, Guidance& g) {
 /// A word of `Travel::SlipRatio`, or a number from 0 to 1.
 struct SlipRatioOrNumber {};
 Value value_of(Travel& t, const SlipRatioOrNumber&) {
-  return {OneOr{
-      .form = OneOr::Form::number,
-      .one = [&t] { return value_of(t.slip_ratio, Choice{}); },
-      .several =
-          [&t] {
-            return value_of(t.stated_slip_ratio, Number{{.least = 0.0, .greatest = 1.0}, "0.375"});
-          },
-      .others = ", or a number from 0 to 1",
-      .spread = [&t] { t.stated_slip_ratio = Travel{}.stated_slip_ratio; },
-      .are_several = !std::isnan(t.stated_slip_ratio)}};
+  return {OneOr{.form = OneOr::Form::number,
+                .one = [&t] { return value_of(t.slip_ratio, Choice{}); },
+                .several =
+                    [&t] {
+                      return value_of(t.stated_slip_ratio, Number{{.least = 0.0, .greatest = 1.0}, "0.375"});
+                    },
+                .others = ", or a number from 0 to 1",
+                .spread = [&t] { t.stated_slip_ratio = Travel{}.stated_slip_ratio; },
+                .are_several = !std::isnan(t.stated_slip_ratio)}};
 }
 
 /// What the word of a block that may be one word chooses.
-inline std::optional<Rings::Carrier>& selector_of(Rings& r, const WordOrBlock&) {
-  return r.carrier;
-}
+inline std::optional<Rings::Carrier>& selector_of(Rings& r, const WordOrBlock&) { return r.carrier; }
 
 template <class Io, class C>
 requires std::same_as<C, Rings::Carrier> || std::same_as<C, std::optional<Rings::Carrier>>
@@ -78,8 +73,7 @@ void alternatives(Choices& io, ModelOptions::ContactPhase& p) {
 void alternatives(Choices& io, ModelOptions::Bodies& b) {
   io("bars", b, ModelOptions::Bodies::bars, "one-dimensional elements, as the paper");
   io("refined", b, ModelOptions::Bodies::refined, "one-dimensional elements with what bars miss");
-  io("influence", b, ModelOptions::Bodies::influence,
-     "grooved bodies of revolution by finite elements");
+  io("influence", b, ModelOptions::Bodies::influence, "grooved bodies of revolution by finite elements");
 }
 
 void alternatives(Choices& io, ModelOptions::Loads& l) {
@@ -156,8 +150,7 @@ void alternatives(Choices& io, AxialSupport& a) {
   using enum AxialSupport::At;
   io("nut", a.at, nut, "the seat of the nut, as at rest");
   io("screw", a.at, screw, "the loaded section of the screw, rigidly; the nut is free along x");
-  io("screw", a.at, screw_spring, a.stiffness, Quantity{unit::stiffness, positive},
-     "the same by a spring");
+  io("screw", a.at, screw_spring, a.stiffness, Quantity{unit::stiffness, positive}, "the same by a spring");
 }
 
 void alternatives(Choices& io, DrivenBy& d) {
@@ -202,8 +195,7 @@ void alternatives(Choices& io, contact::FilmDirection& d) {
 
 void alternatives(Choices& io, LubricantName& n) {
   const std::span<const NamedLubricant> known = named_lubricants();
-  for (std::size_t i = 0; i < known.size(); ++i)
-    io(known[i].name, n, LubricantName{i}, known[i].what);
+  for (std::size_t i = 0; i < known.size(); ++i) io(known[i].name, n, LubricantName{i}, known[i].what);
 }
 
 void alternatives(Choices& io, WrittenRange::Spacing& s) {
@@ -217,13 +209,11 @@ void alternatives(Choices& io, Command& c) {
   io(name(Command::solve), c, Command::solve, "load distribution, pressures and stiffness");
   io(name(Command::slip), c, Command::slip, "slip, power loss and efficiency");
   io(name(Command::life), c, Command::life, "life under a load history or spectrum");
-  io(name(Command::measures), c, Command::measures,
-     "capacity, weight, stiffness and the other design measures");
+  io(name(Command::measures), c, Command::measures, "capacity, weight, stiffness and the other design measures");
 }
 
 void alternatives(Choices& io, Plan& p) {
-  io("one_at_a_time", p, Plan::one_at_a_time,
-     "each value of each factor alone, all others as in the file");
+  io("one_at_a_time", p, Plan::one_at_a_time, "each value of each factor alone, all others as in the file");
   io("grid", p, Plan::grid, "every combination of the values, the last factor fastest");
   io("latin_hypercube", p, Plan::latin_hypercube,
      "each factor's range in as many strata as samples, one sample in each");
@@ -234,8 +224,7 @@ void alternatives(Choices& io, Plan& p) {
      "sample as factors, and two");
   io("tolerances", p, Plan::tolerances,
      "independent draws, and the same with the deviation of each factor from the file halved");
-  io("derivatives", p, Plan::derivatives,
-     "the file as it stands, with the derivatives by every factor");
+  io("derivatives", p, Plan::derivatives, "the file as it stands, with the derivatives by every factor");
 }
 
 void alternatives(Choices& io, Envelope::Combine& c) {
@@ -270,35 +259,28 @@ void fields(const Fields& io, ThreadHeight& t) {
 
 void fields(const Fields& io, Mechanism& m) {
   const Quantity diameter{unit::length, positive};
-  const Quantity flank_angle{unit::angle,
-                             Bounds{std::numbers::pi / 180, 89 * std::numbers::pi / 180}};
+  const Quantity flank_angle{unit::angle, Bounds{std::numbers::pi / 180, 89 * std::numbers::pi / 180}};
 
   io("type", m.type, Choice{}, required, "Kind of mechanism");
   io("geometry", m.geometry, Choice{}, "What is given of the geometry");
-  io("profile_plane", m.profile_plane, Choice{},
-     "Plane in which flank angle and profile radius are measured");
+  io("profile_plane", m.profile_plane, Choice{}, "Plane in which flank angle and profile radius are measured");
 
   const bool simulation = m.geometry == Mechanism::Geometry::simulation;
   const Presence in_simulation = required_only_if(simulation, "only with `geometry: simulation`");
   const Presence in_design = optional_only_if(!simulation, "only with `geometry: design`");
 
-  io("lead", m.lead, Quantity{unit::length, not_zero}, required,
-     "Lead of screw and nut; > 0 right-handed");
+  io("lead", m.lead, Quantity{unit::length, not_zero}, required, "Lead of screw and nut; > 0 right-handed");
   io("starts", m.starts, Block{}, required, "Numbers of thread starts");
-  io("pitch", m.pitch, Each{diameter, optional},
-     "Measured axial pitch of parts where it differs from lead / starts");
-  io("flank_angle", m.flank_angle, OneOrEach{flank_angle}, required,
-     "Flank angle, from the plane normal to the axis");
+  io("pitch", m.pitch, Each{diameter, optional}, "Measured axial pitch of parts where it differs from lead / starts");
+  io("flank_angle", m.flank_angle, OneOrEach{flank_angle}, required, "Flank angle, from the plane normal to the axis");
   io("pitch_diameter", m.pitch_diameter, Keys{[&](const Fields& part) {
        part("screw", m.pitch_diameter.screw, diameter, required, "Of the screw");
        part("roller", m.pitch_diameter.roller, diameter, in_simulation, "Of a roller");
        part("nut", m.pitch_diameter.nut, diameter, in_simulation, "Of the nut");
      }},
      required, "Pitch diameters");
-  io("centre_distance", m.centre_distance, diameter, in_simulation,
-     "Distance of the roller axes from the screw axis");
-  io("backlash", m.backlash, Each{Quantity{unit::length}, optional}, in_design,
-     "Axial play at each interface");
+  io("centre_distance", m.centre_distance, diameter, in_simulation, "Distance of the roller axes from the screw axis");
+  io("backlash", m.backlash, Each{Quantity{unit::length}, optional}, in_design, "Axial play at each interface");
   io("profile", m.profile, Each{Choice{}, required}, required, "Thread profile of the material");
   io("thread", m.thread, Each{Block{}, optional},
      "Radial extent of truncated threads; the nut's addendum points inwards");
@@ -317,8 +299,7 @@ auto lateral(Lateral& value, const Kind& kind) {
 }
 
 void fields(const Fields& io, Bearing& b) {
-  io("position", b.position, Quantity{unit::length}, required,
-     "Axial position, counted as positions on the nut");
+  io("position", b.position, Quantity{unit::length}, required, "Axial position, counted as positions on the nut");
   io("lateral", b.lateral, Held{unit::stiffness, true}, "Against displacement");
   io("tilt", b.tilt, Held{unit::tilt_stiffness, true}, "Against rotation");
   io("offset", b.offset, lateral(b.offset, Quantity{unit::length}), "Displacement of its seat");
@@ -349,8 +330,7 @@ auto spatial(Spatial& value, const Kind& kind) {
 }
 
 void fields(const Fields& io, Drive& d) {
-  io("position", d.position, Quantity{unit::length}, required,
-     "Axial position, counted as positions on the nut");
+  io("position", d.position, Quantity{unit::length}, required, "Axial position, counted as positions on the nut");
   io("inertia", d.inertia, Quantity{unit::inertia, not_negative}, "Of what turns with the screw");
   io("stiffness", d.stiffness, Held{unit::tilt_stiffness}, "Against turning of the screw there");
 }
@@ -361,10 +341,8 @@ void fields(const Fields& io, ExtraMass& m) {
   io("position", m.position, Quantity{unit::length}, required,
      "Section that it is fixed to, counted as positions on the nut");
   io("mass", m.mass, Quantity{unit::mass, not_negative}, "Mass");
-  io("centre", m.centre, spatial(m.centre, Quantity{unit::length}),
-     "Of mass, from the axis at that section");
-  io("inertia", m.inertia, spatial(m.inertia, Quantity{unit::inertia, not_negative}),
-     "About the centre of mass");
+  io("centre", m.centre, spatial(m.centre, Quantity{unit::length}), "Of mass, from the axis at that section");
+  io("inertia", m.inertia, spatial(m.inertia, Quantity{unit::inertia, not_negative}), "About the centre of mass");
 }
 
 void fields(const Fields& io, Structure::Screw& s) {
@@ -372,8 +350,7 @@ void fields(const Fields& io, Structure::Screw& s) {
   io("bore", s.bore, length, "Diameter of the bore");
   io("free_length", s.free_length, length, "From the loaded section to the first contact");
   io("far_length", s.far_length, length, "Behind the last contact; `mechanism: full`");
-  io("bearings", s.bearings, List{Block{}},
-     "What holds the screw across the axis; `mechanism: full`");
+  io("bearings", s.bearings, List{Block{}}, "What holds the screw across the axis; `mechanism: full`");
   io("drive", s.drive, Block{}, "What turns the screw, for modes; `mechanism: full`");
 }
 
@@ -410,10 +387,8 @@ void fields(const Fields& io, Structure::Nut& n) {
   io("length", n.length, length, required, "Axial length");
   io("outer_diameter", n.outer_diameter, length, required, "Outer diameter between flanges");
   io("flanges", n.flanges, List{Block{}}, "Flanges; they may touch, not overlap");
-  io("thrust", n.thrust, Block{},
-     "Axial position of the constrained section, for each direction of the load");
-  io("shoulder", n.shoulder, Block{},
-     "Ring of the thrust face that the housing touches; `refined` and `influence`");
+  io("thrust", n.thrust, Block{}, "Axial position of the constrained section, for each direction of the load");
+  io("shoulder", n.shoulder, Block{}, "Ring of the thrust face that the housing touches; `refined` and `influence`");
   io("housing", n.housing, Block{}, "What holds the thrust section; `mechanism: full`");
 }
 
@@ -422,23 +397,19 @@ void fields(const Fields& io, Structure& s) {
   io("roller", s.roller, Block{}, required, "Dimensions of a roller other than its thread");
   io("nut", s.nut, Block{}, required,
      "The nut; axial positions count from its end that faces the loaded end of the screw");
-  io("masses", s.masses, List{Block{}},
-     "Rigid masses on screw and nut, for modes; `mechanism: full`");
+  io("masses", s.masses, List{Block{}}, "Rigid masses on screw and nut, for modes; `mechanism: full`");
 }
 
 void fields(const Fields& io, Material& m) {
-  io("youngs_modulus", m.youngs_modulus, Quantity{unit::pressure, positive}, required,
-     "Young's modulus");
-  io("poisson_ratio", m.poisson_ratio,
-     Number{{.least = 0.0, .greatest = 0.5, .greatest_excluded = true}}, required,
+  io("youngs_modulus", m.youngs_modulus, Quantity{unit::pressure, positive}, required, "Young's modulus");
+  io("poisson_ratio", m.poisson_ratio, Number{{.least = 0.0, .greatest = 0.5, .greatest_excluded = true}}, required,
      "Poisson's ratio");
   io("density", m.density, Quantity{unit::density, positive}, "Density");
   io("thermal_expansion", m.thermal_expansion, Quantity{unit::thermal_expansion, not_negative},
      "Coefficient of linear thermal expansion");
   io("conductivity", m.conductivity, Quantity{unit::thermal_conductivity, positive, "45 W/(m K)"},
      "Of heat, for flash temperatures");
-  io("specific_heat", m.specific_heat, Quantity{unit::specific_heat, positive},
-     "For flash temperatures");
+  io("specific_heat", m.specific_heat, Quantity{unit::specific_heat, positive}, "For flash temperatures");
 }
 
 void fields(const Fields& io, PitchWave& w) {
@@ -458,8 +429,7 @@ void fields(const Fields& io, PitchError& e) {
 void fields(const Fields& io, EndRelief& r) {
   io("drop", r.drop, Quantity{unit::length, not_negative}, required,
      "Drop of the roller's pitch radius at the outermost contacts");
-  io("threads", r.threads, Whole{1, 10'000}, required,
-     "Contacts at each end over which it fades to nothing");
+  io("threads", r.threads, Whole{1, 10'000}, required, "Contacts at each end over which it fades to nothing");
 }
 
 template <class Kind>
@@ -499,8 +469,7 @@ void fields(const Fields& io, TurningThread& t) {
      }},
      "Tilt of the thread's axis");
   io("lead", t, Keys{[&](const Fields& keys) {
-       keys("per_300_mm", t.per_300_mm, Quantity{unit::length},
-            "Proportional to length, > 0 threads too far apart");
+       keys("per_300_mm", t.per_300_mm, Quantity{unit::length}, "Proportional to length, > 0 threads too far apart");
        keys("harmonics", t.harmonics, List{Block{}}, "Over a turn, each turn alike");
        keys("waves", t.waves, List{Block{}}, "Along the part");
        keys("measured", t.measured, Block{}, "As measured along the part");
@@ -533,8 +502,7 @@ void fields(const Fields& io, Turning& t) {
   io("screw", t.thread.screw, Block{}, "Of the screw");
   io("nut", t.thread.nut, Block{}, "Of the nut");
   io("roller", t.rollers, Keys{[&](const Fields& keys) {
-       keys("eccentricity", t.rollers.eccentricity,
-            around(t.rollers.eccentricity, Quantity{unit::length}),
+       keys("eccentricity", t.rollers.eccentricity, around(t.rollers.eccentricity, Quantity{unit::length}),
             "Of the thread's axis against the heads");
        keys("wobble", t.rollers.wobble, around(t.rollers.wobble, Quantity{unit::angle}),
             "Tilt of the thread's axis about the roller's middle");
@@ -557,21 +525,16 @@ void fields(const Fields& io, Deviations& d) {
      "Parabolic drop of the roller's pitch radius at first and last contact");
   io("end_relief", d.end_relief, Block{}, "Straight taper at both ends");
   io("temperature", d.temperature, OneOrEach{temperature}, "Of the parts, uniform in each");
-  io("reference_temperature", d.reference_temperature, temperature,
-     "At which the nominal geometry holds");
+  io("reference_temperature", d.reference_temperature, temperature, "At which the nominal geometry holds");
   const List offsets{Quantity{unit::length}};
   io("roller_position", d.roller_position, OneOrEnds{offsets},
      "Of each roller in its rings, > 0 outwards; `mechanism: full`");
-  io("missing_rollers", d.missing_rollers, List{Whole{1, 1000}},
-     "Their numbers; `mechanism: full`");
-  io("index_error", d.index_error, Each{offsets, optional},
-     "Axial position error of each start; `mechanism: full`");
+  io("missing_rollers", d.missing_rollers, List{Whole{1, 1000}}, "Their numbers; `mechanism: full`");
+  io("index_error", d.index_error, Each{offsets, optional}, "Axial position error of each start; `mechanism: full`");
   io("thread_eccentricity", d.thread_eccentricity, Keys{[&](const Fields& side) {
        const Quantity length{unit::length};
-       side("screw", d.thread_eccentricity.screw, lateral(d.thread_eccentricity.screw, length),
-            "Of the screw");
-       side("nut", d.thread_eccentricity.nut, lateral(d.thread_eccentricity.nut, length),
-            "Of the nut");
+       side("screw", d.thread_eccentricity.screw, lateral(d.thread_eccentricity.screw, length), "Of the screw");
+       side("nut", d.thread_eccentricity.nut, lateral(d.thread_eccentricity.nut, length), "Of the nut");
      }},
      "Of the thread against the axis of its body; `mechanism: full`");
   io("turning", d.turning, Block{}, "Errors that turn with their part; `mechanism: full`");
@@ -581,8 +544,7 @@ void fields(const Fields& io, ContactOverrides& c) {
   const Quantity hertz_constant{unit::hertz_constant, positive};
   const Quantity normal_angle{unit::angle, between(0.0, std::numbers::pi / 2)};
   io("hertz_constant", c.hertz_constant, Each{hertz_constant, optional}, "Load over approach^1.5");
-  io("normal_angle", c.normal_angle, Each{normal_angle, optional},
-     "Angle between contact normal and axis");
+  io("normal_angle", c.normal_angle, Each{normal_angle, optional}, "Angle between contact normal and axis");
 }
 
 void fields(const Fields& io, RefinedEffects& e) {
@@ -597,8 +559,7 @@ void fields(const Fields& io, RefinedEffects& e) {
 
 void fields(const Fields& io, ModelOptions& m) {
   io("mechanism", m.mechanism, Choice{}, "How much of the mechanism is modelled");
-  io("contact_phase", m.contact_phase, Choice{},
-     "Where the rollers touch along the axis; `mechanism: full`");
+  io("contact_phase", m.contact_phase, Choice{}, "Where the rollers touch along the axis; `mechanism: full`");
   io("shear", m.shear, Flag{}, "Shear flexibility of screw, nut and rollers; `mechanism: full`");
   io("loads", m.loads, Choice{},
      "Of `solve`, slip, heat and life; static for `solve`, running for the others by default, "
@@ -608,13 +569,11 @@ void fields(const Fields& io, ModelOptions& m) {
   io("accuracy", m.accuracy, Choice{}, "Meshes of `bodies: influence`");
   io("roller_contacts", m.roller_contacts, Choice{},
      "Where screw and nut touch a roller tooth; `refined` and `influence`");
-  io("tooth_compliance", m.tooth_compliance, Choice{},
-     "Tooth deflection on top of Hertz, which counts it twice");
+  io("tooth_compliance", m.tooth_compliance, Choice{}, "Tooth deflection on top of Hertz, which counts it twice");
   io("roller", m.roller, Choice{}, "Whether the roller bends");
   io("roller_shear", m.roller_shear, Flag{}, "Shear flexibility of the roller");
   io("patch_points", m.patch_points,
-     Whole{kFewestPatchPoints, 1001,
-           "as fewer points carry up to 91 % more than the load, and friction with it"},
+     Whole{kFewestPatchPoints, 1001, "as fewer points carry up to 91 % more than the load, and friction with it"},
      "Points along each axis of a contact patch; fewer than 9 miss its load");
 }
 
@@ -630,42 +589,33 @@ void fields(const Fields& io, Modes& m) {
   io("count", m.count, Whole{1, 100'000}, "Number of modes, from the lowest");
   io("axial_support", m.axial_support, Choice{}, "What holds the mechanism along its axis");
   io("prestress", m.prestress, Flag{}, "Axial forces that stiffen or soften bending");
-  io("positions", m.positions, Whole{1, 100'000},
-     "Of the travel at which frequencies are found too; needs `travel`");
+  io("positions", m.positions, Whole{1, 100'000}, "Of the travel at which frequencies are found too; needs `travel`");
 }
 
 void fields(const Fields& io, LoadCaseItem& l) {
-  io("name", l.name, Text{},
-     "Name of the case, `case-1` for the first by default; a range makes NAME[0], NAME[1], ..");
+  io("name", l.name, Text{}, "Name of the case, `case-1` for the first by default; a range makes NAME[0], NAME[1], ..");
   io("axial_force", l.axial_force, OneOrRange{Quantity{unit::force}}, required,
      "Axial load; > 0 with a direction, of either sign without");
   io("share", l.share, Choice{}, "How the load spreads over the threads");
 
-  const Presence where =
-      required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`");
+  const Presence where = required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`");
   io("direction", l.direction, Choice{}, where, "Sense of the load on the screw");
-  io("position", l.position, Quantity{unit::length}, where,
-     "Axial position of the first roller contact on the nut");
+  io("position", l.position, Quantity{unit::length}, where, "Axial position of the first roller contact on the nut");
   io("speed", l.speed, Quantity{unit::rotational_speed}, "In place of operation.speed");
 
   SpatialLoad& s = l.spatial;
   const Quantity length{unit::length}, angle{unit::angle};
-  io("carrier_angle", s.carrier_angle, angle,
-     "Azimuth of the first roller, from y to z; `mechanism: full`");
-  io("eccentricity", s.eccentricity, lateral(s.eccentricity, length),
-     "Where the axial force acts; `mechanism: full`");
+  io("carrier_angle", s.carrier_angle, angle, "Azimuth of the first roller, from y to z; `mechanism: full`");
+  io("eccentricity", s.eccentricity, lateral(s.eccentricity, length), "Where the axial force acts; `mechanism: full`");
   const auto across = [](SpatialLoad::Across& load, const Quantity& kind) {
     return Keys{[&load, kind](const Fields& keys) {
       keys("y", load.value.y, kind, "Component y");
       keys("z", load.value.z, kind, "Component z");
-      keys("at", load.at, Quantity{unit::length},
-           "Axial position on the screw, the loaded section by default");
+      keys("at", load.at, Quantity{unit::length}, "Axial position on the screw, the loaded section by default");
     }};
   };
-  io("side_force", s.side_force, across(s.side_force, Quantity{unit::force}),
-     "On the screw; `mechanism: full`");
-  io("moment", s.moment, across(s.moment, Quantity{unit::torque}),
-     "On the screw; `mechanism: full`");
+  io("side_force", s.side_force, across(s.side_force, Quantity{unit::force}), "On the screw; `mechanism: full`");
+  io("moment", s.moment, across(s.moment, Quantity{unit::torque}), "On the screw; `mechanism: full`");
   io("misalignment", s, Keys{[&](const Fields& seat) {
        seat("nut_tilt", s.nut_tilt, lateral(s.nut_tilt, angle), "Rotation");
        seat("nut_offset", s.nut_offset, lateral(s.nut_offset, length), "Displacement");
@@ -681,8 +631,7 @@ void fields(const Fields& io, LoadCaseItem& l) {
 
 void fields(const Fields& io, SpatialLoad::Orbit& o) {
   io("steps", o.steps, Whole{1, 1000}, "Positions for each spacing of the rollers");
-  io("exponent", o.exponent, Number{{.least = 1.0, .greatest = 20.0}, "3"},
-     "Of the equivalent loads");
+  io("exponent", o.exponent, Number{{.least = 1.0, .greatest = 20.0}, "3"}, "Of the equivalent loads");
 }
 
 void fields(const Fields& io, Spacer& s) {
@@ -703,10 +652,9 @@ void fields(const Fields& io, Preload& p) {
   const Quantity length{unit::length, positive};
   io("arrangement", p.arrangement, Choice{}, required, "What pushes against what");
 
-  const Presence in_two_nuts = required_only_if(p.arrangement == Preload::Arrangement::double_nut,
-                                                "only with `arrangement: double_nut`");
-  io("force", p.force, Quantity{unit::force, positive},
-     "Axial load of each side without external load");
+  const Presence in_two_nuts =
+      required_only_if(p.arrangement == Preload::Arrangement::double_nut, "only with `arrangement: double_nut`");
+  io("force", p.force, Quantity{unit::force, positive}, "Axial load of each side without external load");
   io("interference", p.interference, length, optional_only_if(!p.force, "in place of `force`"),
      "Single nut: pitch diameter of the rollers above the one that just fills the grooves; "
      "double nut: length of the spacer above the one that just touches");
@@ -740,12 +688,11 @@ void fields(const Fields& io, HistorySource& h) {
   io("speed", h.speed, Block{}, optional_only_if(!h.position, "in place of `position`"),
      "Of the screw against the nut; else `operation.speed`");
   io("time", h.time, Block{}, "Time of the sample");
-  io("interval", h.interval, Quantity{unit::duration, positive},
-     optional_only_if(!h.time, "in place of `time`"), "Between two samples");
+  io("interval", h.interval, Quantity{unit::duration, positive}, optional_only_if(!h.time, "in place of `time`"),
+     "Between two samples");
   io("driven_by", h.driven_by, Choice{},
      "Who drives, for running loads: travel by default where position or speed stand, else screw");
-  io("hysteresis", h.hysteresis, Quantity{unit::force, not_negative},
-     "Ranges up to this are no load cycles");
+  io("hysteresis", h.hysteresis, Quantity{unit::force, not_negative}, "Ranges up to this are no load cycles");
   io("bins", h.bins, Whole{1, 200}, "Of the matrix of cycles, along each axis");
 }
 
@@ -754,12 +701,11 @@ void fields(const Fields& io, SpectrumLoad& l) {
   io("direction", l.direction, Choice{}, required, "Sense of the load on the screw");
   constexpr std::string_view one = "as one of revolutions, distance, duration and share";
   const Bounds revolutions{.least = 0.0, .greatest = 1e15, .least_excluded = true};
-  io("revolutions", l.revolutions, Number{revolutions, "1000"},
-     "Of the screw against the nut under the load");
-  io("distance", l.distance, Quantity{unit::length, not_negative},
-     optional_only_if(!l.revolutions, one), "Travel under the load; 0 at rest");
-  io("duration", l.duration, Quantity{unit::duration, positive},
-     optional_only_if(!l.revolutions && !l.distance, one), "Under the load, at `operation.speed`");
+  io("revolutions", l.revolutions, Number{revolutions, "1000"}, "Of the screw against the nut under the load");
+  io("distance", l.distance, Quantity{unit::length, not_negative}, optional_only_if(!l.revolutions, one),
+     "Travel under the load; 0 at rest");
+  io("duration", l.duration, Quantity{unit::duration, positive}, optional_only_if(!l.revolutions && !l.distance, one),
+     "Under the load, at `operation.speed`");
   const bool measured = l.revolutions || l.distance || l.duration;
   io("share", l.share, Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}},
      required_only_if(!measured, one), "Of the revolutions of the spectrum");
@@ -768,18 +714,16 @@ void fields(const Fields& io, SpectrumLoad& l) {
 
 void fields(const Fields& io, Life& l) {
   io("history", l.history, Block{}, "Loads over time or travel, from a file");
-  io("spectrum", l.spectrum, List{Block{}, l.history ? 0 : 1},
-     required_only_if(!l.history, "in place of `history`"), "Loads and how long each acts");
+  io("spectrum", l.spectrum, List{Block{}, l.history ? 0 : 1}, required_only_if(!l.history, "in place of `history`"),
+     "Loads and how long each acts");
   io("share", l.share, Choice{}, "How the load spreads over the threads");
   io("temperatures", l.temperatures, Choice{}, "Of the parts, with a block `heat`");
   io("position", l.position, Quantity{unit::length},
      required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`"),
      "Axial position of the first roller contact on the nut");
   const Quantity capacity{unit::force, positive};
-  io("dynamic_capacity", l.dynamic_capacity, capacity,
-     "Of a catalogue, in place of Lemor's formula");
-  io("static_capacity", l.static_capacity, capacity,
-     "Catalogue value, in addition to that by pressure");
+  io("dynamic_capacity", l.dynamic_capacity, capacity, "Of a catalogue, in place of Lemor's formula");
+  io("static_capacity", l.static_capacity, capacity, "Catalogue value, in addition to that by pressure");
   io("reliability", l.reliability, Quantity{unit::share, Bounds{.least = 0.90, .greatest = 0.99}},
      "Share of many screws that shall reach the rated life: a1 of ISO 281");
   io("modification_factor", l.modification_factor,
@@ -806,8 +750,7 @@ void fields(const Fields& io, MeasureOptions::System::Shaft& s) {
      "`measures.shaft` is another one, for buckling and critical speed");
   io("axial", s.axial, Choice{}, "Where the shaft is held along its axis");
   const bool two_bearings = s.axial == MeasureOptions::System::Axial::both_ends;
-  io("from_bearing", s.from_bearing, length,
-     required_only_if(two_bearings, "only with `axial: both_ends`"),
+  io("from_bearing", s.from_bearing, length, required_only_if(two_bearings, "only with `axial: both_ends`"),
      "From the nearer axial bearing to the loaded section");
   io("torsion_length", s.torsion_length, length,
      "From the loaded section to where the rotation is held; `length` by default");
@@ -825,19 +768,16 @@ void fields(const Fields& io, MeasureOptions::System& s) {
 void fields(const Fields& io, MeasureOptions& m) {
   io("loaded_width", m.loaded_width, Quantity{unit::length, positive},
      "Of thread that one contact loads, for the compliance and the strength of its tooth");
-  io("friction_coefficient", m.friction_coefficient,
-     Number{{.least = 0.0, .greatest = 1.0}, "0.01"},
+  io("friction_coefficient", m.friction_coefficient, Number{{.least = 0.0, .greatest = 1.0}, "0.01"},
      "Of the whole mechanism, as catalogues state it, for the estimate of efficiency");
   io("yield_strength", m.yield_strength, Quantity{unit::pressure, positive, "900 MPa"},
      "Of the screw's shaft, for short columns");
   io("shaft", m.shaft, Block{}, "Of the screw, for buckling and critical speed");
-  io("system", m.system, Block{},
-     "What is in series with the mechanism, for the stiffness of the axis");
+  io("system", m.system, Block{}, "What is in series with the mechanism, for the stiffness of the axis");
 }
 
 void fields(const Fields& io, ViscosityPoint& p) {
-  io("temperature", p.temperature, Quantity{unit::temperature, positive}, required,
-     "Where the viscosity was measured");
+  io("temperature", p.temperature, Quantity{unit::temperature, positive}, required, "Where the viscosity was measured");
   io("viscosity", p.viscosity, Quantity{unit::viscosity, positive}, "Dynamic viscosity");
   io("kinematic_viscosity", p.kinematic_viscosity, Quantity{unit::kinematic_viscosity, positive},
      required_only_if(!p.viscosity, "in place of `viscosity`"), "Kinematic viscosity");
@@ -849,10 +789,9 @@ void fields(const Fields& io, contact::WaltherLine& w) {
 }
 
 void fields(const Fields& io, Lubricant::Film::InletHeating& h) {
-  io("conductivity", h.conductivity, Quantity{unit::thermal_conductivity, positive, "0.14 W/(m K)"},
-     required, "Of heat, of the oil");
-  io("temperature_coefficient", h.temperature_coefficient,
-     Quantity{unit::temperature_coefficient, positive},
+  io("conductivity", h.conductivity, Quantity{unit::thermal_conductivity, positive, "0.14 W/(m K)"}, required,
+     "Of heat, of the oil");
+  io("temperature_coefficient", h.temperature_coefficient, Quantity{unit::temperature_coefficient, positive},
      "-(d eta/dT)/eta of its viscosity; that of its own law by default, where it has one");
 }
 
@@ -867,25 +806,20 @@ void fields(const Fields& io, Lubricant& l) {
      optional_only_if(!by_temperature, "in place of `temperature`"),
      "Dynamic viscosity at ambient pressure in operation");
   // With `heat` the temperature itself need not stand.
-  io("walther", l.walther, Block{},
-     optional_only_if(by_temperature || !l.viscosity, "only with `temperature`"),
+  io("walther", l.walther, Block{}, optional_only_if(by_temperature || !l.viscosity, "only with `temperature`"),
      "log10 log10(nu/(mm^2/s) + 0.7) = intercept - slope log10(T/K), nu = viscosity/density");
   io("viscosity_at", l.viscosity_at, List{Block{}, 2, 2},
      Presence{by_temperature && !l.walther && !l.name, !l.viscosity && !l.walther,
               "with `temperature`, in place of `walther`"},
      "Two points through which the line goes");
-  io("density", l.density, Quantity{unit::density, positive},
-     "Of the oil, between dynamic and kinematic viscosity");
+  io("density", l.density, Quantity{unit::density, positive}, "Of the oil, between dynamic and kinematic viscosity");
   const Presence named = required_unless(l.name.has_value(), "required unless `name` is given");
-  io("pressure_viscosity", l.pressure_viscosity, Quantity{unit::pressure_viscosity, positive},
-     named, "Pressure-viscosity coefficient; with `name` estimated from the viscosity");
-  io("eyring_stress", l.eyring_stress, stress, named,
-     "Eyring shear stress; with `name` 5 MPa by default");
+  io("pressure_viscosity", l.pressure_viscosity, Quantity{unit::pressure_viscosity, positive}, named,
+     "Pressure-viscosity coefficient; with `name` estimated from the viscosity");
+  io("eyring_stress", l.eyring_stress, stress, named, "Eyring shear stress; with `name` 5 MPa by default");
   io("film", l.film, Keys{[&](const Fields& film) {
-       film("direction", l.film.direction, Choice{},
-            "Direction of rolling that the central film takes");
-       film("starvation", l.film.starvation,
-            Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}, "0.7"},
+       film("direction", l.film.direction, Choice{}, "Direction of rolling that the central film takes");
+       film("starvation", l.film.starvation, Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}, "0.7"},
             "Film over that of a full inlet, measured or chosen");
        film("inlet_heating", l.film.inlet_heating, Block{},
             "Film that the shear at the inlet warms and thins (Gupta et al. 1992)");
@@ -894,8 +828,7 @@ void fields(const Fields& io, Lubricant& l) {
 }
 
 void fields(const Fields& io, MixedFriction& m) {
-  io("boundary", m.boundary, Number{not_negative, "0.12"}, required,
-     "Coefficient of friction of flanks that touch");
+  io("boundary", m.boundary, Number{not_negative, "0.12"}, required, "Coefficient of friction of flanks that touch");
   io("exponent", m.exponent, Number{positive, "2"},
      "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch");
 }
@@ -933,23 +866,19 @@ void fields(const Fields& io, HeadFriction::Mixed& m) {
 void fields(const Fields& io, HeadBearing& b) {
   const Quantity length{unit::length, positive};
   io("friction", b.friction, Choice{}, "How a head rubs");
-  const Presence of_film =
-      required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
+  const Presence of_film = required_unless(!b.has_film(), "required unless `friction: {coulomb: ..}`");
   io("length", b.length, length, of_film, "Axial length of one head's bearing");
   io("diameter", b.diameter, length, required, "Diameter of the roller's head");
-  io("radial_clearance", b.radial_clearance, length, of_film,
-     "Radius of the hole less that of the head");
+  io("radial_clearance", b.radial_clearance, length, of_film, "Radius of the hole less that of the head");
 }
 
 void fields(const Fields& io, Carrier& c) {
   const Quantity torque{unit::torque, not_negative};
-  const Bounds gear_pressure_angle =
-      between(5 * std::numbers::pi / 180, 40 * std::numbers::pi / 180);
+  const Bounds gear_pressure_angle = between(5 * std::numbers::pi / 180, 40 * std::numbers::pi / 180);
   io("roller_torque", c.roller_torque, torque, "Resists a roller's spin");
   io("screw_torque", c.screw_torque, torque, "Resists the carrier on the screw");
   io("nut_torque", c.nut_torque, torque, "Resists the carrier on the nut");
-  io("bearing", c.bearing, Block{},
-     "Plain bearings of the roller's heads, in place of roller_torque");
+  io("bearing", c.bearing, Block{}, "Plain bearings of the roller's heads, in place of roller_torque");
   io("gear_pressure_angle", c.gear_pressure_angle, Quantity{unit::angle, gear_pressure_angle},
      "Of the gears between rollers and nut, inverted: and screw");
 }
@@ -958,8 +887,7 @@ void fields(const Fields& io, Heat::Conductance& c) {
   const Quantity conductance{unit::thermal_conductance, not_negative};
   io("screw_ambient", c.screw_ambient, conductance, required,
      "From the screw to its surroundings, its bearings included");
-  io("nut_ambient", c.nut_ambient, conductance, required,
-     "From the nut to its surroundings, its seat included");
+  io("nut_ambient", c.nut_ambient, conductance, required, "From the nut to its surroundings, its seat included");
   io("rollers_ambient", c.rollers_ambient, conductance, "From all rollers to their surroundings");
   io("screw_rollers", c.screw_rollers, conductance, "From the screw to all rollers");
   io("rollers_nut", c.rollers_nut, conductance, "From all rollers to the nut");
@@ -968,10 +896,9 @@ void fields(const Fields& io, Heat::Conductance& c) {
 void fields(const Fields& io, Heat::DutyStep& s) {
   const Quantity duration{unit::duration, positive};
   io("load_case", s.load_case, Text{"pull"}, "Name of the load case that acts");
-  io("duration", s.duration, duration,
-     required_only_if(s.load_case.has_value(), "with `load_case`"), "For how long it acts");
-  io("rest", s.rest, duration,
-     required_only_if(!s.load_case, "in place of `load_case` and `duration`"),
+  io("duration", s.duration, duration, required_only_if(s.load_case.has_value(), "with `load_case`"),
+     "For how long it acts");
+  io("rest", s.rest, duration, required_only_if(!s.load_case, "in place of `load_case` and `duration`"),
      "For how long nothing moves");
 }
 
@@ -983,10 +910,8 @@ void fields(const Fields& io, Heat::Capacity& c) {
 }
 
 void fields(const Fields& io, Heat& h) {
-  io("ambient", h.ambient, Quantity{unit::temperature, positive}, required,
-     "Temperature of the surroundings");
-  io("conductance", h.conductance, Block{}, required,
-     "Heat flow over the difference of temperature");
+  io("ambient", h.ambient, Quantity{unit::temperature, positive}, required, "Temperature of the surroundings");
+  io("conductance", h.conductance, Block{}, required, "Heat flow over the difference of temperature");
   io("duty", h.duty, List{Block{}, 1}, "Load cases and rests one after the other, again and again");
   io("capacity", h.capacity, Block{}, "Heat capacities of the parts, for `duty`");
   io("specific_heat", h.specific_heat, Quantity{unit::specific_heat, positive},
@@ -997,19 +922,16 @@ void fields(const Fields& io, Heat& h) {
 
 void fields(const Fields& io, Limits& l) {
   const Quantity length{unit::length, positive, "100 mm"};
-  io("life", l.life,
-     EitherQuantity{{unit::duration, positive, "20000 h"}, {unit::distance, positive}},
+  io("life", l.life, EitherQuantity{{unit::duration, positive, "20000 h"}, {unit::distance, positive}},
      "Least rated life, as time or travel");
   io("static_safety", l.static_safety, Number{positive, "1.5"}, "Least");
-  io("peak_pressure", l.peak_pressure, Quantity{unit::pressure, positive, "4 GPa"},
-     "Greatest, of all contacts");
+  io("peak_pressure", l.peak_pressure, Quantity{unit::pressure, positive, "4 GPa"}, "Greatest, of all contacts");
   io("buckling_safety", l.buckling_safety, Number{positive, "3"}, "Least");
   io("critical_speed_share", l.critical_speed_share, Quantity{unit::share, positive, "80 %"},
      "Greatest speed over the critical one");
   io("speed_times_diameter", l.speed_times_diameter, Quantity{unit::speed, positive},
      "Greatest n d, d the pitch diameter of the screw");
-  io("nut_diameter", l.nut_diameter, length,
-     "Greatest outer diameter of the nut, flanges left out");
+  io("nut_diameter", l.nut_diameter, length, "Greatest outer diameter of the nut, flanges left out");
   io("nut_length", l.nut_length, length, "Greatest length of the nut");
   io("weight", l.weight, Quantity{unit::mass, positive},
      "Greatest: nut, rollers and screw over `measures.shaft.length`");
@@ -1054,8 +976,7 @@ void fields(const Fields& io, VariableItem& v) {
   const Presence bound = required_only_if(!v.values, "in place of `values`");
   io("from", v.from, Verbatim{}, bound, "Least value; of whole numbers all up to `to`");
   io("to", v.to, Verbatim{}, bound, "Greatest value, in the same unit");
-  io("with", v.companions, List{Block{}, 1},
-     optional_only_if(v.values.has_value(), "only with `values`"),
+  io("with", v.companions, List{Block{}, 1}, optional_only_if(v.values.has_value(), "only with `values`"),
      "Inputs that change together with this one, value by value");
 }
 
@@ -1073,39 +994,32 @@ void fields(const Fields& io, ConstraintItem& c) {
   io("at_least", c.at_least, kLimit,
      "A number in the unit of the path, `{initial: 0.9}` for 0.9 times the value of the "
      "file's own design, or `{response: PATH}` for another response of the same design");
-  io("at_most", c.at_most, kLimit,
-     c.at_least ? optional : Presence{true, true, "where there is no `at_least`"},
+  io("at_most", c.at_most, kLimit, c.at_least ? optional : Presence{true, true, "where there is no `at_least`"},
      "The same from above");
   io("name", c.name, Text{"weight"}, "Its name in tables");
 }
 
 void fields(const Fields& io, CompromiseItem& c) {
-  io("by", c.by, Choice{},
-     "Which design of the front is chosen, objectives scaled by the extent of the front");
+  io("by", c.by, Choice{}, "Which design of the front is chosen, objectives scaled by the extent of the front");
   io("weights", c.weights, List{Number{not_negative}, 1},
-     required_only_if(c.by == Compromise::By::weights, "only with `by: weights`"),
-     "One for each objective");
-  io("of", c.of, kResponsePath,
-     required_only_if(c.by == Compromise::By::best, "only with `by: best`"),
+     required_only_if(c.by == Compromise::By::weights, "only with `by: weights`"), "One for each objective");
+  io("of", c.of, kResponsePath, required_only_if(c.by == Compromise::By::best, "only with `by: best`"),
      "The objective's path");
 }
 
 void fields(const Fields& io, OptimizeItem& o) {
   io("command", o.command, Choice{}, required, "What each design runs through");
   io("variables", o.variables, List{Block{}, 1}, required, "The inputs that may change");
-  io("objectives", o.objectives, List{Block{}, 1, 8}, required,
-     "What shall be as small or as large as possible");
+  io("objectives", o.objectives, List{Block{}, 1, 8}, required, "What shall be as small or as large as possible");
   io("constraints", o.constraints, List{Block{}, 1}, "What a design must keep");
   io("thread_constraints", o.thread_constraints, Flag{},
      "Threads that are neither sharp nor cut into each other and touch on their flanks only, "
      "Yao et al. (51) to (60)");
-  io("algorithm", o.algorithm, Choice{},
-     "How designs are searched; nsga2, or sade of a single objective by default");
+  io("algorithm", o.algorithm, Choice{}, "How designs are searched; nsga2, or sade of a single objective by default");
   io("check", o.check, Choice{}, "A second search to compare with");
   io("population", o.population, Whole{8, 2'000}, "Designs of a generation");
   io("generations", o.generations, Whole{1, 10'000}, "The first, random one included");
-  io("seed", o.seed, Whole{0, std::int64_t{1} << 53},
-     "Of the random numbers: the same seed finds the same designs");
+  io("seed", o.seed, Whole{0, std::int64_t{1} << 53}, "Of the random numbers: the same seed finds the same designs");
   io("compromise", o.compromise, Block{}, "Which design of the front is chosen");
 }
 
@@ -1120,8 +1034,7 @@ void fields(const Fields& io, WrittenNormal& n) {
 }
 
 void fields(const Fields& io, CompanionItem& c) {
-  io("path", c.path, Text{"mechanism.lead"}, required,
-     "What changes with the factor, as `--set` names it");
+  io("path", c.path, Text{"mechanism.lead"}, required, "What changes with the factor, as `--set` names it");
   io("values", c.values, ListOrRange{}, required, "One for each value of the factor");
   io("label", c.label, Text{"lead"}, "Its name in tables and figures");
 }
@@ -1132,28 +1045,22 @@ void fields(const Fields& io, FactorItem& f) {
      "own");
   io("values", f.values, ListOrRange{},
      "As they would stand in the file; one of them, all as likely, in a plan with samples");
-  io("uniform", f.uniform, Block{},
-     "In a plan with samples, in place of `values`: drawn from an interval");
+  io("uniform", f.uniform, Block{}, "In a plan with samples, in place of `values`: drawn from an interval");
   io("log_uniform", f.log_uniform, Block{}, "The same, uniform in the logarithm");
-  io("normal", f.normal, Block{},
-     "In a plan with samples, in place of `values`: normally distributed");
+  io("normal", f.normal, Block{}, "In a plan with samples, in place of `values`: normally distributed");
   io("within", f.within, Verbatim{},
      "In a plan with samples, in place of `values`: uniform about what the file says, by a "
      "share `3 %` or a half width `0.02 mm` to both sides, or from the lower to the upper "
      "deviation `[-0.01 mm, 0.03 mm]`");
   io("label", f.label, Text{"lead"}, "Its name in tables and figures");
-  io("together", f.together, Flag{},
-     "Whether the entries of a list, each drawn on its own, count as one factor");
+  io("together", f.together, Flag{}, "Whether the entries of a list, each drawn on its own, count as one factor");
   io("kept", f.kept, Flag{}, "Whether a plan of tolerances draws it and never halves it");
-  io("with", f.companions, List{Block{}, 1},
-     "Inputs that change together with this one, value by value");
+  io("with", f.companions, List{Block{}, 1}, "Inputs that change together with this one, value by value");
 }
 
 void fields(const Fields& io, Envelope::Measure& m) {
-  io("response", m.response, Text{"axial_stiffness_N_per_um"}, required,
-     "What is measured: the path of a response");
-  io("weight", m.weight, Number{not_zero, "1"},
-     "Exponent in a product, factor in a sum; < 0 of what shall be small");
+  io("response", m.response, Text{"axial_stiffness_N_per_um"}, required, "What is measured: the path of a response");
+  io("weight", m.weight, Number{not_zero, "1"}, "Exponent in a product, factor in a sum; < 0 of what shall be small");
 }
 
 void fields(const Fields& io, Envelope::Target& t) {
@@ -1174,8 +1081,7 @@ void fields(const Fields& io, EnvelopeItem& e) {
   io("combine", e.combine, Choice{}, "How the measures become one");
   io("normalise", e.normalise, Choice{}, "What each measure is divided by before");
   io("measures", e.measures, List{Block{}, 1}, required, "What makes a design good or bad");
-  io("points", e.points, List{Block{}, 1},
-     "Designs to read off, each with one of at, wanted, reach");
+  io("points", e.points, List{Block{}, 1}, "Designs to read off, each with one of at, wanted, reach");
 }
 
 void fields(const Fields& io, StudyItem& s) {
@@ -1183,8 +1089,8 @@ void fields(const Fields& io, StudyItem& s) {
   io("plan", s.plan, Choice{}, "How designs are chosen");
   const std::string_view sampled =
       "only with the plans latin_hypercube, sobol, monte_carlo, sobol_indices and tolerances";
-  io("samples", s.samples, Whole{1, kMostDesigns - 1},
-     required_only_if(is_sampled(s.plan), sampled), "Number of draws");
+  io("samples", s.samples, Whole{1, kMostDesigns - 1}, required_only_if(is_sampled(s.plan), sampled),
+     "Number of draws");
   io("seed", s.seed, Whole{0, std::int64_t{1} << 53}, optional_only_if(is_sampled(s.plan), sampled),
      "Of the random numbers: the same seed draws the same designs");
   io("factors", s.factors, List{Block{}, 1}, required, "The inputs that vary");
@@ -1210,12 +1116,10 @@ void fields(const Fields& io, CaseFile& file) {
   io("structure", c.structure, Block{}, "The parts between and around the threads");
   io("materials", c.materials, OneOrEach{Block{}}, "Elastic properties");
   io("deviations", c.deviations, Block{}, "How the real parts differ from their nominal geometry");
-  io("contact", c.contact, Block{},
-     "Values that replace what the geometry gives, in the load distribution only");
+  io("contact", c.contact, Block{}, "Values that replace what the geometry gives, in the load distribution only");
   io("model", c.model, Block{}, "Choices of the model");
   io("load_cases", file.load_cases, List{Block{}, 1}, "Loads, each on its own");
-  io("preload", c.preload, Block{},
-     "How the play is taken out, and the curve through zero, for `prs preload`");
+  io("preload", c.preload, Block{}, "How the play is taken out, and the curve through zero, for `prs preload`");
   io("life", c.life, Block{}, "Load history or spectrum for `prs life`");
   io("measures", c.measures, Block{}, "Further inputs of the design measures");
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
@@ -1227,8 +1131,7 @@ void fields(const Fields& io, CaseFile& file) {
   io("operation", c.operation, Block{}, "How the mechanism runs");
   io("carrier", c.carrier, Block{}, "What acts on the rollers besides the threads");
   io("heat", c.heat, Block{}, "How the parts get rid of the heat of friction, for `prs slip`");
-  io("limits", file.limits, Block{},
-     "What the verdict of `prs check` and of the report holds the case against");
+  io("limits", file.limits, Block{}, "What the verdict of `prs check` and of the report holds the case against");
   io("study", file.study, Block{}, "What `prs study` varies");
   io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");
   io("report", file.report, Block{}, "Title block of `prs report`");
@@ -1242,8 +1145,7 @@ Value value_of(Range& range, const OneOrRange& kind) {
                       return Value{map_of([&range, kind](const Fields& io) {
                         io("from", range.from, kind.quantity, required, "First value");
                         io("to", range.to, kind.quantity, required, "Last value");
-                        io("steps", range.steps, Whole{1, kMostSteps}, required,
-                           "Number of values, ends included");
+                        io("steps", range.steps, Whole{1, kMostSteps}, required, "Number of values, ends included");
                       })};
                     },
                 .others = ", or a range {from, to, steps}",

@@ -18,9 +18,7 @@ std::size_t line_length(std::string_view text) {
   return static_cast<std::size_t>(static_cast<const char*>(end) - text.data()) + 1;
 }
 
-bool is_blank(std::string_view line) {
-  return line.find_first_not_of(" \t\r\n") == std::string_view::npos;
-}
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
 /// The first separator of a line outside quotes.
 char separator_of(std::string_view line) {
@@ -52,8 +50,7 @@ class FieldParser {
 
   /// Takes bytes; the number of those before what is malformed.
   std::size_t take(std::string_view bytes) {
-    const std::size_t taken =
-        csv_parse(&parser_, bytes.data(), bytes.size(), on_field, on_row, this);
+    const std::size_t taken = csv_parse(&parser_, bytes.data(), bytes.size(), on_field, on_row, this);
     check();
     return taken;
   }
@@ -179,8 +176,7 @@ std::size_t CsvReader::field_offset(std::size_t row, std::size_t field) const {
   FieldParser parser(parts_->separator);
   const std::string_view text = parts_->text;
   std::size_t at = row;
-  while (parser.field_count() < field && at < text.size() && parser.rows() == 0)
-    parser.take(text.substr(at++, 1));
+  while (parser.field_count() < field && at < text.size() && parser.rows() == 0) parser.take(text.substr(at++, 1));
   // The end of the row is not part of it.
   if (parser.rows() > 0) --at;
   return at;

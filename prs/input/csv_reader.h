@@ -13,8 +13,7 @@ namespace prs::input {
 /// to fix it`.
 class CsvError : public std::runtime_error {
  public:
-  CsvError(std::size_t offset, const std::string& message)
-      : std::runtime_error(message), offset_(offset) {}
+  CsvError(std::size_t offset, const std::string& message) : std::runtime_error(message), offset_(offset) {}
   std::size_t offset() const { return offset_; }  ///< Position of the error in the text.
 
  private:

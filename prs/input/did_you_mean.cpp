@@ -38,15 +38,13 @@ EditDistance edit_distance(std::string_view a, std::string_view b) {
 
 /// That of whole words, or little more than that of a word to what the other begins with.
 std::size_t distance(std::string_view word, std::string_view known) {
-  const std::size_t beginning =
-      std::min(edit_distance(word, known).beginning, edit_distance(known, word).beginning);
+  const std::size_t beginning = std::min(edit_distance(word, known).beginning, edit_distance(known, word).beginning);
   return std::min(edit_distance(word, known).whole, beginning + 1);
 }
 
 }  // namespace
 
-std::vector<std::string_view> near_words(std::string_view word,
-                                         const std::vector<std::string_view>& known) {
+std::vector<std::string_view> near_words(std::string_view word, const std::vector<std::string_view>& known) {
   constexpr std::size_t kMost = 3, kFarther = 2;
   word = word.substr(0, 80);
   std::vector<std::pair<std::size_t, std::string_view>> by_distance;

@@ -11,7 +11,6 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
 
 /// The known words that are spelled most alike: the nearest first, then those within two letters of
 /// it, three at most.
-std::vector<std::string_view> near_words(std::string_view word,
-                                         const std::vector<std::string_view>& known);
+std::vector<std::string_view> near_words(std::string_view word, const std::vector<std::string_view>& known);
 
 }  // namespace prs::input

@@ -54,9 +54,7 @@ class TreeBuilder final : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     refuse_tag(mark, tag);
-    add_leaf(
-        {.kind = Node::Kind::scalar, .quoted = tag == "!", .text = value, .place = place(mark)},
-        anchor);
+    add_leaf({.kind = Node::Kind::scalar, .quoted = tag == "!", .text = value, .place = place(mark)}, anchor);
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchored_.find(anchor);
@@ -117,8 +115,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (tag.size() > 1)
-      errors_.fail(place(mark), here(),
-                   "got the tag `{}`; expected a value without tag; delete the tag", shown(tag));
+      errors_.fail(place(mark), here(), "got the tag `{}`; expected a value without tag; delete the tag", shown(tag));
   }
 
   void charge(std::size_t size, Place at) {
@@ -132,10 +129,8 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void open(Node::Kind kind, Place at, YAML::anchor_t anchor) {
     if (frames_.size() >= kDeepest)
-      errors_.fail(
-          at, here(),
-          "got more than {} nested levels; expected fewer; check the brackets and the indentation",
-          kDeepest);
+      errors_.fail(at, here(), "got more than {} nested levels; expected fewer; check the brackets and the indentation",
+                   kDeepest);
     Frame& f = frames_.emplace_back();
     f.node.kind = kind;
     f.node.place = at;
@@ -200,9 +195,8 @@ class TreeBuilder final : public YAML::EventHandler {
     if (key.text == "<<" && !key.quoted)
       return refuse("got a merge key; expected plain keys; write the merged keys out");
     if (const auto first = f.keys.find(key.text); first != f.keys.end())
-      return refuse(fmt::format(
-          "duplicate key; expected each key once; it stands already at {}; delete one of them",
-          errors_.where(first->second)));
+      return refuse(fmt::format("duplicate key; expected each key once; it stands already at {}; delete one of them",
+                                errors_.where(first->second)));
     return true;
   }
 
@@ -222,13 +216,10 @@ class TreeBuilder final : public YAML::EventHandler {
 /// character that no text file holds.
 std::size_t character_length(std::string_view text) {
   const bool is_control = (text[0] >= 0 && text[0] < ' ') || text[0] == '\x7F';
-  return is_control && std::string_view("\t\n\r").find(text[0]) == text.npos
-             ? 0
-             : sequence_length(text);
+  return is_control && std::string_view("\t\n\r").find(text[0]) == text.npos ? 0 : sequence_length(text);
 }
 
-void check_encoding(std::string_view text, std::optional<Place> at, std::string_view path,
-                    ErrorList& errors) {
+void check_encoding(std::string_view text, std::optional<Place> at, std::string_view path, ErrorList& errors) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_length(text.substr(i));
     if (length == 0)
@@ -243,8 +234,7 @@ void check_encoding(std::string_view text, std::optional<Place> at, std::string_
 /// Whether a line has a key and a value without a blank between them: `lead:5 mm`.
 bool lacks_blank(std::string_view line) {
   const std::size_t colon = line.find(':');
-  return colon != std::string_view::npos && colon + 1 < line.size() &&
-         line.find(": ") == std::string_view::npos &&
+  return colon != std::string_view::npos && colon + 1 < line.size() && line.find(": ") == std::string_view::npos &&
          line.substr(0, colon).find_first_of("\"'# ") == std::string_view::npos;
 }
 
@@ -268,21 +258,18 @@ Malformed malformed(std::string_view text, std::size_t at, std::string_view why)
     line = line.substr(0, std::min(line.find(" #"), line.find('\r')));
     line = line.substr(0, line.find_last_not_of(' ') + 1);
     if (lacks_blank(line))
-      return {
-          end + 1 + key,
-          fmt::format("got {}; expected `key: value`; write a blank after the colon", shown(line))};
+      return {end + 1 + key, fmt::format("got {}; expected `key: value`; write a blank after the colon", shown(line))};
     text = text.substr(0, end == std::string_view::npos ? 0 : end);
   }
-  return {
-      std::min(at, whole),
-      fmt::format("malformed YAML: {}; expected `key: value`; check indentation, quotes, brackets "
-                  "and colons here and above",
-                  why)};
+  return {std::min(at, whole),
+          fmt::format("malformed YAML: {}; expected `key: value`; check indentation, quotes, brackets "
+                      "and colons here and above",
+                      why)};
 }
 
 /// The tree of one YAML text; none where it holds nothing but comments.
-std::optional<Node> parse_yaml(const std::string& text, std::optional<Place> at,
-                               const std::string& path, ErrorList& errors) {
+std::optional<Node> parse_yaml(const std::string& text, std::optional<Place> at, const std::string& path,
+                               ErrorList& errors) {
   check_encoding(text, at, path, errors);
   TreeBuilder builder(at, path, errors);
   try {
@@ -300,9 +287,7 @@ std::optional<Node> parse_yaml(const std::string& text, std::optional<Place> at,
   return builder.take_root();
 }
 
-Node* find(Node& map, std::string_view key) {
-  return const_cast<Node*>(input::find(std::as_const(map), key));
-}
+Node* find(Node& map, std::string_view key) { return const_cast<Node*>(input::find(std::as_const(map), key)); }
 
 /// One step of a path: a key or, in brackets, the index or the name of an entry.
 struct Step {
@@ -346,21 +331,19 @@ std::string_view name_of(const Node& entry) {
 
 /// The entry of a list, the first of several of a name; null where there is none.
 const Node* entry_of(const Node& list, const Step& step) {
-  const auto found = step.index ? list.children.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                              *step.index, list.children.size()))
-                                : std::ranges::find(list.children, step.name, name_of);
+  const auto found =
+      step.index ? list.children.begin() + static_cast<std::ptrdiff_t>(std::min(*step.index, list.children.size()))
+                 : std::ranges::find(list.children, step.name, name_of);
   return found == list.children.end() ? nullptr : &*found;
 }
 
 /// What keeps a step from being one entry of a list; empty where it is one.
 std::string no_entry(const Node& list, const Step& step) {
-  if (list.kind != Node::Kind::sequence)
-    return "the brackets have no list; expected a path that exists";
+  if (list.kind != Node::Kind::sequence) return "the brackets have no list; expected a path that exists";
   if (step.index)
-    return *step.index < list.children.size()
-               ? ""
-               : fmt::format("got the index {}; expected one below {}, counted from 0", *step.index,
-                             list.children.size());
+    return *step.index < list.children.size() ? ""
+                                              : fmt::format("got the index {}; expected one below {}, counted from 0",
+                                                            *step.index, list.children.size());
   const auto count = std::ranges::count(list.children, step.name, name_of);
   if (count == 1) return "";
   if (count > 1)
@@ -383,8 +366,7 @@ std::string no_entry(const Node& list, const Step& step) {
 
 /// The node at the end of the steps, created where it is missing; null where they lead nowhere.
 /// `at`, of an override, follows to the innermost value of the file.
-Node* descend(Node& root, const std::vector<Step>& steps, const std::string& path, Place& at,
-              ErrorList& errors) {
+Node* descend(Node& root, const std::vector<Step>& steps, const std::string& path, Place& at, ErrorList& errors) {
   Node* node = &root;
   const auto refuse = [&](std::string_view message) {
     errors.add(at, path, message);
@@ -397,8 +379,7 @@ Node* descend(Node& root, const std::vector<Step>& steps, const std::string& pat
   note_place();
   for (const Step& step : steps) {
     if (step.is_entry()) {
-      if (const std::string problem = no_entry(*node, step); !problem.empty())
-        return refuse(problem);
+      if (const std::string problem = no_entry(*node, step); !problem.empty()) return refuse(problem);
       node = const_cast<Node*>(entry_of(*node, step));
       note_place();
       continue;
@@ -433,8 +414,7 @@ bool needs_no_quotes(const std::string& text) {
     return is_alphanumeric(c) || std::string_view(" _./^()%+-").find(c) != std::string_view::npos;
   };
   static constexpr std::string_view kNullWords[] = {"null", "Null", "NULL"};
-  return std::ranges::all_of(text, is_plain) &&
-         (is_alphanumeric(text.back()) || text.ends_with(" %")) &&
+  return std::ranges::all_of(text, is_plain) && (is_alphanumeric(text.back()) || text.ends_with(" %")) &&
          (is_alphanumeric(text.front()) || split_unit(text)) &&
          std::ranges::find(kNullWords, text) == std::end(kNullWords) &&
          scalar_type({.kind = Node::Kind::scalar, .text = text}) == ScalarType::text;
@@ -443,9 +423,8 @@ bool needs_no_quotes(const std::string& text) {
 /// A scalar as it must stand inside `[..]` and `{..}`.
 std::string flow_scalar(const Node& scalar, bool inside) {
   const bool bare =
-      !scalar.text.empty() &&
-      (scalar.quoted ? needs_no_quotes(scalar.text)
-                     : !inside || scalar.text.find_first_of(",[]{}:#") == std::string::npos);
+      !scalar.text.empty() && (scalar.quoted ? needs_no_quotes(scalar.text)
+                                             : !inside || scalar.text.find_first_of(",[]{}:#") == std::string::npos);
   if (bare) return scalar.text;
   std::string text = "\"";
   for (const char c : scalar.text) {
@@ -502,8 +481,8 @@ void apply_override(Node& root, const Source& source, std::size_t index, ErrorLi
                 text.empty() ? "nothing" : shown(text));
   Node* node = descend(root, *steps, path, at, errors);
   if (!node) return errors.throw_if_any();
-  Node value = parse_yaml(text.substr(equals + 1), at, path, errors)
-                   .value_or(Node{.kind = Node::Kind::null, .place = at});
+  Node value =
+      parse_yaml(text.substr(equals + 1), at, path, errors).value_or(Node{.kind = Node::Kind::null, .place = at});
   value.key = node->key;
   value.key_place = at;
   *node = std::move(value);
@@ -553,14 +532,11 @@ const Node* find(const Node& map, std::string_view key) {
   return nullptr;
 }
 
-bool is_per_part(const Node& node) {
-  return find(node, "screw") || find(node, "roller") || find(node, "nut");
-}
+bool is_per_part(const Node& node) { return find(node, "screw") || find(node, "roller") || find(node, "nut"); }
 
 ScalarType scalar_type(const Node& scalar) {
   if (scalar.quoted) return ScalarType::text;
-  static constexpr std::string_view kBooleans[] = {"true",  "True",  "TRUE",
-                                                   "false", "False", "FALSE"};
+  static constexpr std::string_view kBooleans[] = {"true", "True", "TRUE", "false", "False", "FALSE"};
   if (std::ranges::find(kBooleans, scalar.text) != std::end(kBooleans)) return ScalarType::boolean;
   return parse_number(scalar.text) ? ScalarType::number : ScalarType::text;
 }
@@ -571,8 +547,7 @@ Node read_document(const Source& source, ErrorList& errors) {
     errors.fail({}, "",
                 "got an empty file; expected a map with the key `mechanism`; `prs new FILE` "
                 "writes one to start from");
-  for (std::size_t i = 0; i < source.overrides.size(); ++i)
-    apply_override(*root, source, i, errors);
+  for (std::size_t i = 0; i < source.overrides.size(); ++i) apply_override(*root, source, i, errors);
   return std::move(*root);
 }
 

@@ -70,8 +70,8 @@ void refuse(const Node& root, std::string_view path, std::string_view message, E
 /// wrong only after the case was read.
 [[noreturn]] void fail_at(const Source& source, std::string_view path, std::string_view message);
 template <class Arg, class... Args>
-[[noreturn]] void fail_at(const Source& source, std::string_view path,
-                          fmt::format_string<Arg, Args...> message, Arg&& arg, Args&&... args) {
+[[noreturn]] void fail_at(const Source& source, std::string_view path, fmt::format_string<Arg, Args...> message,
+                          Arg&& arg, Args&&... args) {
   fail_at(source, path, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
 }
 

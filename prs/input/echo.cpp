@@ -22,8 +22,7 @@ class Lister {
     value.for_each([&](const Field& field) {
       if (!field.presence.allowed || !field.has_value()) return;
       list(map ? find(*map, field.key) : nullptr,
-           path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key),
-           field.value());
+           path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key), field.value());
     });
   }
 
@@ -52,9 +51,7 @@ class Lister {
     if (std::isfinite(value) && value > 0.0) put_number(value, Quantity{held.dimension});
   }
 
-  void list(const Node* node, const std::string& path, const ChoiceValue& choice) {
-    list_line(node, path, {choice});
-  }
+  void list(const Node* node, const std::string& path, const ChoiceValue& choice) { list_line(node, path, {choice}); }
   void list(const Node* node, const std::string& path, const ChoiceUnderKey& under) {
     list(node, fmt::format("{}.{}", path, under.key), under.choice);
   }
@@ -69,8 +66,7 @@ class Lister {
     if (value.form == Form::ends || value.form == Form::word)
       return list(several ? node : nullptr, path, value.several());
     const Value shown = several ? value.several() : value.one();
-    if (value.form != Form::levels && !(value.form == Form::range && several))
-      return list(node, path, shown);
+    if (value.form != Form::levels && !(value.form == Form::range && several)) return list(node, path, shown);
     list_line(node, path, shown);
     if (value.form == Form::range) put_farther_end(std::get<MapValue>(shown.as));
   }
@@ -79,8 +75,7 @@ class Lister {
       const Value value = end.value();
       const auto* const leaf = std::get_if<Leaf<Quantity, double>>(&value.as);
       const std::optional<double>& number = entries_.back().number;
-      if (leaf && (!number || std::abs(leaf->value) > std::abs(*number)))
-        put_number(leaf->value, leaf->kind);
+      if (leaf && (!number || std::abs(leaf->value) > std::abs(*number))) put_number(leaf->value, leaf->kind);
     });
   }
 
@@ -124,8 +119,7 @@ std::optional<Mark> mark_in(std::string_view comment) {
   for (std::size_t k = 0; k < comment.size(); ++k) {
     const char c = comment[k];
     depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
-    if (c == ':' && depth == 0)
-      return Mark{stripped(comment.substr(0, k)), stripped(comment.substr(k + 1))};
+    if (c == ':' && depth == 0) return Mark{stripped(comment.substr(0, k)), stripped(comment.substr(k + 1))};
   }
   return std::nullopt;
 }
@@ -147,8 +141,7 @@ using Reasons = std::unordered_map<const Node*, std::string>;
 /// Marks the scalars of a value that are still as they were assumed; `was` null: all of them.
 void mark(const Node& value, const Node* was, std::string_view reason, Reasons& reasons) {
   if (value.place.argument >= 0 || (was && was->kind != value.kind)) return;
-  if (value.kind == Node::Kind::scalar && (!was || was->text == value.text))
-    reasons.try_emplace(&value, reason);
+  if (value.kind == Node::Kind::scalar && (!was || was->text == value.text)) reasons.try_emplace(&value, reason);
   for (std::size_t k = 0; k < value.children.size(); ++k) {
     const Node& child = value.children[k];
     const Node* before = nullptr;
@@ -168,8 +161,7 @@ void mark(const Node& value, const Node* was, std::string_view reason, Reasons& 
 class FirstOnLine {
  public:
   FirstOnLine(const Node& root, std::string_view text) {
-    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
-      starts_.push_back(at + 1);
+    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) starts_.push_back(at + 1);
     for (const Node& child : root.children) add(child);
   }
   const Node* operator[](std::size_t line) const {
@@ -200,8 +192,7 @@ Reasons marked(const Node& root, std::string_view text) {
     const Node* node = found ? first[line] : nullptr;
     if (!node) return;
     if (found->value.empty()) return mark(*node, nullptr, found->reason, reasons);
-    if (const std::optional<Node> was = value_of(found->value))
-      mark(*node, &*was, found->reason, reasons);
+    if (const std::optional<Node> was = value_of(found->value)) mark(*node, &*was, found->reason, reasons);
   };
   std::string above;  // The mark on the lines before, and whether the next one may continue it.
   bool is_open = false;
@@ -211,8 +202,7 @@ Reasons marked(const Node& root, std::string_view text) {
     const std::string_view line = text.substr(at, end - at);
     at = end + 1;
     const std::size_t hash = comment_in(line);
-    const std::string_view comment =
-        hash == line.npos ? std::string_view() : stripped(line.substr(hash + 1));
+    const std::string_view comment = hash == line.npos ? std::string_view() : stripped(line.substr(hash + 1));
     const bool is_alone = stripped(line.substr(0, hash)).empty();
     if (!is_alone) {
       take(comment, number);
@@ -252,19 +242,16 @@ std::vector<EchoEntry> echo_of(const Node& root, const Value& description) {
 std::vector<EchoEntry> echo(CaseFile file, const Node& root) {
   std::optional<Lubricant>& lubricant = file.values.lubricant;
   if (lubricant) lubricant = resolved(*lubricant);
-  std::vector<EchoEntry> entries =
-      echo_of(root, {map_of([&](const Fields& io) { fields(io, file); })});
+  std::vector<EchoEntry> entries = echo_of(root, {map_of([&](const Fields& io) { fields(io, file); })});
   constexpr std::string_view block = "lubricant.";
   if (lubricant && lubricant->name)
     for (EchoEntry& entry : entries)
       if (entry.is_default && entry.path.starts_with(block))
-        entry.origin =
-            origin_of(std::string_view(entry.path).substr(block.size()), *lubricant->name);
+        entry.origin = origin_of(std::string_view(entry.path).substr(block.size()), *lubricant->name);
   return entries;
 }
 
-std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& entries,
-                                               const Source& source) {
+std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& entries, const Source& source) {
   std::map<std::string, std::string> all;
   if (entries.empty()) return all;
   ErrorList errors(source);
@@ -273,8 +260,7 @@ std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& ent
   for (const EchoEntry& entry : entries) {
     if (entry.is_default) continue;
     const Node* node = find_path(root, entry.path);
-    if (const std::string* reason = node ? reason_of(*node, reasons) : nullptr)
-      all.emplace(entry.path, *reason);
+    if (const std::string* reason = node ? reason_of(*node, reasons) : nullptr) all.emplace(entry.path, *reason);
   }
   return all;
 }
@@ -308,8 +294,7 @@ std::size_t end_of_value(std::string_view text, const Node& node) {
     const std::size_t end = text.find(first, at + 1);
     return end == text.npos ? end : end + 1;
   }
-  const bool is_plain = node.kind == Node::Kind::scalar && !node.text.empty() &&
-                        text.substr(at).starts_with(node.text);
+  const bool is_plain = node.kind == Node::Kind::scalar && !node.text.empty() && text.substr(at).starts_with(node.text);
   return is_plain ? at + node.text.size() : text.npos;
 }
 
@@ -321,8 +306,7 @@ std::string entry(std::string_view path, const std::string& value) {
 }
 
 /// Adds a value to the innermost map on its path that stands in the text.
-bool insert(std::string& text, const Node& root, const std::string& path,
-            const std::string& value) {
+bool insert(std::string& text, const Node& root, const std::string& path, const std::string& value) {
   std::size_t cut = path.size();
   const Node* map = nullptr;
   while (!map && cut > 0) {
@@ -508,8 +492,7 @@ Json resolved_input(const Source& source) {
 
 std::string input_sha256(const Source& source) {
   const std::optional<HistorySource> history = history_of(source);
-  const std::optional<std::string> text =
-      history ? history_text(*history, source) : std::optional<std::string>();
+  const std::optional<std::string> text = history ? history_text(*history, source) : std::optional<std::string>();
   return input_sha256(source, text ? std::vector{*text} : std::vector<std::string>());
 }
 
@@ -542,10 +525,8 @@ constexpr UsualValue kUsual[] = {
     {"materials.density", "900 kg/m^3", "16000 kg/m^3", "steel has 7700 kg/m^3 to 8000 kg/m^3"},
     {"materials.thermal_expansion", "2 um/m/K", "150 um/m/K", "steel has 10 um/m/K to 17 um/m/K"},
     // From a nut on springs to a block of steel.
-    {"structure.nut.housing.axial", "100 N/mm", "1e6 kN/mm",
-     "housings have 10 kN/mm to 10000 kN/mm"},
-    {"structure.nut.housing.lateral", "1 N/mm", "1e6 kN/mm",
-     "housings have 10 kN/mm to 10000 kN/mm"},
+    {"structure.nut.housing.axial", "100 N/mm", "1e6 kN/mm", "housings have 10 kN/mm to 10000 kN/mm"},
+    {"structure.nut.housing.lateral", "1 N/mm", "1e6 kN/mm", "housings have 10 kN/mm to 10000 kN/mm"},
     // The largest static capacities in catalogues are about 3 MN.
     {"load_cases.axial_force", "", "10 MN", "catalogues end at static capacities of 3 MN"},
     {"life.spectrum.force", "", "10 MN", "catalogues end at static capacities of 3 MN"},
@@ -574,13 +555,11 @@ constexpr UsualValue kUsual[] = {
     {"lubricant.pressure_viscosity", "3 1/GPa", "60 1/GPa", "oils have 10 1/GPa to 35 1/GPa"},
     {"lubricant.eyring_stress", "0.5 MPa", "50 MPa", "oils have 2 MPa to 20 MPa"},
     // From full films to steel on steel without oil.
-    {"wear.coefficient", "1e-13 mm^3/(N m)", "1e-2 mm^3/(N m)",
-     "lubricated steel has about 1e-8 mm^3/(N m)"},
+    {"wear.coefficient", "1e-13 mm^3/(N m)", "1e-2 mm^3/(N m)", "lubricated steel has about 1e-8 mm^3/(N m)"},
     // From water-like oils to filled greases; from titanium and austenite to copper alloys.
     {"lubricant.film.inlet_heating.conductivity", "0.05 W/(m K)", "0.7 W/(m K)",
      "oils have 0.12 W/(m K) to 0.16 W/(m K)"},
-    {"lubricant.film.inlet_heating.temperature_coefficient", "0.005 1/K", "0.2 1/K",
-     "oils have 0.02 1/K to 0.06 1/K"},
+    {"lubricant.film.inlet_heating.temperature_coefficient", "0.005 1/K", "0.2 1/K", "oils have 0.02 1/K to 0.06 1/K"},
     {"materials.conductivity", "0.1 W/(m K)", "430 W/(m K)", "bearing steel has 45 W/(m K)"},
     {"materials.specific_heat", "100 J/(kg K)", "3000 J/(kg K)", "steel has 460 J/(kg K)"},
     {"heat.ambient", "200 K", "570 K", "-50 degC to 200 degC"},
@@ -605,8 +584,7 @@ bool is_of(std::string_view path, std::string_view row) {
     const std::string part = fmt::format(".{}", name(p));
     const std::size_t at = path.find(part);
     if (at == std::string_view::npos || path.size() != row.size() + part.size()) continue;
-    if (path.substr(0, at) == row.substr(0, at) && path.substr(at + part.size()) == row.substr(at))
-      return true;
+    if (path.substr(0, at) == row.substr(0, at) && path.substr(at + part.size()) == row.substr(at)) return true;
   }
   return false;
 }
@@ -621,8 +599,7 @@ std::string usual_unit(const EchoEntry& field, double least, double greatest) {
   const auto written = split_unit(field.written);
   if (!written || !field.dimension) return {};
   for (const Unit& unit : field.dimension->units)
-    if (const auto si = to_si(written->number, unit);
-        si && std::abs(*si) >= least && std::abs(*si) <= greatest)
+    if (const auto si = to_si(written->number, unit); si && std::abs(*si) >= least && std::abs(*si) <= greatest)
       return fmt::format("{:.10g} {}", written->number, unit.spellings[0]);
   return {};
 }
@@ -639,19 +616,16 @@ std::vector<Warning> unusual_values(const std::vector<EchoEntry>& fields) {
   for (const EchoEntry& field : fields) {
     if (field.is_default || !field.number) continue;
     const std::string path = without_places(field.path);
-    const auto row =
-        std::ranges::find_if(kUsual, [&](const UsualValue& u) { return is_of(path, u.path); });
+    const auto row = std::ranges::find_if(kUsual, [&](const UsualValue& u) { return is_of(path, u.path); });
     if (row == std::end(kUsual)) continue;
     const double least = end_of(row->least, field.dimension, 0.0);
-    const double greatest =
-        end_of(row->greatest, field.dimension, std::numeric_limits<double>::infinity());
+    const double greatest = end_of(row->greatest, field.dimension, std::numeric_limits<double>::infinity());
     const double size = std::abs(*field.number);
     if (size >= least && size <= greatest) continue;
     const std::string unit = usual_unit(field, least, greatest);
-    warnings.push_back(Warning{
-        field.path, "unusual_value",
-        fmt::format("got {}; usual is {} ({})", field.written, range_text(*row), row->example),
-        unit.empty() ? "check value and unit" : fmt::format("check the unit: `{}`?", unit)}
+    warnings.push_back(Warning{field.path, "unusual_value",
+                               fmt::format("got {}; usual is {} ({})", field.written, range_text(*row), row->example),
+                               unit.empty() ? "check value and unit" : fmt::format("check the unit: `{}`?", unit)}
                            .with(size, size < least ? least : greatest, {},
                                  size < least ? Warning::Worse::smaller : Warning::Worse::larger));
   }

@@ -39,8 +39,7 @@ std::vector<Warning> unusual_values(const std::vector<EchoEntry>& fields);
 /// What stands between `assumed` and the colon is the value as it was assumed; a map may name some
 /// of the keys, a list the first items. A value that differs from it by now was changed and is none
 /// any more, nor is one that `--set` gives. `assumed: REASON` marks whatever stands there.
-std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& entries,
-                                               const Source& source);
+std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& entries, const Source& source);
 
 /// The text of a source with its overrides written into it, all else as it stands, comments too: a
 /// case with the same values and without overrides. Absent where a value cannot be replaced in

@@ -29,17 +29,11 @@ inline constexpr Presence required{.required = true};
 inline constexpr Presence optional{};
 
 /// Required where the condition holds, refused elsewhere.
-constexpr Presence required_only_if(bool holds, std::string_view condition) {
-  return {holds, holds, condition};
-}
+constexpr Presence required_only_if(bool holds, std::string_view condition) { return {holds, holds, condition}; }
 /// May stand where the condition holds, refused elsewhere.
-constexpr Presence optional_only_if(bool holds, std::string_view condition) {
-  return {false, holds, condition};
-}
+constexpr Presence optional_only_if(bool holds, std::string_view condition) { return {false, holds, condition}; }
 /// Required unless the condition holds; may stand in either case.
-constexpr Presence required_unless(bool holds, std::string_view condition) {
-  return {!holds, true, condition};
-}
+constexpr Presence required_unless(bool holds, std::string_view condition) { return {!holds, true, condition}; }
 
 // How a value is written ------------------------------------------------------------------------
 
@@ -246,10 +240,9 @@ struct OneOr {
 };
 
 struct Value {
-  std::variant<Leaf<Quantity, double>, Leaf<EitherQuantity, LeastLife>, Leaf<Held, double>,
-               Leaf<Number, double>, Leaf<Whole, int>, Leaf<Whole, std::int64_t>, Leaf<Flag, bool>,
-               Leaf<Text, std::string>, Leaf<Verbatim, std::string>, ChoiceValue, ChoiceUnderKey,
-               MapValue, ListValue, OneOr>
+  std::variant<Leaf<Quantity, double>, Leaf<EitherQuantity, LeastLife>, Leaf<Held, double>, Leaf<Number, double>,
+               Leaf<Whole, int>, Leaf<Whole, std::int64_t>, Leaf<Flag, bool>, Leaf<Text, std::string>,
+               Leaf<Verbatim, std::string>, ChoiceValue, ChoiceUnderKey, MapValue, ListValue, OneOr>
       as;
 };
 
@@ -326,8 +319,7 @@ class Fields {
     take_(field);
   }
   template <class T, class Kind>
-  void operator()(std::string_view key, T& member, const Kind& kind,
-                  std::string_view meaning) const {
+  void operator()(std::string_view key, T& member, const Kind& kind, std::string_view meaning) const {
     (*this)(key, member, kind, optional, meaning);
   }
 
@@ -344,13 +336,12 @@ struct Choices {
   std::vector<Alternative> list;
 
   template <class E>
-  void operator()(std::string_view name, E& member, std::type_identity_t<E> value,
-                  std::string_view meaning) {
+  void operator()(std::string_view name, E& member, std::type_identity_t<E> value, std::string_view meaning) {
     list.push_back({name, meaning, member == value, [&member, value] { member = value; }, {}});
   }
   template <class E, class T, class Kind>
-  void operator()(std::string_view name, E& member, std::type_identity_t<E> value, T& content,
-                  const Kind& kind, std::string_view meaning) {
+  void operator()(std::string_view name, E& member, std::type_identity_t<E> value, T& content, const Kind& kind,
+                  std::string_view meaning) {
     (*this)(name, member, value, meaning);
     list.back().content = [&content, kind] { return value_of(content, kind); };
   }
@@ -363,8 +354,7 @@ MapValue map_of(Describe describe) {
 }
 
 template <class Kind, class T>
-requires std::constructible_from<decltype(Value::as), Leaf<Kind, T>> Value
-value_of(T& member, const Kind& kind) {
+requires std::constructible_from<decltype(Value::as), Leaf<Kind, T>> Value value_of(T& member, const Kind& kind) {
   return {Leaf<Kind, T>{member, kind}};
 }
 
@@ -420,8 +410,7 @@ Value value_of(PerInterface<T>& sides, const Each<Kind>& each) {
 
 template <class T, class Kind>
 Value value_of(std::vector<T>& items, const List<Kind>& kind) {
-  ListValue list{kind.least, kind.greatest, [&] { return items.size(); },
-                 [&](std::size_t size) { items.resize(size); },
+  ListValue list{kind.least, kind.greatest, [&] { return items.size(); }, [&](std::size_t size) { items.resize(size); },
                  [&items, entry = kind.kind](std::size_t i) { return value_of(items[i], entry); }};
   if constexpr (std::same_as<Kind, Quantity>) list.numbers = &items;
   return {std::move(list)};
@@ -429,13 +418,11 @@ Value value_of(std::vector<T>& items, const List<Kind>& kind) {
 
 template <class T, class Kind>
 Value value_of(PerPart<T>& parts, const OneOrEach<Kind>& kind) {
-  return {OneOr{OneOr::Form::parts,
-                [&parts, one = kind.kind] { return value_of(parts.screw, one); },
+  return {OneOr{OneOr::Form::parts, [&parts, one = kind.kind] { return value_of(parts.screw, one); },
                 [&parts, one = kind.kind] {
                   return value_of(parts, Each{one, required});
                 },
-                ", or one each for {screw, roller, nut}",
-                [&parts] { parts.roller = parts.nut = parts.screw; }}};
+                ", or one each for {screw, roller, nut}", [&parts] { parts.roller = parts.nut = parts.screw; }}};
 }
 template <class T, class Kind>
 Value value_of(PerEnd<T>& ends, const OneOrEnds<Kind>& kind) {
@@ -446,8 +433,7 @@ Value value_of(PerEnd<T>& ends, const OneOrEnds<Kind>& kind) {
                     io("far", ends.far, one, "At the other end");
                   })};
                 },
-                ", or one each for {near, far}", [&ends] { ends.far = ends.near; },
-                ends.near != ends.far}};
+                ", or one each for {near, far}", [&ends] { ends.far = ends.near; }, ends.near != ends.far}};
 }
 template <class T, class Kind>
 Value value_of(OneOrMany<T> value, const ForEachRoller<Kind>& kind) {
@@ -459,10 +445,8 @@ Value value_of(OneOrMany<T> value, const ForEachRoller<Kind>& kind) {
 }
 template <class T>
 Value value_of(T& block, const WordOrBlock& kind) {
-  return {OneOr{OneOr::Form::word,
-                [&block, kind] { return value_of(selector_of(block, kind), Choice{}); },
-                [&block] { return value_of(block, Block{}); },
-                ", or a map with `" + std::string(kind.key) + "`"}};
+  return {OneOr{OneOr::Form::word, [&block, kind] { return value_of(selector_of(block, kind), Choice{}); },
+                [&block] { return value_of(block, Block{}); }, ", or a map with `" + std::string(kind.key) + "`"}};
 }
 Value value_of(Range& range, const OneOrRange& kind);
 Value value_of(WrittenValues& values, const ListOrRange& kind);

@@ -32,8 +32,7 @@ std::string nearest(std::string_view column, std::vector<std::string_view> names
 
 class HistoryParser {
  public:
-  HistoryParser(std::string_view text, const std::string& name, std::string_view block,
-                const Source& source)
+  HistoryParser(std::string_view text, const std::string& name, std::string_view block, const Source& source)
       : text_(text), reader_(text), name_(name), block_(block), source_(source) {}
 
   void parse(std::vector<WantedColumn>& columns) {
@@ -42,8 +41,8 @@ class HistoryParser {
     const std::size_t rows = columns.front().values->size();
     if (rows < 2)
       fail_at(source_, fmt::format("{}.file", block_),
-              fmt::format("got {} row{} of numbers in {}; expected at least 2; check the file",
-                          rows, rows == 1 ? "" : "s", name_));
+              fmt::format("got {} row{} of numbers in {}; expected at least 2; check the file", rows,
+                          rows == 1 ? "" : "s", name_));
   }
 
  private:
@@ -73,8 +72,7 @@ class HistoryParser {
       if (found == names.end())
         fail_at(source_, fmt::format("{}.{}.column", block_, c.key),
                 fmt::format("got {}; expected a column of {}: {}; {}", shown(c.name->column), name_,
-                            shown(fmt::format("{}", fmt::join(names, ", "))),
-                            nearest(c.name->column, names)));
+                            shown(fmt::format("{}", fmt::join(names, ", "))), nearest(c.name->column, names)));
       c.field = static_cast<std::size_t>(found - names.begin());
     }
   }
@@ -83,13 +81,11 @@ class HistoryParser {
     const std::size_t width = reader_.fields().size();
     // A decimal comma between commas would move all fields behind it.
     if (width > width_)
-      refuse(0, "row", fmt::format("{} fields", width),
-             fmt::format("at most {} as in the heading", width_),
+      refuse(0, "row", fmt::format("{} fields", width), fmt::format("at most {} as in the heading", width_),
              "write decimal marks as points, or quote texts that hold the separator");
     for (WantedColumn& c : columns) {
       if (c.field >= width)
-        refuse(width, c.name->column, "nothing", fmt::format("a number in field {}", c.field + 1),
-               "complete the row");
+        refuse(width, c.name->column, "nothing", fmt::format("a number in field {}", c.field + 1), "complete the row");
       c.values->push_back(c.factor * number(c));
       if (c.key == "time") check_time(c);
     }
@@ -99,28 +95,24 @@ class HistoryParser {
     const std::string_view field = trimmed(reader_.fields()[c.field]);
     const char* const end = field.data() + field.size();
     double value = 0.0;
-    const auto [stop, error] =
-        std::from_chars(field.data() + (field.starts_with('+') ? 1 : 0), end, value);
+    const auto [stop, error] = std::from_chars(field.data() + (field.starts_with('+') ? 1 : 0), end, value);
     if (error == std::errc{} && stop == end && std::abs(value) <= kLargestNumber)  // NaN is not.
       return value;
-    refuse(c.field, c.name->column, field.empty() ? "nothing" : shown(field),
-           "a finite number, without unit",
-           field.find(',') != std::string_view::npos ? "write the decimal mark as a point"
-                                                     : "fix or delete the row");
+    refuse(c.field, c.name->column, field.empty() ? "nothing" : shown(field), "a finite number, without unit",
+           field.find(',') != std::string_view::npos ? "write the decimal mark as a point" : "fix or delete the row");
   }
 
   void check_time(const WantedColumn& c) const {
     const std::size_t n = c.values->size();
     if (n < 2 || (*c.values)[n - 1] >= (*c.values)[n - 2]) return;
-    refuse(c.field, c.name->column,
-           fmt::format("{:.10g} {}", (*c.values)[n - 1] / c.factor, c.name->unit),
-           fmt::format("a time not before that of the sample above, {:.10g} {}",
-                       (*c.values)[n - 2] / c.factor, c.name->unit),
+    refuse(c.field, c.name->column, fmt::format("{:.10g} {}", (*c.values)[n - 1] / c.factor, c.name->unit),
+           fmt::format("a time not before that of the sample above, {:.10g} {}", (*c.values)[n - 2] / c.factor,
+                       c.name->unit),
            "sort the rows");
   }
 
-  [[noreturn]] void refuse(std::size_t field, std::string_view column, std::string_view got,
-                           std::string_view expected, std::string_view fix) const {
+  [[noreturn]] void refuse(std::size_t field, std::string_view column, std::string_view got, std::string_view expected,
+                           std::string_view fix) const {
     refuse_at(reader_.field_offset(reader_.row_offset(), field),
               fmt::format("{}: got {}; expected {}; {}", shown(column), got, expected, fix));
   }
@@ -141,9 +133,8 @@ double factor_to_si(const WantedColumn& c, std::string_view block, const Source&
   const ParsedQuantity one = parse_quantity("1 " + c.name->unit, *c.dimension);
   if (!one.value)
     fail_at(source, fmt::format("{}.{}.unit", block, c.key),
-            fmt::format("got {}; expected the unit of {}: {}; write for example `unit: {}`",
-                        shown(c.name->unit), c.dimension->name, unit_list(*c.dimension),
-                        c.dimension->canonical));
+            fmt::format("got {}; expected the unit of {}: {}; write for example `unit: {}`", shown(c.name->unit),
+                        c.dimension->name, unit_list(*c.dimension), c.dimension->canonical));
   return *one.value;
 }
 
@@ -159,19 +150,17 @@ void read_columns(std::string_view text, const std::string& name, std::string_vi
   HistoryParser(text, name, block, source).parse(columns);
 }
 
-LoadHistory parse_force_history(std::string_view text, const std::string& name,
-                                const HistorySource& history, const Source& source) {
+LoadHistory parse_force_history(std::string_view text, const std::string& name, const HistorySource& history,
+                                const Source& source) {
   LoadHistory h;
   h.interval = history.interval;
   h.speed_along_axis = history.speed && is_travel_speed("1 " + history.speed->unit);
   std::vector<WantedColumn> columns = {{"force", &history.force, &unit::force, &h.force}};
   if (history.time) columns.push_back({"time", &*history.time, &unit::duration, &h.time});
-  if (history.position)
-    columns.push_back({"position", &*history.position, &unit::length, &h.position});
+  if (history.position) columns.push_back({"position", &*history.position, &unit::length, &h.position});
   if (history.speed)
-    columns.push_back({"speed", &*history.speed,
-                       h.speed_along_axis ? &unit::travel_speed : &unit::rotational_speed,
-                       &h.speed});
+    columns.push_back(
+        {"speed", &*history.speed, h.speed_along_axis ? &unit::travel_speed : &unit::rotational_speed, &h.speed});
   read_columns(text, name, "life.history", columns, source);
   return h;
 }
@@ -197,14 +186,11 @@ bool stands_with_case(const std::filesystem::path& file, const Source& source) {
   const fs::path from = fs::weakly_canonical(folder, error);
   if (error) return false;
   const fs::path to = fs::weakly_canonical(fs::absolute(file), error);
-  return !error &&
-         std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
+  return !error && std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
 }
 
 /// As the system names an open file.
-std::filesystem::path name_of_open(const FileDescriptor& file) {
-  return fmt::format("/proc/self/fd/{}", file.get());
-}
+std::filesystem::path name_of_open(const FileDescriptor& file) { return fmt::format("/proc/self/fd/{}", file.get()); }
 
 /// By `--set`, which is the user's word; a case may come from anywhere.
 bool names_file_by_override(std::string_view path, const Source& source) {
@@ -222,8 +208,7 @@ std::string named_file_text(const std::string& name, std::string_view key, const
   if (source.files) {
     const auto found = source.files->find(name);
     if (found != source.files->end()) return found->second;
-    if (source.folder.empty())
-      refuse("expected the name of a file that was given; give its text under this name");
+    if (source.folder.empty()) refuse("expected the name of a file that was given; give its text under this name");
   }
   const std::filesystem::path path = path_of(name, source);
   may_stand_anywhere = may_stand_anywhere || names_file_by_override(key, source);
@@ -240,19 +225,16 @@ std::string named_file_text(const std::string& name, std::string_view key, const
   struct stat status {};
   if (why == ENOENT || why == ENOTDIR || why == ENXIO ||
       (why == 0 && (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode))))
-    refuse(fmt::format(
-        "expected a file of comma-separated values; {} {}; give its path relative to this file",
-        shown(name_in_messages(name, source)),
-        why == ENOENT || why == ENOTDIR ? "does not exist" : "is no file"));
+    refuse(fmt::format("expected a file of comma-separated values; {} {}; give its path relative to this file",
+                       shown(name_in_messages(name, source)),
+                       why == ENOENT || why == ENOTDIR ? "does not exist" : "is no file"));
   if (why == 0) require_place(name_of_open(file));
   if (static_cast<std::uintmax_t>(status.st_size) > kMostBytes)
-    refuse(fmt::format("expected at most {} MiB; shorten the history or keep fewer columns",
-                       kMostBytes >> 20));
-  std::optional<std::string> text =
-      why == 0 ? content_of(file, kMostBytes) : std::optional<std::string>();
+    refuse(fmt::format("expected at most {} MiB; shorten the history or keep fewer columns", kMostBytes >> 20));
+  std::optional<std::string> text = why == 0 ? content_of(file, kMostBytes) : std::optional<std::string>();
   if (!text)
-    refuse(fmt::format("expected a file that can be read; check the rights of {}",
-                       shown(name_in_messages(name, source))));
+    refuse(
+        fmt::format("expected a file that can be read; check the rights of {}", shown(name_in_messages(name, source))));
   return *std::move(text);
 }
 
@@ -262,8 +244,7 @@ std::string name_in_messages(const std::string& file, const Source& source) {
 
 std::string force_history_text(const HistorySource& history, const Source& source) {
   // Who knows the hash knows the file.
-  std::string text =
-      named_file_text(history.file, "life.history.file", source, history.sha256.has_value());
+  std::string text = named_file_text(history.file, "life.history.file", source, history.sha256.has_value());
   if (history.sha256 && sha256(text) != *history.sha256)
     fail_at(source, "life.history.sha256",
             fmt::format("got {}; expected that of {}, which is another file or has changed; give "
@@ -285,8 +266,8 @@ Source with_files(Source source, const HistorySource& history) {
 }
 
 LoadHistory read_force_history(const HistorySource& history, const Source& source) {
-  return parse_force_history(force_history_text(history, source),
-                             name_in_messages(history.file, source), history, source);
+  return parse_force_history(force_history_text(history, source), name_in_messages(history.file, source), history,
+                             source);
 }
 
 }  // namespace prs::input

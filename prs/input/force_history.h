@@ -14,8 +14,8 @@ namespace prs::input {
 /// Throws InputError: `FILE:LINE:COLUMN: error: NAME: got VALUE; expected ..` for a value that is
 /// not a finite number and for time that runs backwards; at the place in the input for a column
 /// that the file lacks and for a unit that does not fit.
-LoadHistory parse_force_history(std::string_view text, const std::string& name,
-                                const HistorySource& history, const Source& source);
+LoadHistory parse_force_history(std::string_view text, const std::string& name, const HistorySource& history,
+                                const Source& source);
 
 /// A column of such a table: where its name and unit stand in the input, and what it holds.
 struct WantedColumn {

@@ -13,12 +13,9 @@ namespace {
 class VariableReader : VariedInput {
  public:
   /// `base`: the document without studies and optimization, `file` read from it.
-  VariableReader(const OptimizeItem& item, const Source& source, const Node& root, Node& base,
-                 CaseFile& file, ErrorList& errors)
-      : VariedInput(source, root, base, errors),
-        item_(item),
-        file_(file),
-        fields_(echo(file, base)) {}
+  VariableReader(const OptimizeItem& item, const Source& source, const Node& root, Node& base, CaseFile& file,
+                 ErrorList& errors)
+      : VariedInput(source, root, base, errors), item_(item), file_(file), fields_(echo(file, base)) {}
 
   Factor read(std::size_t index) {
     const std::string at = path_ = fmt::format("optimize.variables[{}]", index);
@@ -122,16 +119,14 @@ class AimReader {
     std::vector<std::string> before;
     for (std::size_t k = 0; k < item_.objectives.size(); ++k) {
       const ObjectiveItem& item = item_.objectives[k];
-      const std::string at =
-          fmt::format("optimize.objectives[{}].{}", k, item.minimize ? "minimize" : "maximize");
+      const std::string at = fmt::format("optimize.objectives[{}].{}", k, item.minimize ? "minimize" : "maximize");
       const std::string& path = item.minimize ? *item.minimize : *item.maximize;
       if (item.minimize && item.maximize)
         refuse(at,
                "got minimize and maximize; expected one of the two; make two objectives of "
                "them");
       if (std::ranges::find(before, path) != before.end())
-        refuse(at, fmt::format("got {} a second time; expected each objective once; delete one",
-                               shown(path)));
+        refuse(at, fmt::format("got {} a second time; expected each objective once; delete one", shown(path)));
       before.push_back(path);
       input_.optimization.objectives.push_back({response(path, at), item.maximize.has_value()});
     }
@@ -144,8 +139,7 @@ class AimReader {
       const std::size_t index = response(item.response, at + ".response");
       const auto add = [&](const char* key, Constraint::Sense sense) {
         if (const std::optional<Limit> limit = limit_at(fmt::format("{}.{}", at, key)))
-          input_.optimization.constraints.push_back(
-              {item.name.value_or(item.response), index, sense, *limit});
+          input_.optimization.constraints.push_back({item.name.value_or(item.response), index, sense, *limit});
       };
       if (item.at_least) add("at_least", Constraint::Sense::at_least);
       if (item.at_most) add("at_most", Constraint::Sense::at_most);
@@ -156,10 +150,8 @@ class AimReader {
   void read_thread_constraints(const Mechanism& mechanism) {
     const std::string at = "optimize.thread_constraints";
     using enum Constraint::Sense;
-    const auto add = [&](std::string name, const std::string& path, Constraint::Sense sense,
-                         Limit limit) {
-      input_.optimization.constraints.push_back(
-          {std::move(name), response(path, at), sense, limit});
+    const auto add = [&](std::string name, const std::string& path, Constraint::Sense sense, Limit limit) {
+      input_.optimization.constraints.push_back({std::move(name), response(path, at), sense, limit});
     };
     for (const VariableItem& variable : item_.variables)
       for (const std::string_view block : {"mechanism.lead", "mechanism.starts", "mechanism.pitch"})
@@ -168,9 +160,7 @@ class AimReader {
                                         "stays as it is; delete one of the two",
                                         shown(variable.path)));
     const double pitch = 1e3 * std::abs(mechanism.lead) / mechanism.starts.screw;
-    const auto pitch_of = [&](const std::optional<double>& own) {
-      return own ? 1e3 * *own : pitch;
-    };
+    const auto pitch_of = [&](const std::optional<double>& own) { return own ? 1e3 * *own : pitch; };
     const std::array parts{std::pair{"screw", pitch_of(mechanism.pitch.screw)},
                            std::pair{"roller", pitch_of(mechanism.pitch.roller)},
                            std::pair{"nut", pitch_of(mechanism.pitch.nut)}};
@@ -184,13 +174,11 @@ class AimReader {
     for (const char* side : {"screw", "nut"}) {
       const std::string contact = fmt::format("contact.{}.", side);
       const std::string flank = contact + "flank_clearance_mm";
-      add(fmt::format("{} flanks apart (56)", side), flank, at_least,
-          {Limit::Kind::number, 0.0, 0});
+      add(fmt::format("{} flanks apart (56)", side), flank, at_least, {Limit::Kind::number, 0.0, 0});
       const Limit beyond_flank{Limit::Kind::response, 0.0, response(flank, at)};
-      add(fmt::format("{} crest clear (60)", side), contact + "body_crest_clearance_mm", at_least,
+      add(fmt::format("{} crest clear (60)", side), contact + "body_crest_clearance_mm", at_least, beyond_flank);
+      add(fmt::format("roller crest clear of {} (60)", side), contact + "roller_crest_clearance_mm", at_least,
           beyond_flank);
-      add(fmt::format("roller crest clear of {} (60)", side), contact + "roller_crest_clearance_mm",
-          at_least, beyond_flank);
     }
   }
 
@@ -202,8 +190,8 @@ class AimReader {
     const std::size_t objectives = item_.objectives.size();
     if (item.by == Compromise::By::weights && item.weights.size() != objectives)
       refuse("optimize.compromise.weights",
-             fmt::format("got {} weights; expected {}, one for each objective; write as many",
-                         item.weights.size(), objectives));
+             fmt::format("got {} weights; expected {}, one for each objective; write as many", item.weights.size(),
+                         objectives));
     const double sum = std::accumulate(item.weights.begin(), item.weights.end(), 0.0);
     if (item.by == Compromise::By::weights && !(sum > 0.0 && std::isfinite(sum)))
       refuse("optimize.compromise.weights",
@@ -217,8 +205,7 @@ class AimReader {
         return;
       }
     refuse("optimize.compromise.of",
-           fmt::format("got {}; expected the path of an objective; write for example `of: {}`",
-                       shown(item.of),
+           fmt::format("got {}; expected the path of an objective; write for example `of: {}`", shown(item.of),
                        item_.objectives[0].minimize ? *item_.objectives[0].minimize
                                                     : item_.objectives[0].maximize.value_or("..")));
   }
@@ -246,15 +233,12 @@ class AimReader {
   }
 
  private:
-  void refuse(const std::string& at, const std::string& message) {
-    input::refuse(root_, at, message, errors_);
-  }
+  void refuse(const std::string& at, const std::string& message) { input::refuse(root_, at, message, errors_); }
 
   void check_algorithm(Algorithm algorithm, const std::string& at, bool several) {
     if (takes_several_objectives(algorithm) == several) return;
-    refuse(at, fmt::format("got {} with {} objective{}; expected one for {}; write {}",
-                           name(algorithm), item_.objectives.size(), several ? "s" : "",
-                           several ? "several" : "a single one",
+    refuse(at, fmt::format("got {} with {} objective{}; expected one for {}; write {}", name(algorithm),
+                           item_.objectives.size(), several ? "s" : "", several ? "several" : "a single one",
                            several ? "nsga2, nspso or moead" : "sade, pso or cmaes"));
   }
 
@@ -275,8 +259,7 @@ class AimReader {
       return n.kind == Node::Kind::scalar && !n.quoted ? parse_number(n.text) : std::nullopt;
     };
     if (const std::optional<double> value = number(node)) return Limit{.value = *value};
-    const Node* only =
-        node.kind == Node::Kind::map && node.children.size() == 1 ? &node.children[0] : nullptr;
+    const Node* only = node.kind == Node::Kind::map && node.children.size() == 1 ? &node.children[0] : nullptr;
     if (only && only->key == "initial")
       if (const std::optional<double> value = number(*only))
         return Limit{.kind = Limit::Kind::initial, .value = *value};
@@ -304,8 +287,7 @@ OptimizeItem written_optimization(const CaseFile& file, const Node& root, ErrorL
   OptimizeItem item = *file.optimize;
   for (VariableItem& variable : item.variables) {
     take_indices(root, variable.path, variable.label);
-    for (LinkedInputItem& linked : variable.companions)
-      linked.path = with_indices(root, linked.path);
+    for (LinkedInputItem& linked : variable.companions) linked.path = with_indices(root, linked.path);
   }
   return item;
 }
@@ -330,8 +312,7 @@ OptimizeInput read_optimize_input(const Source& source) {
   study.command = item.command;
   study.plan = Plan::monte_carlo;
   VariableReader variables(item, source, root, input.start.base, file, errors);
-  for (std::size_t i = 0; i < item.variables.size(); ++i)
-    study.factors.push_back(variables.read(i));
+  for (std::size_t i = 0; i < item.variables.size(); ++i) study.factors.push_back(variables.read(i));
 
   AimReader aims(item, root, input, errors);
   aims.read_objectives();

@@ -23,8 +23,7 @@ std::string got(const Node& node) {
     case Node::Kind::sequence:
       return fmt::format("a list of {}", node.children.size());
     case Node::Kind::map:
-      return node.children.size() == 1 ? fmt::format("{{{}: ..}}", shown(node.children[0].key))
-                                       : "a map";
+      return node.children.size() == 1 ? fmt::format("{{{}: ..}}", shown(node.children[0].key)) : "a map";
     case Node::Kind::scalar:
       break;
   }
@@ -44,18 +43,16 @@ Wanted wanted(const Quantity& q) {
   std::string example(q.example.empty() ? q.dimension.example : q.example);
   const std::optional<double> usual = parse_quantity(example, q.dimension).value;
   const double middle = 0.5 * (q.bounds.least + q.bounds.greatest);
-  if (!(usual && q.bounds.contain(*usual)) && std::isfinite(middle))
-    example = format_quantity(middle, q.dimension);
-  return {fmt::format("{}{} with its unit", q.dimension.name, text_of_bounds(q.bounds, q)),
-          example};
+  if (!(usual && q.bounds.contain(*usual)) && std::isfinite(middle)) example = format_quantity(middle, q.dimension);
+  return {fmt::format("{}{} with its unit", q.dimension.name, text_of_bounds(q.bounds, q)), example};
 }
 Wanted wanted(const EitherQuantity& kind) {
   const Wanted first = wanted(kind.first), second = wanted(kind.second);
   return {fmt::format("{} or {}", first.what, second.what), first.example};
 }
 Wanted wanted(const Held& h) {
-  return {fmt::format("rigid{} or {}{} with its unit", h.may_be_free ? ", free" : "",
-                      h.dimension.name, text_of_bounds(h.least, Quantity{h.dimension, h.least})),
+  return {fmt::format("rigid{} or {}{} with its unit", h.may_be_free ? ", free" : "", h.dimension.name,
+                      text_of_bounds(h.least, Quantity{h.dimension, h.least})),
           std::string(h.dimension.example)};
 }
 Wanted wanted(const Number& n) {
@@ -65,8 +62,7 @@ Wanted wanted(const Number& n) {
           usual ? std::string(n.example) : fmt::format("{:g}", middle)};
 }
 Wanted wanted(const Whole& w) {
-  return {fmt::format("a whole number from {} to {}{}{}", w.least, w.greatest,
-                      w.reason.empty() ? "" : ", ", w.reason),
+  return {fmt::format("a whole number from {} to {}{}{}", w.least, w.greatest, w.reason.empty() ? "" : ", ", w.reason),
           fmt::format("{}", std::clamp<std::int64_t>(3, w.least, w.greatest))};
 }
 Wanted wanted(const Flag&) { return {"true or false", "true"}; }
@@ -106,8 +102,7 @@ Wanted wanted(const MapValue& map) {
   if (!map.example.empty()) return {"a map", std::string(map.example)};
   std::string keys;
   map.for_each([&](const Field& field) {
-    if (field.presence.required)
-      keys += fmt::format("{}{}: ..", keys.empty() ? "" : ", ", field.key);
+    if (field.presence.required) keys += fmt::format("{}{}: ..", keys.empty() ? "" : ", ", field.key);
   });
   return {"a map", fmt::format("{{{}}}", keys)};
 }
@@ -121,8 +116,7 @@ Wanted wanted(const ListValue& list) {
   else if (list.least > 0)
     what += fmt::format(" of at least {}", list.least);
   const Wanted entry = sample_entry(list, [](const Value& v) { return wanted(v); });
-  const std::vector<std::string> examples(static_cast<std::size_t>(std::max(1, list.least)),
-                                          entry.example);
+  const std::vector<std::string> examples(static_cast<std::size_t>(std::max(1, list.least)), entry.example);
   return {what, fmt::format("[{}]", fmt::join(examples, ", "))};
 }
 
@@ -165,16 +159,14 @@ std::string join(std::string_view path, std::string_view key) {
 /// Whether a share was written as a fraction, which is out of bounds in per cent too: a unit does
 /// not fix it.
 bool is_wrong_fraction(const std::string& text, const Quantity& q) {
-  const std::optional<double> bare =
-      &q.dimension == &unit::share ? parse_number(text) : std::nullopt;
+  const std::optional<double> bare = &q.dimension == &unit::share ? parse_number(text) : std::nullopt;
   return bare && *bare <= 1.0 && !q.bounds.contain(*bare);
 }
 
 void read(const Written& w, const Value& value);
 
 void read(const Written& w, double& value, const Quantity& q) {
-  if (w.node.kind != Node::Kind::scalar || is_wrong_fraction(w.node.text, q))
-    return w.refuse(wanted(q));
+  if (w.node.kind != Node::Kind::scalar || is_wrong_fraction(w.node.text, q)) return w.refuse(wanted(q));
   const ParsedQuantity parsed = parse_quantity(w.node.text, q.dimension);
   if (!parsed.value || !q.bounds.contain(*parsed.value)) return w.refuse(wanted(q), parsed.hint);
   value = *parsed.value;
@@ -186,8 +178,7 @@ void read(const Written& w, LeastLife& life, const EitherQuantity& kind) {
     if (parsed.value && q.bounds.contain(*parsed.value)) into = parsed.value;
     return into.has_value();
   };
-  if (w.node.kind != Node::Kind::scalar ||
-      (!taken(kind.first, life.duration) && !taken(kind.second, life.travel)))
+  if (w.node.kind != Node::Kind::scalar || (!taken(kind.first, life.duration) && !taken(kind.second, life.travel)))
     w.refuse(wanted(kind));
 }
 
@@ -198,8 +189,7 @@ void read(const Written& w, double& value, const Held& held) {
     return;
   }
   const ParsedQuantity parsed = parse_quantity(w.node.text, held.dimension);
-  if (!parsed.value || !held.least.contain(*parsed.value))
-    return w.refuse(wanted(held), parsed.hint);
+  if (!parsed.value || !held.least.contain(*parsed.value)) return w.refuse(wanted(held), parsed.hint);
   value = *parsed.value;
 }
 
@@ -212,8 +202,7 @@ std::string_view quotes_hint(const Node& node) {
 void read(const Written& w, double& value, const Number& number) {
   const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted;
   const std::optional<double> parsed = plain ? parse_number(w.node.text) : std::nullopt;
-  if (!parsed || !number.bounds.contain(*parsed))
-    return w.refuse(wanted(number), quotes_hint(w.node));
+  if (!parsed || !number.bounds.contain(*parsed)) return w.refuse(wanted(number), quotes_hint(w.node));
   value = *parsed;
 }
 
@@ -222,11 +211,9 @@ void read(const Written& w, T& value, const Whole& whole) {
   const std::string& text = w.node.text;
   const char* end = text.data() + text.size();
   T parsed = 0;
-  const auto [stop, error] =
-      std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, parsed);
+  const auto [stop, error] = std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, parsed);
   const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted && !text.starts_with("+-");
-  if (!plain || error != std::errc{} || stop != end || parsed < whole.least ||
-      parsed > whole.greatest)
+  if (!plain || error != std::errc{} || stop != end || parsed < whole.least || parsed > whole.greatest)
     return w.refuse(wanted(whole), quotes_hint(w.node));
   value = parsed;
 }
@@ -239,8 +226,8 @@ void read(const Written& w, bool& value, const Flag& flag) {
 
 void read(const Written& w, std::string& value, const Text& text) {
   const auto is_control = [](char c) { return c >= 0 && c < ' '; };
-  if (w.node.kind != Node::Kind::scalar || w.node.text.empty() ||
-      w.node.text.size() > kLongestText || std::ranges::any_of(w.node.text, is_control))
+  if (w.node.kind != Node::Kind::scalar || w.node.text.empty() || w.node.text.size() > kLongestText ||
+      std::ranges::any_of(w.node.text, is_control))
     return w.refuse(wanted(text));
   if (scalar_type(w.node) != ScalarType::text)
     return w.refuse(wanted(text), fmt::format("put it in quotes: \"{}\"", w.node.text));
@@ -260,8 +247,7 @@ void read(const Written& w, const Leaf<Kind, T>& leaf) {
 /// `ISO VG 100` -> `iso-vg-100`
 std::string spelled_as_a_name(std::string_view text) {
   std::string name;
-  for (const char c : text)
-    name += c == ' ' || c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  for (const char c : text) name += c == ' ' || c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
   return name;
 }
 
@@ -269,8 +255,7 @@ void read(const Written& w, const ChoiceValue& choice) {
   const bool is_word = w.node.kind == Node::Kind::scalar;
   const bool is_key = w.node.kind == Node::Kind::map && w.node.children.size() == 1;
   for (const Alternative& a : choice.alternatives()) {
-    if (a.content ? !is_key || w.node.children[0].key != a.name : !is_word || w.node.text != a.name)
-      continue;
+    if (a.content ? !is_key || w.node.children[0].key != a.name : !is_word || w.node.text != a.name) continue;
     a.choose();
     if (a.content) read({w.node.children[0], join(w.path, a.name), w.errors}, a.content());
     return;
@@ -295,9 +280,7 @@ bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
   const Node* first = nullptr;
   for (const Node& child : w.node.children) {
     const auto is = [&](std::string_view name) { return name == child.key; };
-    if (!is(under.key) && std::ranges::none_of(names.words, is) &&
-        std::ranges::none_of(names.keys, is))
-      continue;
+    if (!is(under.key) && std::ranges::none_of(names.words, is) && std::ranges::none_of(names.keys, is)) continue;
     if (first) {
       w.errors.add(child.key_place, join(w.path, child.key),
                    "stands next to `{}`; expected one of {}; delete one of the two", first->key,
@@ -310,8 +293,8 @@ bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
 }
 
 void read(const Written& w, const ChoiceUnderKey& under) {
-  const bool bare = w.node.kind == Node::Kind::map && w.node.children.size() == 1 &&
-                    w.node.children[0].key != under.key;
+  const bool bare =
+      w.node.kind == Node::Kind::map && w.node.children.size() == 1 && w.node.children[0].key != under.key;
   if (bare) return read(w, under.choice);
   if (w.node.kind != Node::Kind::map) return w.refuse(wanted(under));
   if (!refuse_second_choice(w, under)) read(w, under.map);
@@ -331,12 +314,10 @@ void read(const Written& w, const OneOr& value) {
   if (is_several(w.node, value)) {
     read(w, value.several());
     if (value.is_odd())
-      w.errors.add(w.node.place, w.path,
-                   "got 1 step between different ends; expected at least 2; write `steps: 2`");
+      w.errors.add(w.node.place, w.path, "got 1 step between different ends; expected at least 2; write `steps: 2`");
     return;
   }
-  if (value.form == OneOr::Form::levels &&
-      (w.node.kind != Node::Kind::sequence || w.node.children.empty()))
+  if (value.form == OneOr::Form::levels && (w.node.kind != Node::Kind::sequence || w.node.children.empty()))
     return w.refuse(wanted(value));
   read(w, value.one());
   value.spread();
@@ -353,16 +334,14 @@ class MapReader {
     const std::string path = join(map_.path, field.key);
     if (!node) {
       if (field.presence.required)
-        refuse_absence(path, field.sample([](const Value& v) { return wanted(v); }),
-                       field.presence);
+        refuse_absence(path, field.sample([](const Value& v) { return wanted(v); }), field.presence);
       return;
     }
     field.renew();
     if (field.presence.allowed) return read({*node, path, map_.errors}, field.value());
-    map_.errors.add_consequence(
-        node->key_place, path,
-        fmt::format("got {}; expected no such key here: it stands {}; delete it", got(*node),
-                    field.presence.condition));
+    map_.errors.add_consequence(node->key_place, path,
+                                fmt::format("got {}; expected no such key here: it stands {}; delete it", got(*node),
+                                            field.presence.condition));
   }
 
   void refuse_other_keys() const {
@@ -372,9 +351,8 @@ class MapReader {
       if (fix.empty()) fix = range_hint(child.key);
       if (fix.empty()) fix = elsewhere_hint(child.key);
       if (fix.empty()) fix = did_you_mean(child.key, known_);
-      map_.errors.add(child.key_place, join(map_.path, child.key),
-                      "unknown key; expected one of {}; {}", fmt::join(known_, ", "),
-                      fix.empty() ? "delete it, or write it as one of these" : fix);
+      map_.errors.add(child.key_place, join(map_.path, child.key), "unknown key; expected one of {}; {}",
+                      fmt::join(known_, ", "), fix.empty() ? "delete it, or write it as one of these" : fix);
     }
   }
 
@@ -407,10 +385,8 @@ class MapReader {
   /// How to fix `lead:5 mm`, which is a key to YAML.
   std::string blank_hint(std::string_view key) const {
     const std::size_t colon = std::min(key.find(':'), key.size());
-    if (colon == key.size() || std::ranges::find(known_, key.substr(0, colon)) == known_.end())
-      return {};
-    return fmt::format("write a blank after the colon: `{}: {}`", key.substr(0, colon),
-                       shown(key.substr(colon + 1)));
+    if (colon == key.size() || std::ranges::find(known_, key.substr(0, colon)) == known_.end()) return {};
+    return fmt::format("write a blank after the colon: `{}: {}`", key.substr(0, colon), shown(key.substr(colon + 1)));
   }
 
   void refuse_absence(const std::string& path, const Wanted& w, Presence presence) const {
@@ -420,9 +396,8 @@ class MapReader {
     if (presence.condition.empty())
       map_.errors.add(place, path, "missing; expected {}; {}", w.what, add);
     else
-      map_.errors.add_consequence(
-          place, path,
-          fmt::format("missing; expected {} ({}); {}", w.what, presence.condition, add));
+      map_.errors.add_consequence(place, path,
+                                  fmt::format("missing; expected {} ({}); {}", w.what, presence.condition, add));
   }
 
   const Written& map_;
@@ -445,9 +420,8 @@ void read(const Written& w, const Value& value) {
 int points(const LoadCaseItem& item) { return item.axial_force.steps.value_or(1); }
 
 std::size_t number_of_cases(const std::vector<LoadCaseItem>& items) {
-  return std::transform_reduce(
-      items.begin(), items.end(), std::size_t{0}, std::plus{},
-      [](const LoadCaseItem& i) { return static_cast<std::size_t>(points(i)); });
+  return std::transform_reduce(items.begin(), items.end(), std::size_t{0}, std::plus{},
+                               [](const LoadCaseItem& i) { return static_cast<std::size_t>(points(i)); });
 }
 
 }  // namespace
@@ -479,8 +453,7 @@ std::size_t first_case(const std::vector<LoadCaseItem>& items, std::size_t item)
   return first;
 }
 
-void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items,
-                    std::size_t item) {
+void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items, std::size_t item) {
   const LoadCaseItem& from = items[item];
   const Range& force = from.axial_force;
   const int last = points(from) - 1;
@@ -560,8 +533,7 @@ Case checked_case(const CaseFile& file, const Node& root, Command command, Error
   Case values = file.values;
   values.load_cases = expand(file.load_cases);
   std::vector<Problem> problems = problems_of(values, command);
-  if (file.limits)
-    std::ranges::move(check_limits(*file.limits, values), std::back_inserter(problems));
+  if (file.limits) std::ranges::move(check_limits(*file.limits, values), std::back_inserter(problems));
   for (const Problem& p : problems) refuse(root, p.path, p.message, errors);
   return values;
 }
@@ -573,16 +545,14 @@ CaseInput read_case_input(const Source& source, Command command) {
   errors.throw_if_any();
   Case values = checked_case(file, root, command, errors);
   errors.throw_if_any();
-  CaseInput input{std::move(values), echo(file, root), command_of(file.study),
-                  command_of(file.optimize)};
+  CaseInput input{std::move(values), echo(file, root), command_of(file.study), command_of(file.optimize)};
   input.limits = file.limits;
   input.warnings = unusual_values(input.fields);
   return input;
 }
 
 std::vector<Problem> unmet(const CaseInput& input, Command command) {
-  if (command != Command::study && command != Command::optimize)
-    return prs::missing(input.values, command);
+  if (command != Command::study && command != Command::optimize) return prs::missing(input.values, command);
   const std::optional<Command>& designs = command == Command::study ? input.study : input.optimize;
   if (designs) return unmet(input, *designs);
   Problems problems;
@@ -591,9 +561,7 @@ std::vector<Problem> unmet(const CaseInput& input, Command command) {
   problems.add_missing(
       std::string(name(command)), fmt::format("what `{}` varies", name(command)),
       command == Command::study
-          ? fmt::format(
-                "{{command: solve, factors: [{{path: mechanism.rollers, values: [{}, {}]}}]}}",
-                fewer, rollers)
+          ? fmt::format("{{command: solve, factors: [{{path: mechanism.rollers, values: [{}, {}]}}]}}", fewer, rollers)
           : fmt::format("{{command: solve, variables: [{{path: mechanism.rollers, from: {}, to: "
                         "{}}}], objectives: [{{maximize: axial_stiffness_N_per_um}}]}}",
                         fewer, rollers));
@@ -606,13 +574,12 @@ std::vector<std::string> missing(const CaseInput& input, Command command) {
   return paths;
 }
 
-Case read_case(const std::string& file, const std::vector<std::string>& overrides,
-               Command command) {
+Case read_case(const std::string& file, const std::vector<std::string>& overrides, Command command) {
   return read_case_input(load_source(file, overrides), command).values;
 }
 
-Case read_case_text(const std::string& text, const std::string& name,
-                    const std::vector<std::string>& overrides, Command command) {
+Case read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
+                    Command command) {
   return read_case_input({name, text, overrides}, command).values;
 }
 

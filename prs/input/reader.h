@@ -36,8 +36,7 @@ std::size_t first_case(const std::vector<LoadCaseItem>& items, std::size_t item)
 
 /// Sets force, position and speed of the cases that were expanded from an item before its numbers
 /// changed.
-void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items,
-                    std::size_t item);
+void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items, std::size_t item);
 
 /// The problems that `check_case` finds in a case or, without any, what the command needs and
 /// lacks.
@@ -56,7 +55,7 @@ CaseInput read_case_input(const Source& source, Command command);
 Case read_case(const std::string& file, const std::vector<std::string>& overrides, Command command);
 
 /// Reads the case from a text; `name` stands for the file in messages.
-Case read_case_text(const std::string& text, const std::string& name,
-                    const std::vector<std::string>& overrides, Command command);
+Case read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
+                    Command command);
 
 }  // namespace prs::input

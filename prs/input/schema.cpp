@@ -13,10 +13,8 @@ using Json = nlohmann::ordered_json;
 std::string quantity_pattern(const Bounds& bounds, const Dimension& dimension) {
   const bool sign_free = bounds.least < 0.0;
   const bool no_zero = bounds.zero_excluded || !bounds.contain(0.0);
-  const std::string start =
-      fmt::format("^{}{}", sign_free ? "[+-]?" : "\\+?", no_zero ? "(?=[0-9.]*[1-9])" : "");
-  const std::string decimal =
-      "([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)? *" + unit_pattern(dimension);
+  const std::string start = fmt::format("^{}{}", sign_free ? "[+-]?" : "\\+?", no_zero ? "(?=[0-9.]*[1-9])" : "");
+  const std::string decimal = "([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)? *" + unit_pattern(dimension);
   if (&dimension != &unit::length) return start + decimal + "$";
   return fmt::format("{}({}|([0-9]+[ -])?[0-9]+/[1-9][0-9]* *(in|ft))$", start, decimal);
 }
@@ -26,8 +24,7 @@ Json schema_of(const Quantity& q) {
   const std::string limits = text_of_bounds(q.bounds, q);
   return {{"type", "string"},
           {"pattern", quantity_pattern(bounds, q.dimension)},
-          {"description",
-           fmt::format("In {}{}{}", unit_list(q.dimension), limits.empty() ? "" : ";", limits)},
+          {"description", fmt::format("In {}{}{}", unit_list(q.dimension), limits.empty() ? "" : ";", limits)},
           {"examples", Json::array({q.dimension.example})}};
 }
 
@@ -38,16 +35,14 @@ Json schema_of(const EitherQuantity& kind) {
 Json schema_of(const Held& held) {
   Json words = Json::array({"rigid"});
   if (held.may_be_free) words.push_back("free");
-  return {{"oneOf",
-           Json::array({Json{{"enum", words}}, schema_of(Quantity{held.dimension, held.least})})}};
+  return {{"oneOf", Json::array({Json{{"enum", words}}, schema_of(Quantity{held.dimension, held.least})})}};
 }
 
 Json schema_of(const Number& number) {
   const Bounds& b = number.bounds;
   Json json{{"type", "number"}};
   if (std::isfinite(b.least)) json[b.least_excluded ? "exclusiveMinimum" : "minimum"] = b.least;
-  if (std::isfinite(b.greatest))
-    json[b.greatest_excluded ? "exclusiveMaximum" : "maximum"] = b.greatest;
+  if (std::isfinite(b.greatest)) json[b.greatest_excluded ? "exclusiveMaximum" : "maximum"] = b.greatest;
   return json;
 }
 
@@ -58,16 +53,11 @@ Json schema_of(const Whole& whole) {
 Json schema_of(const Flag&) { return {{"type", "boolean"}}; }
 
 Json schema_of(const Text&) {
-  return {{"type", "string"},
-          {"minLength", 1},
-          {"maxLength", kLongestText},
-          {"pattern", "^[^\\x00-\\x1F]*$"}};
+  return {{"type", "string"}, {"minLength", 1}, {"maxLength", kLongestText}, {"pattern", "^[^\\x00-\\x1F]*$"}};
 }
 
 /// Anything but nothing.
-Json schema_of(const Verbatim&) {
-  return {{"type", {"string", "number", "boolean", "object", "array"}}};
-}
+Json schema_of(const Verbatim&) { return {{"type", {"string", "number", "boolean", "object", "array"}}}; }
 
 template <class Kind, class T>
 Json schema_of(const Leaf<Kind, T>& leaf) {
@@ -124,8 +114,7 @@ struct ChoiceSchema {
 
 Json schema_of(const ChoiceValue& choice) {
   const ChoiceSchema of(choice);
-  const Json words{{"enum", of.words},
-                   {"description", fmt::format("{}", fmt::join(of.meanings, "; "))}};
+  const Json words{{"enum", of.words}, {"description", fmt::format("{}", fmt::join(of.meanings, "; "))}};
   if (of.maps.empty()) return words;
   Json all = Json::array({words});
   all.insert(all.end(), of.maps.begin(), of.maps.end());
@@ -138,15 +127,12 @@ template <class Kind, class T>
 Json default_of(const Leaf<Kind, T>& leaf) {
   if constexpr (std::is_same_v<T, std::string>)
     return Json();
-  else if constexpr (std::is_same_v<Kind, Flag> || std::is_same_v<Kind, Number> ||
-                     std::is_same_v<Kind, Whole>)
+  else if constexpr (std::is_same_v<Kind, Flag> || std::is_same_v<Kind, Number> || std::is_same_v<Kind, Whole>)
     return leaf.value;
   else
     return text_of({leaf});
 }
-Json default_of(const ChoiceValue& choice) {
-  return choice.command.empty() ? Json(text_of({choice})) : Json();
-}
+Json default_of(const ChoiceValue& choice) { return choice.command.empty() ? Json(text_of({choice})) : Json(); }
 template <class T>
 Json default_of(const T&) {
   return Json();
@@ -199,8 +185,7 @@ void add_keys(const Json& schema, const std::string& path, std::vector<InputKey>
       keys.push_back({own, property.value("description", "")});
     add_keys(property, own, keys);
   }
-  for (const Json& alternative : schema.value("oneOf", Json::array()))
-    add_keys(alternative, path, keys);
+  for (const Json& alternative : schema.value("oneOf", Json::array())) add_keys(alternative, path, keys);
   if (schema.contains("items")) add_keys(schema["items"], path + "[0]", keys);
 }
 
@@ -242,8 +227,7 @@ namespace {
 
 std::string text_of(double value, const Quantity& q) { return format_quantity(value, q.dimension); }
 std::string text_of(const LeastLife& life, const EitherQuantity& kind) {
-  return life.duration ? text_of(*life.duration, kind.first)
-                       : text_of(life.travel.value_or(0.0), kind.second);
+  return life.duration ? text_of(*life.duration, kind.first) : text_of(life.travel.value_or(0.0), kind.second);
 }
 std::string text_of(double value, const Held& held) {
   if (value == kRigid) return "rigid";
@@ -261,8 +245,7 @@ std::string text_of(const Leaf<Kind, T>& leaf) {
 std::string text_of(const ChoiceValue& choice) {
   for (const Alternative& a : choice.alternatives())
     if (a.holds)
-      return a.content ? fmt::format("{{{}: {}}}", a.name, input::text_of(a.content()))
-                       : std::string(a.name);
+      return a.content ? fmt::format("{{{}: {}}}", a.name, input::text_of(a.content())) : std::string(a.name);
   return {};
 }
 std::string text_of(const ChoiceUnderKey& under) { return text_of(under.choice); }
@@ -286,9 +269,7 @@ std::string text_of(const ListValue& list) {
   return fmt::format("[{}]", text);
 }
 
-std::string text_of(const OneOr& value) {
-  return input::text_of(value.are_several ? value.several() : value.one());
-}
+std::string text_of(const OneOr& value) { return input::text_of(value.are_several ? value.several() : value.one()); }
 
 /// A bound; 0 needs no unit where it is the same in each.
 std::string text_of_bound(double value, const Quantity& q) {
@@ -300,8 +281,7 @@ template <class Kind>
 std::string bounds_text(const Bounds& b, const Kind& kind) {
   if (b.zero_excluded) return " other than 0";
   std::string text;
-  if (std::isfinite(b.least))
-    text = fmt::format(" {} {}", b.least_excluded ? ">" : ">=", text_of_bound(b.least, kind));
+  if (std::isfinite(b.least)) text = fmt::format(" {} {}", b.least_excluded ? ">" : ">=", text_of_bound(b.least, kind));
   if (std::isfinite(b.greatest))
     text += fmt::format("{} {} {}", text.empty() ? "" : " and",
                         b.greatest_excluded ? "<" : "<=", text_of_bound(b.greatest, kind));
@@ -322,8 +302,7 @@ std::string block_text(std::string_view key, const Value& block) {
     const auto* const list = std::get_if<ListValue>(&value.as);
     if (list && list->size() == 0) return;
     text += fmt::format("  {}:{}\n", field.key, list ? "" : " " + text_of(value));
-    for (std::size_t i = 0; list && i < list->size(); ++i)
-      text += fmt::format("    - {}\n", text_of(list->entry(i)));
+    for (std::size_t i = 0; list && i < list->size(); ++i) text += fmt::format("    - {}\n", text_of(list->entry(i)));
   });
   return text;
 }

@@ -15,8 +15,8 @@ constexpr std::size_t kLargestFile = std::size_t{1} << 20;
 constexpr std::size_t kMostErrors = 20;
 
 InputError refusal(std::string_view name, std::string_view got, std::string_view fix) {
-  return InputError(fmt::format(
-      "{}:1:1: error: got {}; expected a readable YAML file of at most 1 MiB; {}", name, got, fix));
+  return InputError(
+      fmt::format("{}:1:1: error: got {}; expected a readable YAML file of at most 1 MiB; {}", name, got, fix));
 }
 
 }  // namespace
@@ -43,9 +43,8 @@ Source read_source(std::istream& in, std::string name, std::vector<std::string> 
   }
   if (in.bad()) throw refusal(name, "a file that cannot be read", "check the disk");
   if (text.size() > kLargestFile)
-    throw refusal(
-        name, "a file of more than 1 MiB",
-        "check that it is the right file; long force histories are CSV files (`life.history`)");
+    throw refusal(name, "a file of more than 1 MiB",
+                  "check that it is the right file; long force histories are CSV files (`life.history`)");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // Byte order mark.
   return {std::move(name), std::move(text), std::move(overrides)};
 }
@@ -61,9 +60,7 @@ Source source_of_text(std::string name, std::string text, std::vector<std::strin
   return {std::move(name), std::move(text), std::move(overrides), std::move(folder)};
 }
 
-std::string ErrorList::where(Place place) const {
-  return place_in(source_.name, source_.text, place.offset);
-}
+std::string ErrorList::where(Place place) const { return place_in(source_.name, source_.text, place.offset); }
 
 void ErrorList::add(Place place, std::string_view key, std::string_view message) {
   errors_.push_back({place, {shown(key), std::string(message)}});
@@ -90,15 +87,12 @@ std::vector<const ErrorList::Error*> ErrorList::told() const {
   std::vector<const Error*> order;
   for (const Error& e : errors_.empty() ? consequences_ : errors_) order.push_back(&e);
   std::stable_sort(order.begin(), order.end(), [](const Error* a, const Error* b) {
-    return std::tie(a->place.argument, a->place.offset) <
-           std::tie(b->place.argument, b->place.offset);
+    return std::tie(a->place.argument, a->place.offset) < std::tie(b->place.argument, b->place.offset);
   });
   return order;
 }
 
-std::string ErrorList::first() const {
-  return empty() ? std::string() : told().front()->problem.text();
-}
+std::string ErrorList::first() const { return empty() ? std::string() : told().front()->problem.text(); }
 
 void ErrorList::throw_if_any() const {
   if (empty()) return;
@@ -106,11 +100,9 @@ void ErrorList::throw_if_any() const {
   if (order.size() > kMostErrors) order.resize(kMostErrors);
   std::string lines;
   for (const Error* e : order) {
-    lines += fmt::format("{}{}: error: {}", lines.empty() ? "" : "\n", where(e->place),
-                         e->problem.text());
+    lines += fmt::format("{}{}: error: {}", lines.empty() ? "" : "\n", where(e->place), e->problem.text());
     if (e->place.argument >= 0)
-      lines += fmt::format(" (from --set {})",
-                           shown(source_.overrides[static_cast<std::size_t>(e->place.argument)]));
+      lines += fmt::format(" (from --set {})", shown(source_.overrides[static_cast<std::size_t>(e->place.argument)]));
   }
   throw InputError(lines);
 }

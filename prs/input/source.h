@@ -58,8 +58,7 @@ class ErrorList {
 
   void add(Place place, std::string_view key, std::string_view message);
   template <class Arg, class... Args>
-  void add(Place place, std::string_view key, fmt::format_string<Arg, Args...> message, Arg&& arg,
-           Args&&... args) {
+  void add(Place place, std::string_view key, fmt::format_string<Arg, Args...> message, Arg&& arg, Args&&... args) {
     add(place, key, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
   }
 
@@ -68,8 +67,8 @@ class ErrorList {
 
   [[noreturn]] void fail(Place place, std::string_view key, std::string_view message);
   template <class Arg, class... Args>
-  [[noreturn]] void fail(Place place, std::string_view key,
-                         fmt::format_string<Arg, Args...> message, Arg&& arg, Args&&... args) {
+  [[noreturn]] void fail(Place place, std::string_view key, fmt::format_string<Arg, Args...> message, Arg&& arg,
+                         Args&&... args) {
     fail(place, key, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
   }
 

@@ -22,20 +22,17 @@ class EnvelopeReader {
   }
 
  private:
-  void refuse(const std::string& path, const std::string& message) {
-    input::refuse(root_, path, message, errors_);
-  }
+  void refuse(const std::string& path, const std::string& message) { input::refuse(root_, path, message, errors_); }
 
   void refuse_factors() {
     const std::size_t count = study_.factors.size();
     if (count != 2)
-      return refuse("study.factors",
-                    fmt::format("got {} factor{}; expected two with `envelope`, the axes of its "
-                                "maps; {}",
-                                count, count == 1 ? "" : "s",
-                                count < 2 ? "add one"
-                                          : "let the others go `with` one of them, or leave them "
-                                            "out"));
+      return refuse("study.factors", fmt::format("got {} factor{}; expected two with `envelope`, the axes of its "
+                                                 "maps; {}",
+                                                 count, count == 1 ? "" : "s",
+                                                 count < 2 ? "add one"
+                                                           : "let the others go `with` one of them, or leave them "
+                                                             "out"));
     for (std::size_t k = 0; k < 2; ++k) {
       Study alone = study_;
       alone.factors = {study_.factors[k], study_.factors[k]};
@@ -63,8 +60,7 @@ class EnvelopeReader {
   }
 
   void need(const std::string& response) {
-    if (std::ranges::find(study_.responses, response) == study_.responses.end())
-      study_.responses.push_back(response);
+    if (std::ranges::find(study_.responses, response) == study_.responses.end()) study_.responses.push_back(response);
   }
 
   void read_points() {
@@ -90,13 +86,11 @@ class EnvelopeReader {
     }
   }
 
-  std::optional<std::array<double, 2>> read_place(const std::string& path,
-                                                  const std::vector<std::string>& written) {
+  std::optional<std::array<double, 2>> read_place(const std::string& path, const std::vector<std::string>& written) {
     std::array<double, 2> at{};
     bool good = true;
     for (std::size_t a = 0; a < 2; ++a) {
-      const std::optional<double> number =
-          read_number(fmt::format("{}.at[{}]", path, a), written[a], (*axes_)[a]);
+      const std::optional<double> number = read_number(fmt::format("{}.at[{}]", path, a), written[a], (*axes_)[a]);
       good = good && number;
       at[a] = number.value_or(0.0);
     }
@@ -104,62 +98,53 @@ class EnvelopeReader {
   }
 
   /// A value of a factor; that of a level, where it has no values between them.
-  std::optional<double> read_number(const std::string& path, const std::string& written,
-                                    const MapAxis& axis) {
+  std::optional<double> read_number(const std::string& path, const std::string& written, const MapAxis& axis) {
     const Factor& factor = study_.factors[axis.factor];
     const auto level = std::ranges::find(factor.levels, written, &Level::text);
     if (level != factor.levels.end()) return level->number;
     const std::optional<double> number = number_in(written, factor.unit);
-    const Level &least = factor.levels[axis.levels.front()],
-                &largest = factor.levels[axis.levels.back()];
+    const Level &least = factor.levels[axis.levels.front()], &largest = factor.levels[axis.levels.back()];
     const std::string expected =
         fmt::format("a value of {} from {} to {}", shown(factor.path), least.text, largest.text);
     if (!number || !axis.place(*number))
-      refuse(path, fmt::format("got {}; expected {}; write for example `{}`", shown(written),
-                               expected, least.text));
+      refuse(path, fmt::format("got {}; expected {}; write for example `{}`", shown(written), expected, least.text));
     else if (!axis.continuous && std::ranges::find(axis.numbers, *number) == axis.numbers.end())
-      refuse(path,
-             fmt::format("got {}; expected {} that stands in the list, since it or what goes with "
-                         "it has no values in between; write for example `{}`",
-                         shown(written), expected, nearest(factor, *number)));
+      refuse(path, fmt::format("got {}; expected {} that stands in the list, since it or what goes with "
+                               "it has no values in between; write for example `{}`",
+                               shown(written), expected, nearest(factor, *number)));
     else
       return number;
     return std::nullopt;
   }
 
   static std::string nearest(const Factor& factor, double number) {
-    return std::ranges::min_element(
-               factor.levels, {},
-               [&](const Level& level) { return std::abs(*level.number - number); })
+    return std::ranges::min_element(factor.levels, {},
+                                    [&](const Level& level) { return std::abs(*level.number - number); })
         ->text;
   }
 
-  std::vector<Envelope::Target> read_targets(const std::string& path,
-                                             const std::vector<Envelope::Target>& targets) {
+  std::vector<Envelope::Target> read_targets(const std::string& path, const std::vector<Envelope::Target>& targets) {
     for (const Envelope::Target& target : targets) need(target.response);
     if (targets.size() < 2) return targets;
     if (targets[0].response == targets[1].response)
-      refuse(path + ".reach[1].response",
-             fmt::format("got {} a second time; expected two responses; delete one of them",
-                         shown(targets[1].response)));
+      refuse(
+          path + ".reach[1].response",
+          fmt::format("got {} a second time; expected two responses; delete one of them", shown(targets[1].response)));
     for (const MapAxis& axis : *axes_)
       if (!axis.continuous)
-        refuse(path + ".reach",
-               fmt::format("got two responses; expected one, since {} or what goes with it has no "
-                           "values between those listed; delete one of them",
-                           shown(study_.factors[axis.factor].path)));
+        refuse(path + ".reach", fmt::format("got two responses; expected one, since {} or what goes with it has no "
+                                            "values between those listed; delete one of them",
+                                            shown(study_.factors[axis.factor].path)));
     return targets;
   }
 
   void check_size() {
-    const double values = static_cast<double>(study_.responses.size()) *
-                          static_cast<double>((*axes_)[0].nodes()) *
+    const double values = static_cast<double>(study_.responses.size()) * static_cast<double>((*axes_)[0].nodes()) *
                           static_cast<double>((*axes_)[1].nodes());
     if (values > static_cast<double>(kMostMapValues))
-      refuse("study.factors",
-             fmt::format("got {:.6g} numbers in the maps; expected at most {} with `envelope`; "
-                         "write ranges with fewer steps, or fewer responses",
-                         values, kMostMapValues));
+      refuse("study.factors", fmt::format("got {:.6g} numbers in the maps; expected at most {} with `envelope`; "
+                                          "write ranges with fewer steps, or fewer responses",
+                                          values, kMostMapValues));
   }
 
   const EnvelopeItem& item_;

@@ -18,9 +18,7 @@ struct WrittenLevel {
 std::string with_unit(std::string_view number, std::string_view unit) {
   return fmt::format("{}{}{}", number, unit.empty() ? "" : " ", unit);
 }
-std::string with_unit(double number, std::string_view unit) {
-  return with_unit(fmt::format("{}", number), unit);
-}
+std::string with_unit(double number, std::string_view unit) { return with_unit(fmt::format("{}", number), unit); }
 
 /// Curvature of a profile [1/mm], convex > 0: `straight`, `{convex: 6 mm}`, `{concave: 60 mm}`.
 std::optional<double> profile_curvature(const Node& value) {
@@ -63,8 +61,7 @@ std::size_t count_of(const WrittenValues& values) {
 class FactorReader : VariedInput {
  public:
   /// `base`: the document without the study.
-  FactorReader(const StudyItem& study, const Source& source, const Node& root, Node& base,
-               ErrorList& errors)
+  FactorReader(const StudyItem& study, const Source& source, const Node& root, Node& base, ErrorList& errors)
       : VariedInput(source, root, base, errors), study_(study) {}
 
   /// Adds what is wrong with the keys of a factor, whatever their values.
@@ -84,8 +81,7 @@ class FactorReader : VariedInput {
              "`values`, or delete it");
     for (const std::string_view key : given) {
       if (study_.plan == Plan::derivatives)
-        refuse(key,
-               "expected a path only with `plan: derivatives`, which varies nothing; delete it");
+        refuse(key, "expected a path only with `plan: derivatives`, which varies nothing; delete it");
       else if (!sampled && key != "values")
         refuse(key, fmt::format("expected `values` with `plan: {}`, which lists its designs; write "
                                 "them, or draw samples with `plan: latin_hypercube`",
@@ -130,22 +126,19 @@ class FactorReader : VariedInput {
     entries_[index] = static_cast<std::size_t>(file.values.mechanism.contacts_per_roller);
     const Place at = locate(root_, path_ + ".path");
     Node list{.kind = Node::Kind::sequence, .place = at};
-    const Node zero =
-        scalar(with_unit("0", unit_of_way().value_or(std::string(slot.dimension->canonical))), at);
+    const Node zero = scalar(with_unit("0", unit_of_way().value_or(std::string(slot.dimension->canonical))), at);
     list.children.assign(entries_[index], zero);
     set_value(base_, item().path, std::move(list), at, errors_);
   }
 
   /// The factor, or one per entry of its list. `file` and `fields` are those of the base document.
-  std::vector<Factor> read(std::size_t index, CaseFile& file,
-                           const std::vector<EchoEntry>& fields) {
+  std::vector<Factor> read(std::size_t index, CaseFile& file, const std::vector<EchoEntry>& fields) {
     enter(index);
     if (entries_.empty() || entries_[index] == 0) {
       Factor factor = read_one(item().path, item().label.value_or(item().path), file, fields);
       for (std::size_t k = 0; k < study_.factors[index].companions.size(); ++k) {
         enter_companion(index, k);
-        factor.companions.push_back(
-            read_one(item().path, item().label.value_or(item().path), file, fields));
+        factor.companions.push_back(read_one(item().path, item().label.value_or(item().path), file, fields));
       }
       factor.kept = item().kept;
       return {std::move(factor)};
@@ -153,8 +146,7 @@ class FactorReader : VariedInput {
     std::vector<Factor> entries;
     for (std::size_t k = 0; k < entries_[index]; ++k) {
       entries.push_back(read_one(fmt::format("{}[{}]", item().path, k),
-                                 fmt::format("{}[{}]", item().label.value_or(item().path), k), file,
-                                 fields));
+                                 fmt::format("{}[{}]", item().label.value_or(item().path), k), file, fields));
       entries.back().entry_of_list = true;
       entries.back().with_previous = item().together && k > 0;
       entries.back().kept = item().kept;
@@ -177,35 +169,27 @@ class FactorReader : VariedInput {
   }
   const FactorItem& item() const { return item_; }
 
-  const Node* written(std::string_view key) const {
-    return find_path(root_, fmt::format("{}.{}", path_, key));
-  }
-  Place place_of(std::string_view key) const {
-    return locate(root_, fmt::format("{}.{}", path_, key));
-  }
+  const Node* written(std::string_view key) const { return find_path(root_, fmt::format("{}.{}", path_, key)); }
+  Place place_of(std::string_view key) const { return locate(root_, fmt::format("{}.{}", path_, key)); }
 
   void check_written_ends() {
     if (item().values && item().values->range) {
       const WrittenRange& range = *item().values->range;
-      check_ends("values", range, false,
-                 range.spacing == WrittenRange::Spacing::logarithmic ? "spacing" : "");
+      check_ends("values", range, false, range.spacing == WrittenRange::Spacing::logarithmic ? "spacing" : "");
     }
     if (item().uniform) check_ends("uniform", *item().uniform, true, "");
     if (item().log_uniform) check_ends("log_uniform", *item().log_uniform, true, "from");
   }
 
   /// `logarithmic`: the key to blame where the ends have no ratio, or nothing.
-  void check_ends(std::string_view way, const auto& written, bool ascending,
-                  std::string_view logarithmic) {
-    const std::optional<Ends> ends =
-        read_ends(fmt::format("{}.", way), written.from, written.to, ascending);
+  void check_ends(std::string_view way, const auto& written, bool ascending, std::string_view logarithmic) {
+    const std::optional<Ends> ends = read_ends(fmt::format("{}.", way), written.from, written.to, ascending);
     if (!ends || logarithmic.empty() || ends->from.number * ends->to.number > 0.0) return;
-    refuse_at(
-        fmt::format("{}.{}", way, logarithmic),
-        fmt::format("got logarithmic from {} to {}; expected ends of one sign, neither of them "
-                    "0; write `{}`",
-                    shown(written.from), shown(written.to),
-                    way == "values" ? "spacing: linear" : "uniform: {from: .., to: ..}"));
+    refuse_at(fmt::format("{}.{}", way, logarithmic),
+              fmt::format("got logarithmic from {} to {}; expected ends of one sign, neither of them "
+                          "0; write `{}`",
+                          shown(written.from), shown(written.to),
+                          way == "values" ? "spacing: linear" : "uniform: {from: .., to: ..}"));
   }
 
   /// Unit in which a distribution is written.
@@ -219,8 +203,7 @@ class FactorReader : VariedInput {
     return split ? std::optional(std::string(split->unit)) : std::nullopt;
   }
 
-  Factor read_one(const std::string& path, std::string label, CaseFile& file,
-                  const std::vector<EchoEntry>& fields) {
+  Factor read_one(const std::string& path, std::string label, CaseFile& file, const std::vector<EchoEntry>& fields) {
     const Slot slot = find_slot(file, path);
     Factor factor;
     factor.path = path;
@@ -249,8 +232,7 @@ class FactorReader : VariedInput {
 
   static std::vector<WrittenLevel> list_levels(const Node& values) {
     std::vector<WrittenLevel> levels;
-    for (const Node& value : values.children)
-      levels.push_back({value, {flow_text(value), std::nullopt}});
+    for (const Node& value : values.children) levels.push_back({value, {flow_text(value), std::nullopt}});
     return levels;
   }
 
@@ -268,35 +250,28 @@ class FactorReader : VariedInput {
     };
     std::vector<WrittenLevel> levels;
     for (int k = 0; k <= last; ++k) {
-      const Place place = k == 0      ? find(values, "from")->place
-                          : k == last ? find(values, "to")->place
-                                      : values.place;
+      const Place place = k == 0 ? find(values, "from")->place : k == last ? find(values, "to")->place : values.place;
       levels.push_back({scalar(text_at(k), place), {text_at(k), std::nullopt}});
     }
     return levels;
   }
 
   /// What the file says of a path, or the default.
-  std::optional<WrittenLevel> base_level(const std::string& path,
-                                         const std::vector<EchoEntry>& fields) const {
+  std::optional<WrittenLevel> base_level(const std::string& path, const std::vector<EchoEntry>& fields) const {
     const std::optional<Node> node = base_value(path, fields);
     return node ? std::optional(WrittenLevel{*node, {flow_text(*node), {}}}) : std::nullopt;
   }
 
   /// Numbers in the unit of the first level, or curvatures of profiles.
-  static void place_on_axis(std::vector<WrittenLevel>& levels, std::optional<WrittenLevel>& base,
-                            std::string& unit) {
+  static void place_on_axis(std::vector<WrittenLevel>& levels, std::optional<WrittenLevel>& base, std::string& unit) {
     const std::optional<NumberAndUnit> first = split_unit(levels[0].level.text);
     unit = first ? std::string(first->unit) : "1/mm";
     const auto place = [&](WrittenLevel& level) {
-      level.level.number =
-          first ? number_in(level.level.text, unit) : profile_curvature(level.value);
+      level.level.number = first ? number_in(level.level.text, unit) : profile_curvature(level.value);
     };
     std::ranges::for_each(levels, place);
     if (base) place(*base);
-    const auto has_number = [](const WrittenLevel& level) {
-      return level.level.number.has_value();
-    };
+    const auto has_number = [](const WrittenLevel& level) { return level.level.number.has_value(); };
     if (!std::ranges::any_of(levels, has_number)) unit.clear();
   }
 
@@ -315,14 +290,12 @@ class FactorReader : VariedInput {
   /// Whether a path leads to a number that can lie anywhere in an interval; else says why not.
   bool is_continuous(const std::string& path, const Slot& slot) {
     if (slot.kind == Slot::Kind::number) return true;
-    if (slot.kind == Slot::Kind::none && !check_in_place(path, scalar("0", place_of("path")), slot))
-      return false;
+    if (slot.kind == Slot::Kind::none && !check_in_place(path, scalar("0", place_of("path")), slot)) return false;
     refuse_at("path", fmt::format("got {}; expected the path of a number that may have any value "
                                   "between two; {}",
                                   shown(path),
-                                  is_sampled(study_.plan)
-                                      ? "write the values that it may have, `values: [.., ..]`"
-                                      : "leave this factor out"));
+                                  is_sampled(study_.plan) ? "write the values that it may have, `values: [.., ..]`"
+                                                          : "leave this factor out"));
     return false;
   }
 
@@ -330,8 +303,7 @@ class FactorReader : VariedInput {
     const FactorItem& f = item();
     const std::optional<NumberAndUnit> in_file = base ? split_unit(base->level.text) : std::nullopt;
     factor.unit = unit_of_way().value_or("");
-    if (in_file && !f.uniform && !f.log_uniform && !(f.normal && f.normal->mean))
-      factor.unit = in_file->unit;
+    if (in_file && !f.uniform && !f.log_uniform && !(f.normal && f.normal->mean)) factor.unit = in_file->unit;
     std::optional<double> value;
     if (base) value = base->level.number = number_in(base->level.text, factor.unit);
 
@@ -361,23 +333,20 @@ class FactorReader : VariedInput {
     const WrittenNormal& normal = *item().normal;
     const std::optional<NumberAndUnit> mean = normal.mean ? split_unit(*normal.mean) : std::nullopt;
     if (normal.mean && !mean)
-      return refuse_at("normal.mean",
-                       fmt::format("got {}; expected a number with its unit as in the file; write "
-                                   "for example `mean: 5 mm`",
-                                   shown(*normal.mean)));
+      return refuse_at("normal.mean", fmt::format("got {}; expected a number with its unit as in the file; write "
+                                                  "for example `mean: 5 mm`",
+                                                  shown(*normal.mean)));
     if (!mean && !value)
-      return refuse_at("normal",
-                       fmt::format("missing `mean`; expected it where the file says nothing of {}; "
-                                   "add for example `mean: {}`",
-                                   shown(factor.path), with_unit("0", factor.unit)));
+      return refuse_at("normal", fmt::format("missing `mean`; expected it where the file says nothing of {}; "
+                                             "add for example `mean: {}`",
+                                             shown(factor.path), with_unit("0", factor.unit)));
     const std::optional<double> deviation = difference_in(normal.deviation, factor.unit);
     if (!deviation || !(*deviation > 0.0))
-      return refuse_at(
-          "normal.deviation",
-          fmt::format("got {}; expected a number > 0 that goes with the unit {}; "
-                      "write for example `deviation: {}`",
-                      shown(normal.deviation), factor.unit.empty() ? "none" : shown(factor.unit),
-                      with_unit("0.01", factor.unit)));
+      return refuse_at("normal.deviation",
+                       fmt::format("got {}; expected a number > 0 that goes with the unit {}; "
+                                   "write for example `deviation: {}`",
+                                   shown(normal.deviation), factor.unit.empty() ? "none" : shown(factor.unit),
+                                   with_unit("0.01", factor.unit)));
     factor.distribution = {Distribution::Kind::normal, mean ? mean->number : *value, *deviation};
     if (mean) check_in_place(factor.path, *written("normal.mean"), slot);
   }
@@ -425,15 +394,11 @@ class FactorReader : VariedInput {
       return refuse(" of no single value in the file; expected a value there",
                     "`uniform: {from: .., to: ..}`, or name one of several as `.screw`");
     if (has_share && *value == 0.0)
-      return refuse(
-          " of 0; expected a value other than 0 in the file, or a half width with its unit",
-          fmt::format("for example `within: {}`", width));
-    const auto amount = [&](const Deviation& d) {
-      return d.is_share ? d.number * std::abs(*value) : d.number;
-    };
+      return refuse(" of 0; expected a value other than 0 in the file, or a half width with its unit",
+                    fmt::format("for example `within: {}`", width));
+    const auto amount = [&](const Deviation& d) { return d.is_share ? d.number * std::abs(*value) : d.number; };
     const double above = amount(*upper), below = two ? amount(*lower) : -above;
-    if (!(below < above))
-      return refuse("; expected the lower deviation, then the upper", "`[-0.01 mm, 0.03 mm]`");
+    if (!(below < above)) return refuse("; expected the lower deviation, then the upper", "`[-0.01 mm, 0.03 mm]`");
     factor.distribution = {Distribution::Kind::uniform, *value + below, *value + above};
     for (const double end : {factor.distribution.first, factor.distribution.second})
       check_in_place(factor.path, scalar(with_unit(end, factor.unit), place_of("within")), slot);
@@ -453,20 +418,17 @@ void check_number_of_levels(const StudyItem& item, const Node& root, ErrorList& 
   }
   if (count > kMostLevels)
     refuse(root, "study.factors",
-           fmt::format("got {} values; expected at most {}; write ranges with fewer steps", count,
-                       kMostLevels),
+           fmt::format("got {} values; expected at most {}; write ranges with fewer steps", count, kMostLevels),
            errors);
 }
 
-void check_responses(const std::vector<std::string>& responses, const Node& root,
-                     ErrorList& errors) {
+void check_responses(const std::vector<std::string>& responses, const Node& root, ErrorList& errors) {
   for (std::size_t k = 0; k < responses.size(); ++k) {
-    if (std::find(responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(k),
-                  responses[k]) == responses.begin() + static_cast<std::ptrdiff_t>(k))
+    if (std::find(responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(k), responses[k]) ==
+        responses.begin() + static_cast<std::ptrdiff_t>(k))
       continue;
     refuse(root, fmt::format("study.responses[{}]", k),
-           fmt::format("got {} a second time; expected each path once; delete one of them",
-                       shown(responses[k])),
+           fmt::format("got {} a second time; expected each path once; delete one of them", shown(responses[k])),
            errors);
   }
 }
@@ -479,15 +441,14 @@ void check_size(const Study& study, const Node& root, ErrorList& errors) {
   const std::vector<std::size_t> blocks = blocks_of(study);
   if (study.plan == Plan::sobol_indices) designs *= static_cast<double>(blocks.size() + 2);
   if (study.plan == Plan::tolerances)
-    designs *= 1.0 + static_cast<double>(std::ranges::count_if(
-                         blocks, [&](std::size_t f) { return !study.factors[f].kept; }));
+    designs *=
+        1.0 + static_cast<double>(std::ranges::count_if(blocks, [&](std::size_t f) { return !study.factors[f].kept; }));
   if (study.plan == Plan::grid)
     for (const Factor& factor : study.factors) designs *= static_cast<double>(factor.levels.size());
   if (designs + 1.0 > static_cast<double>(kMostDesigns)) {
     const bool sampled = is_sampled(study.plan);
     refuse(root, sampled ? "study.samples" : "study.factors",
-           fmt::format("got {:.6g} designs; expected fewer than {} with the base case; {}", designs,
-                       kMostDesigns,
+           fmt::format("got {:.6g} designs; expected fewer than {} with the base case; {}", designs, kMostDesigns,
                        sampled ? "take fewer samples"
                                : "take fewer values, or draw samples with "
                                  "`plan: latin_hypercube`"),
@@ -496,12 +457,11 @@ void check_size(const Study& study, const Node& root, ErrorList& errors) {
   const std::size_t dimensions = study.plan == Plan::sobol_indices ? 2 * factors : factors;
   const bool sobol = study.plan == Plan::sobol || study.plan == Plan::sobol_indices;
   if (sobol && dimensions > kMostSobolDimensions)
-    refuse(
-        root, "study.factors",
-        fmt::format("got {} factors; expected at most {} with `plan: {}`; take `plan: "
-                    "latin_hypercube` or `monte_carlo`",
-                    factors, kMostSobolDimensions / (dimensions / factors), plan_name(study.plan)),
-        errors);
+    refuse(root, "study.factors",
+           fmt::format("got {} factors; expected at most {} with `plan: {}`; take `plan: "
+                       "latin_hypercube` or `monte_carlo`",
+                       factors, kMostSobolDimensions / (dimensions / factors), plan_name(study.plan)),
+           errors);
 }
 
 StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& errors) {
@@ -513,8 +473,7 @@ StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& error
   StudyItem item = *file.study;
   for (FactorItem& factor : item.factors) {
     take_indices(root, factor.path, factor.label);
-    for (CompanionItem& companion : factor.companions)
-      take_indices(root, companion.path, companion.label);
+    for (CompanionItem& companion : factor.companions) take_indices(root, companion.path, companion.label);
   }
   if (item.responses)
     for (std::string& path : *item.responses) path = response_path(root, file.load_cases, path);
@@ -523,8 +482,7 @@ StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& error
 
 }  // namespace
 
-std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases,
-                          const std::string& path) {
+std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases, const std::string& path) {
   constexpr std::string_view kBlock = "load_cases[";
   const std::string indexed = with_indices(root, path.substr(0, path.find(']') + 1));
   if (!path.starts_with(kBlock) || path.starts_with(indexed)) return path;
@@ -538,8 +496,7 @@ StudyInput read_study_input(const Source& source) {
   CaseFile file = read_case_file(root, errors);
   const StudyItem item = written_study(file, root, errors);
   checked_case(file, root, item.command, errors);
-  check_paths(set_paths(item.factors, "study.factors"), "factor", item.plan == Plan::one_at_a_time,
-              root, errors);
+  check_paths(set_paths(item.factors, "study.factors"), "factor", item.plan == Plan::one_at_a_time, root, errors);
   check_number_of_levels(item, root, errors);
   errors.throw_if_any();
 
@@ -562,18 +519,14 @@ StudyInput read_study_input(const Source& source) {
   input.study.seed = static_cast<std::uint64_t>(item.seed);
   const std::vector<EchoEntry> fields = echo(file, input.base);
   for (std::size_t i = 0; i < item.factors.size(); ++i)
-    for (Factor& factor : reader.read(i, file, fields))
-      input.study.factors.push_back(std::move(factor));
+    for (Factor& factor : reader.read(i, file, fields)) input.study.factors.push_back(std::move(factor));
   for (std::size_t i = 0; i < item.factors.size(); ++i) {
     const auto refused = [&](std::string_view key, std::string_view why) {
-      refuse(root, fmt::format("study.factors[{}].{}", i, key),
-             fmt::format("got true; expected it {}; delete it", why), errors);
+      refuse(root, fmt::format("study.factors[{}].{}", i, key), fmt::format("got true; expected it {}; delete it", why),
+             errors);
     };
-    const auto is_list = [&](const Factor& f) {
-      return f.with_previous && f.path.starts_with(item.factors[i].path);
-    };
-    if (item.factors[i].kept && item.plan != Plan::tolerances)
-      refused("kept", "only with the plan tolerances");
+    const auto is_list = [&](const Factor& f) { return f.with_previous && f.path.starts_with(item.factors[i].path); };
+    if (item.factors[i].kept && item.plan != Plan::tolerances) refused("kept", "only with the plan tolerances");
     if (item.factors[i].together && std::ranges::none_of(input.study.factors, is_list))
       refused("together", "only beside the path of a list of numbers, two or more");
   }

@@ -20,8 +20,7 @@ StudyInput read_study_input(const Source& source);
 
 /// `load_cases[3].converged` of `load_cases[push].converged`, where the load cases before `push`
 /// have three points; other paths as they are.
-std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases,
-                          const std::string& path);
+std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases, const std::string& path);
 
 /// A design's file, its values not yet checked against each other.
 struct DesignFile {

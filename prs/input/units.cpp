@@ -40,23 +40,18 @@ constexpr Unit kPressure[] = {{{"Pa", "N/m^2"}},
                               {{"psi", "lbf/in^2"}, kPoundForce / (kInch * kInch)},
                               {{"ksi"}, 1e3 * kPoundForce / (kInch * kInch)}};
 
-constexpr Unit kDensity[] = {{{"kg/m^3"}},
-                             {{"g/cm^3", "kg/dm^3", "t/m^3"}, 1e3},
-                             {{"lb/in^3"}, kPound / (kInch * kInch * kInch)}};
+constexpr Unit kDensity[] = {
+    {{"kg/m^3"}}, {{"g/cm^3", "kg/dm^3", "t/m^3"}, 1e3}, {{"lb/in^3"}, kPound / (kInch * kInch * kInch)}};
 
-constexpr Unit kViscosity[] = {
-    {{"Pa s", "Pa*s", "Pa.s"}}, {{"mPa s", "mPa*s", "mPa.s"}, 1.0, 1e3}, {{"cP"}, 1.0, 1e3}};
+constexpr Unit kViscosity[] = {{{"Pa s", "Pa*s", "Pa.s"}}, {{"mPa s", "mPa*s", "mPa.s"}, 1.0, 1e3}, {{"cP"}, 1.0, 1e3}};
 
 constexpr Unit kKinematicViscosity[] = {{{"mm^2/s"}, 1.0, 1e6}, {{"cSt"}, 1.0, 1e6}, {{"m^2/s"}}};
 
-constexpr Unit kPressureViscosity[] = {{{"1/Pa", "Pa^-1", "m^2/N"}},
-                                       {{"1/MPa", "MPa^-1", "mm^2/N"}, 1.0, 1e6},
-                                       {{"1/GPa", "GPa^-1"}, 1.0, 1e9}};
+constexpr Unit kPressureViscosity[] = {
+    {{"1/Pa", "Pa^-1", "m^2/N"}}, {{"1/MPa", "MPa^-1", "mm^2/N"}, 1.0, 1e6}, {{"1/GPa", "GPa^-1"}, 1.0, 1e9}};
 
-constexpr Unit kRotationalSpeed[] = {{{"rpm", "rev/min"}, pi, 30.0},
-                                     {{"1/min", "min^-1"}, pi, 30.0},
-                                     {{"rad/s"}},
-                                     {{"deg/s"}, pi, 180.0}};
+constexpr Unit kRotationalSpeed[] = {
+    {{"rpm", "rev/min"}, pi, 30.0}, {{"1/min", "min^-1"}, pi, 30.0}, {{"rad/s"}}, {{"deg/s"}, pi, 180.0}};
 
 constexpr Unit kTravelSpeed[] = {{{"mm/s"}, 1.0, 1e3},          {{"m/s"}},
                                  {{"m/min"}, 1.0, 60.0},        {{"mm/min"}, 1.0, 6e4},
@@ -82,15 +77,13 @@ constexpr Unit kTorque[] = {{{"N m", "Nm", "N*m"}},
                             {{"lbf in", "in lbf", "lbf*in"}, kPoundForce* kInch},
                             {{"lbf ft", "ft lbf", "lbf*ft"}, kPoundForce * 12.0 * kInch}};
 
-constexpr Unit kTiltStiffness[] = {{{"N m/rad", "Nm/rad"}},
-                                   {{"kN m/rad", "kNm/rad"}, 1e3},
-                                   {{"lbf in/rad", "in lbf/rad"}, kPoundForce* kInch}};
+constexpr Unit kTiltStiffness[] = {
+    {{"N m/rad", "Nm/rad"}}, {{"kN m/rad", "kNm/rad"}, 1e3}, {{"lbf in/rad", "in lbf/rad"}, kPoundForce* kInch}};
 
 constexpr Unit kThermalExpansion[] = {
     {{"um/m/K", "ppm/K"}, 1.0, 1e6}, {{"1/K"}}, {{"uin/in/degF", "ppm/degF"}, 1.8, 1e6}};
 
-constexpr Unit kDuration[] = {
-    {{"s"}}, {{"ms"}, 1.0, 1e3}, {{"min"}, 60.0}, {{"h"}, 3600.0}, {{"d"}, 86400.0}};
+constexpr Unit kDuration[] = {{{"s"}}, {{"ms"}, 1.0, 1e3}, {{"min"}, 60.0}, {{"h"}, 3600.0}, {{"d"}, 86400.0}};
 
 constexpr Unit kWear[] = {{{"mm^3/(N m)", "mm^3/Nm", "mm³/(N m)"}, 1.0, 1e9},
                           {{"um^3/(N m)", "µm^3/(N m)", "μm^3/(N m)"}, 1.0, 1e18},
@@ -105,20 +98,17 @@ constexpr Unit kTemperatureCoefficient[] = {{{"1/K"}}, {{"%/K"}, 1.0, 100.0}};
 
 constexpr Unit kHeatCapacity[] = {{{"J/K"}}, {{"kJ/K"}, 1e3}};
 
-constexpr Unit kSpecificHeat[] = {{{"J/(kg K)", "J/kg/K", "J/(kg*K)"}},
-                                  {{"kJ/(kg K)", "kJ/kg/K", "kJ/(kg*K)"}, 1e3}};
+constexpr Unit kSpecificHeat[] = {{{"J/(kg K)", "J/kg/K", "J/(kg*K)"}}, {{"kJ/(kg K)", "kJ/kg/K", "kJ/(kg*K)"}, 1e3}};
 
-constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15},
-                                 {{"K"}},
-                                 {{"degF", "°F"}, 5.0, 9.0, 459.67 * 5.0 / 9.0}};
+constexpr Unit kTemperature[] = {
+    {{"degC", "°C", "C"}, 1.0, 1.0, 273.15}, {{"K"}}, {{"degF", "°F"}, 5.0, 9.0, 459.67 * 5.0 / 9.0}};
 
 constexpr Unit kShare[] = {{{"%"}, 1.0, 100.0}};
 
 constexpr Unit kMass[] = {{{"kg"}}, {{"g"}, 1.0, 1e3}, {{"t"}, 1e3}, {{"lb"}, kPound}};
 
-constexpr Unit kSpeed[] = {
-    {{"mm/min"}, 1.0, 60e3},    {{"m/min"}, 1.0, 60.0}, {{"mm/s"}, 1.0, 1e3},     {{"m/s"}},
-    {{"in/min"}, kInch / 60.0}, {{"in/s"}, kInch},      {{"ft/min"}, kInch / 5.0}};
+constexpr Unit kSpeed[] = {{{"mm/min"}, 1.0, 60e3},    {{"m/min"}, 1.0, 60.0}, {{"mm/s"}, 1.0, 1e3},     {{"m/s"}},
+                           {{"in/min"}, kInch / 60.0}, {{"in/s"}, kInch},      {{"ft/min"}, kInch / 5.0}};
 
 constexpr Unit kDistance[] = {{{"km"}, 1e3}, {{"m"}}};
 
@@ -136,20 +126,16 @@ const Dimension angle{"an angle", "45 deg", "deg", kAngle};
 const Dimension pressure{"a pressure", "210 GPa", "MPa", kPressure};
 const Dimension density{"a density", "7810 kg/m^3", "kg/m^3", kDensity};
 const Dimension viscosity{"a dynamic viscosity", "160 mPa s", "mPa s", kViscosity};
-const Dimension kinematic_viscosity{"a kinematic viscosity", "46 mm^2/s", "mm^2/s",
-                                    kKinematicViscosity};
-const Dimension pressure_viscosity{"a pressure-viscosity coefficient", "30 1/GPa", "1/GPa",
-                                   kPressureViscosity};
-const Dimension rotational_speed{"a rotational speed", "400 rpm", "rpm", kRotationalSpeed,
-                                 &travel_speed};
+const Dimension kinematic_viscosity{"a kinematic viscosity", "46 mm^2/s", "mm^2/s", kKinematicViscosity};
+const Dimension pressure_viscosity{"a pressure-viscosity coefficient", "30 1/GPa", "1/GPa", kPressureViscosity};
+const Dimension rotational_speed{"a rotational speed", "400 rpm", "rpm", kRotationalSpeed, &travel_speed};
 const Dimension travel_speed{"a speed along the axis", "200 mm/s", "mm/s", kTravelSpeed};
 const Dimension hertz_constant{"a Hertz constant", "3.6e5 N/mm^1.5", "N/mm^1.5", kHertzConstant};
 const Dimension stiffness{"a stiffness", "2e4 N/mm", "N/mm", kStiffness};
 const Dimension tilt_stiffness{"a tilting stiffness", "2e5 N m/rad", "N m/rad", kTiltStiffness};
 const Dimension torque{"a torque", "0.1 N m", "N m", kTorque};
 const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
-const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K",
-                                  kThermalExpansion};
+const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K", kThermalExpansion};
 const Dimension duration{"a duration", "1 h", "s", kDuration};
 const Dimension hours{"a duration", "20000 h", "h", kDuration};
 const Dimension share{"a share", "95 %", "%", kShare};
@@ -159,10 +145,8 @@ const Dimension distance{"a distance", "500 km", "km", kDistance};
 const Dimension inertia{"a moment of inertia", "5 kg cm^2", "kg cm^2", kInertia};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
-const Dimension thermal_conductivity{"a thermal conductivity", "45 W/(m K)", "W/(m K)",
-                                     kThermalConductivity};
-const Dimension temperature_coefficient{"a temperature coefficient", "0.035 1/K", "1/K",
-                                        kTemperatureCoefficient};
+const Dimension thermal_conductivity{"a thermal conductivity", "45 W/(m K)", "W/(m K)", kThermalConductivity};
+const Dimension temperature_coefficient{"a temperature coefficient", "0.035 1/K", "1/K", kTemperatureCoefficient};
 const Dimension heat_capacity{"a heat capacity", "400 J/K", "J/K", kHeatCapacity};
 const Dimension specific_heat{"a specific heat", "460 J/(kg K)", "J/(kg K)", kSpecificHeat};
 }  // namespace unit
@@ -239,8 +223,7 @@ bool takes_fractions(std::string_view unit) {
 
 /// `1 1/4 in`, `1-1/4 in`, `5/8 in`. `rest` follows the first number.
 std::optional<Head> split_fraction(std::string_view text, std::string_view rest) {
-  if (rest.empty() || std::string_view(" -/").find(rest[0]) == std::string_view::npos)
-    return std::nullopt;
+  if (rest.empty() || std::string_view(" -/").find(rest[0]) == std::string_view::npos) return std::nullopt;
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
   const std::optional<double> first = take_whole(text);
@@ -281,8 +264,7 @@ Head split_number(std::string_view text) {
 bool names_no_number(std::string_view text) {
   std::string word;
   for (char c : text.substr(0, 8))
-    if (c != '.' && c != '+' && c != '-')
-      word += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    if (c != '.' && c != '+' && c != '-') word += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
   return word.starts_with("nan") || word.starts_with("inf");
 }
 
@@ -316,15 +298,14 @@ constexpr Slang kSlang[] = {{"inch", "in"},
 std::string plain_spelling(std::string_view symbol) {
   std::string plain;
   for (std::size_t k = 0; k < symbol.size(); ++k) {
-    constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
-        {"²", "2"}, {"³", "3"}, {"µ", "u"}, {"μ", "u"}, {"·", ""}, {"°", "deg"}};
-    const auto* const sign = std::ranges::find_if(
-        kSigns, [&](const auto& s) { return symbol.substr(k).starts_with(s.first); });
+    constexpr std::pair<std::string_view, std::string_view> kSigns[] = {{"²", "2"}, {"³", "3"}, {"µ", "u"},
+                                                                        {"μ", "u"}, {"·", ""},  {"°", "deg"}};
+    const auto* const sign =
+        std::ranges::find_if(kSigns, [&](const auto& s) { return symbol.substr(k).starts_with(s.first); });
     if (sign != std::end(kSigns)) {
       plain += sign->second;
       k += sign->first.size() - 1;
-    } else if (const char c = symbol[k];
-               std::string_view("^* .").find(c) == std::string_view::npos) {
+    } else if (const char c = symbol[k]; std::string_view("^* .").find(c) == std::string_view::npos) {
       plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
     }
   }
@@ -335,15 +316,13 @@ std::string plain_spelling(std::string_view symbol) {
 std::string unit_meant(std::string_view symbol, const Dimension& dimension) {
   const std::string plain = plain_spelling(symbol.substr(0, 40));
   for (const auto& [written, unit, remark] : kSlang)
-    if (plain == written && find_unit(unit, dimension))
-      return fmt::format("write `{}`{}", unit, remark);
+    if (plain == written && find_unit(unit, dimension)) return fmt::format("write `{}`{}", unit, remark);
   for (const Unit& u : dimension.units)
     for (const std::string_view spelling : u.spellings) {
       if (spelling.empty() || plain_spelling(spelling) != plain) continue;
       // `mPa` may have been meant.
       const bool is_milli = symbol[0] == 'm' && spelling[0] == 'M';
-      return fmt::format("{} `{}`{}", is_milli ? "did you mean" : "write", spelling,
-                         is_milli ? "?" : "");
+      return fmt::format("{} `{}`{}", is_milli ? "did you mean" : "write", spelling, is_milli ? "?" : "");
     }
   return {};
 }
@@ -363,8 +342,7 @@ const Unit* find_unit(std::string_view symbol, const Dimension& dimension) {
 std::optional<double> to_si(double number, const Unit& unit) {
   const double value = number * unit.multiply / unit.divide + unit.offset;
   const double magnitude = std::abs(value);
-  if (!(magnitude <= kLargest) || (magnitude < kSmallest && number != 0.0 && unit.offset == 0.0))
-    return std::nullopt;
+  if (!(magnitude <= kLargest) || (magnitude < kSmallest && number != 0.0 && unit.offset == 0.0)) return std::nullopt;
   return value;
 }
 
@@ -374,14 +352,13 @@ bool zero_depends_on_unit(const Dimension& dimension) {
 
 ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension) {
   const Head head = split_number(text);
-  if (!head.number)
-    return {std::nullopt, names_no_number(text) ? "NaN and infinity are no values" : ""};
+  if (!head.number) return {std::nullopt, names_no_number(text) ? "NaN and infinity are no values" : ""};
   if (head.rest.empty()) {
     const bool fraction = &dimension == &unit::share && *head.number <= 1.0;
-    return {std::nullopt, fmt::format("write the unit, for example `{} {}` (units: {})",
-                                      fraction ? fmt::format("{:g}", 100.0 * *head.number)
-                                               : std::string(text.substr(0, 40)),
-                                      dimension.canonical, unit_list(dimension))};
+    return {std::nullopt,
+            fmt::format("write the unit, for example `{} {}` (units: {})",
+                        fraction ? fmt::format("{:g}", 100.0 * *head.number) : std::string(text.substr(0, 40)),
+                        dimension.canonical, unit_list(dimension))};
   }
   if (head.rest.starts_with(','))
     return {std::nullopt, "write the decimal mark as a point, without thousands separators"};
@@ -390,16 +367,13 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
   const Unit* u = find_unit(symbol, dimension);
   if (!u) {
     if (dimension.by_lead && find_unit(symbol, *dimension.by_lead))
-      if (ParsedQuantity along_axis = parse_quantity(text, *dimension.by_lead); !along_axis.value)
-        return along_axis;
+      if (ParsedQuantity along_axis = parse_quantity(text, *dimension.by_lead); !along_axis.value) return along_axis;
     const Dimension* other = dimension_of(symbol);
-    if (symbol.starts_with('\t'))
-      return {std::nullopt, "there is a tab between number and unit; write a blank"};
+    if (symbol.starts_with('\t')) return {std::nullopt, "there is a tab between number and unit; write a blank"};
     const std::string meant = unit_meant(symbol, dimension);
-    return {std::nullopt,
-            fmt::format("`{}` is {}; {}", symbol.substr(0, 40),
-                        other ? fmt::format("the unit of {}", other->name) : "not a known unit",
-                        meant.empty() ? "use one of the units " + unit_list(dimension) : meant)};
+    return {std::nullopt, fmt::format("`{}` is {}; {}", symbol.substr(0, 40),
+                                      other ? fmt::format("the unit of {}", other->name) : "not a known unit",
+                                      meant.empty() ? "use one of the units " + unit_list(dimension) : meant)};
   }
   const std::optional<double> value = head.representable ? to_si(*head.number, *u) : std::nullopt;
   if (!value) return {std::nullopt, "its magnitude is beyond any machine; check number and unit"};
@@ -447,8 +421,7 @@ std::optional<double> number_in(std::string_view text, std::string_view unit) {
     const Unit* from = find_unit(split->unit, *dimension);
     const Unit* to = find_unit(unit, *dimension);
     if (from && to)
-      return (split->number * from->multiply / from->divide + from->offset - to->offset) /
-             to->multiply * to->divide;
+      return (split->number * from->multiply / from->divide + from->offset - to->offset) / to->multiply * to->divide;
   }
   return std::nullopt;
 }

@@ -18,8 +18,8 @@ struct Bounds {
   bool zero_excluded = false;
 
   constexpr bool contain(double v) const {
-    return (least_excluded ? v > least : v >= least) &&
-           (greatest_excluded ? v < greatest : v <= greatest) && !(zero_excluded && v == 0.0);
+    return (least_excluded ? v > least : v >= least) && (greatest_excluded ? v < greatest : v <= greatest) &&
+           !(zero_excluded && v == 0.0);
   }
 };
 
@@ -29,9 +29,7 @@ inline constexpr Bounds not_negative{.least = 0.0};
 inline constexpr Bounds not_zero{.zero_excluded = true};
 
 /// Both ends excluded.
-constexpr Bounds between(double least, double greatest) {
-  return {least, greatest, true, true, false};
-}
+constexpr Bounds between(double least, double greatest) { return {least, greatest, true, true, false}; }
 
 /// Bytes of a line of text.
 inline constexpr int kLongestText = 100;

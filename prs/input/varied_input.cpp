@@ -23,8 +23,8 @@ bool is_part_of(std::string_view path, std::string_view whole) {
          (path[whole.size()] == '.' || path[whole.size()] == '[');
 }
 
-void check_paths(const std::vector<SetPath>& paths, std::string_view noun, bool one_at_a_time,
-                 const Node& root, ErrorList& errors) {
+void check_paths(const std::vector<SetPath>& paths, std::string_view noun, bool one_at_a_time, const Node& root,
+                 ErrorList& errors) {
   for (std::size_t i = 0; i < paths.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const SetPath &own = paths[i], &other = paths[k];
@@ -59,8 +59,7 @@ bool VariedInput::check_outside(std::string_view key, std::string_view path) con
   return true;
 }
 
-std::optional<Node> VariedInput::base_value(std::string_view path,
-                                            const std::vector<EchoEntry>& fields) const {
+std::optional<Node> VariedInput::base_value(std::string_view path, const std::vector<EchoEntry>& fields) const {
   if (const Node* node = find_path(base_, path)) return *node;
   const auto entry = std::ranges::find(fields, path, &EchoEntry::path);
   return entry == fields.end() ? std::nullopt : std::optional(scalar(entry->value, {}));
@@ -71,42 +70,36 @@ bool VariedInput::check_in_place(const std::string& path, const Node& value) con
   ErrorList found(source_);
   Node design = base_;
   if (set_value(design, path, value, at, found)) read_case_file(design, found);
-  errors_.take(found, [&](Place place) {
-    return place == at || stands_in(value, place) ? place : value.place;
-  });
+  errors_.take(found, [&](Place place) { return place == at || stands_in(value, place) ? place : value.place; });
   return found.empty();
 }
 
-std::optional<VariedInput::Ends> VariedInput::read_ends(std::string_view prefix,
-                                                        std::string_view written_from,
-                                                        std::string_view written_to,
-                                                        bool ascending) const {
+std::optional<VariedInput::Ends> VariedInput::read_ends(std::string_view prefix, std::string_view written_from,
+                                                        std::string_view written_to, bool ascending) const {
   const auto refuse = [&](std::string_view key, std::string_view message) {
     refuse_at(fmt::format("{}{}", prefix, key), message);
     return std::nullopt;
   };
   const std::optional<NumberAndUnit> from = split_unit(written_from), to = split_unit(written_to);
   if (!from || !to)
-    return refuse(from ? "to" : "from",
-                  fmt::format("got {}; expected a number with its unit as in the file; of words "
-                              "write a list `values: [.., ..]`",
-                              shown(from ? written_to : written_from)));
+    return refuse(from ? "to" : "from", fmt::format("got {}; expected a number with its unit as in the file; of words "
+                                                    "write a list `values: [.., ..]`",
+                                                    shown(from ? written_to : written_from)));
   if (!from->unit.empty() && !is_unit(from->unit) && from->unit != to->unit)
     return refuse("from", fmt::format("got {}; expected a number with its unit; `{}` is not a "
                                       "known unit; write both ends in the same unit",
                                       shown(written_from), from->unit));
   if (from->unit != to->unit)
-    return refuse(
-        "to", fmt::format("got {}; expected the unit of `from`, {}; write both ends in the same "
-                          "unit",
-                          shown(written_to), from->unit.empty() ? "none" : shown(from->unit)));
+    return refuse("to", fmt::format("got {}; expected the unit of `from`, {}; write both ends in the same "
+                                    "unit",
+                                    shown(written_to), from->unit.empty() ? "none" : shown(from->unit)));
   if (from->number == to->number)
     return refuse("to", fmt::format("got {}; expected another value than that of `from`; write a "
                                     "list for a single value",
                                     shown(written_to)));
   if (ascending && from->number > to->number)
-    return refuse("to", fmt::format("got {}; expected more than `from`, {}; swap the two",
-                                    shown(written_to), shown(written_from)));
+    return refuse("to", fmt::format("got {}; expected more than `from`, {}; swap the two", shown(written_to),
+                                    shown(written_from)));
   return Ends{*from, *to};
 }
 
@@ -127,8 +120,8 @@ struct Path {
     return index;
   }
   Path rest() const {
-    std::string_view rest = text.substr(
-        text.starts_with('[') ? text.find(']') + 1 : std::min(key().size(), text.size()));
+    std::string_view rest =
+        text.substr(text.starts_with('[') ? text.find(']') + 1 : std::min(key().size(), text.size()));
     if (rest.starts_with('.')) rest.remove_prefix(1);
     return {rest};
   }
@@ -160,26 +153,20 @@ class SlotFinder {
   void find(const Leaf<Kind, T>&) const {
     find_other();
   }
-  void find(const Leaf<Quantity, double>& leaf) const {
-    add(leaf.value, &leaf.kind.dimension, leaf.kind.bounds);
-  }
-  void find(const Leaf<Held, double>& leaf) const {
-    add(leaf.value, &leaf.kind.dimension, leaf.kind.least);
-  }
+  void find(const Leaf<Quantity, double>& leaf) const { add(leaf.value, &leaf.kind.dimension, leaf.kind.bounds); }
+  void find(const Leaf<Held, double>& leaf) const { add(leaf.value, &leaf.kind.dimension, leaf.kind.least); }
   void find(const Leaf<Number, double>& leaf) const { add(leaf.value, nullptr, leaf.kind.bounds); }
   void find(const Leaf<Whole, int>& leaf) const {
     if (!path_.ends()) return;
     slot_.kind = Slot::Kind::whole;
-    slot_.bounds = {.least = static_cast<double>(leaf.kind.least),
-                    .greatest = static_cast<double>(leaf.kind.greatest)};
+    slot_.bounds = {.least = static_cast<double>(leaf.kind.least), .greatest = static_cast<double>(leaf.kind.greatest)};
     slot_.whole = &leaf.value;
   }
 
   void find(const ChoiceValue& choice) const {
     find_other();
     for (const Alternative& a : choice.alternatives())
-      if (a.content && a.holds && a.name == path_.key())
-        SlotFinder(path_.rest(), slot_).find(a.content());
+      if (a.content && a.holds && a.name == path_.key()) SlotFinder(path_.rest(), slot_).find(a.content());
   }
   void find(const ChoiceUnderKey& under) const {
     SlotFinder(path_.key() == under.key ? path_.rest() : path_, slot_).find(under.choice);
@@ -215,8 +202,7 @@ class SlotFinder {
       case Form::number:
         return find(value.are_several ? several : one);
       case Form::parts:
-        return key == "screw" || key == "roller" || key == "nut" ? find(several)
-                                                                 : find_all(several);
+        return key == "screw" || key == "roller" || key == "nut" ? find(several) : find_all(several);
       case Form::ends:
         if (key == "near" || key == "far" || value.are_several) return find(several);
         return path_.ends() ? find(one) : find_all(several);
@@ -272,8 +258,7 @@ std::optional<double> slot_value(const Slot& slot, std::string_view text) {
     const bool whole = error == std::errc{} && stop == text.data() + text.size();
     return whole ? within(slot.bounds, static_cast<double>(value)) : std::nullopt;
   }
-  return within(slot.bounds,
-                slot.dimension ? parse_quantity(text, *slot.dimension).value : parse_number(text));
+  return within(slot.bounds, slot.dimension ? parse_quantity(text, *slot.dimension).value : parse_number(text));
 }
 
 void set(const Slot& slot, double value) {

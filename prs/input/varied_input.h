@@ -26,8 +26,7 @@ std::vector<SetPath> set_paths(const Items& items, std::string_view list) {
     const std::string at = fmt::format("{}[{}]", list, i);
     paths.push_back({items[i].path, at + ".path", i});
     for (std::size_t k = 0; k < items[i].companions.size(); ++k)
-      paths.push_back(
-          {items[i].companions[k].path, fmt::format("{}.with[{}].path", at, k), i, true});
+      paths.push_back({items[i].companions[k].path, fmt::format("{}.with[{}].path", at, k), i, true});
   }
   return paths;
 }
@@ -37,8 +36,8 @@ bool is_part_of(std::string_view path, std::string_view whole);
 
 /// Adds an error where two paths set the same value in one design. `noun`: a factor or a variable.
 /// `one_at_a_time`: each factor and its companions vary alone.
-void check_paths(const std::vector<SetPath>& paths, std::string_view noun, bool one_at_a_time,
-                 const Node& root, ErrorList& errors);
+void check_paths(const std::vector<SetPath>& paths, std::string_view noun, bool one_at_a_time, const Node& root,
+                 ErrorList& errors);
 
 /// Reads inputs that a study or an optimization sets, one after the other.
 class VariedInput {

@@ -25,9 +25,8 @@ void find_capacity(const LifeModel& p, LifeResult& r) {
   r.reliability_factor = reliability_factor(p.c.life->reliability);
   const Mechanism& m = p.contacts.mechanism;
   if (p.full())
-    r.roller_shares = {
-        roller_failure_share(m.rollers, *m.pitch_diameter.roller, *m.pitch_diameter.screw),
-        roller_failure_share(m.rollers, *m.pitch_diameter.roller, *m.pitch_diameter.nut)};
+    r.roller_shares = {roller_failure_share(m.rollers, *m.pitch_diameter.roller, *m.pitch_diameter.screw),
+                       roller_failure_share(m.rollers, *m.pitch_diameter.roller, *m.pitch_diameter.nut)};
   if (p.c.life->dynamic_capacity) {
     r.dynamic_capacity = *p.c.life->dynamic_capacity;
     r.dynamic_capacity_range = {r.dynamic_capacity, r.dynamic_capacity};
@@ -35,20 +34,18 @@ void find_capacity(const LifeModel& p, LifeResult& r) {
   }
   r.lemor = lemor_capacity(g);
   if (!r.lemor)
-    throw CaseError(
-        "mechanism.pitch_diameter.roller",
-        fmt::format("gives the ratio d_r cos(alpha)/d_nut = {:.4f}; expected {} to {}, where the "
-                    "factor of Lemor's capacity is known; give the capacity of a catalogue, for "
-                    "example `life: {{dynamic_capacity: 60 kN, ..}}`",
-                    factor_ratio(g), kFactorRatios.least, kFactorRatios.greatest));
+    throw CaseError("mechanism.pitch_diameter.roller",
+                    fmt::format("gives the ratio d_r cos(alpha)/d_nut = {:.4f}; expected {} to {}, where the "
+                                "factor of Lemor's capacity is known; give the capacity of a catalogue, for "
+                                "example `life: {{dynamic_capacity: 60 kN, ..}}`",
+                                factor_ratio(g), kFactorRatios.least, kFactorRatios.greatest));
   r.dynamic_capacity = r.lemor->capacity;
   r.dynamic_capacity_range = r.lemor->capacity_range;
   if (auto warning = beside_lemor_angle(angle)) r.warnings.push_back(std::move(*warning));
 }
 
 void find_spectrum(const Conditions& c, LifeResult& r) {
-  const std::optional<double> speed =
-      c.operation ? std::optional(std::abs(c.operation->speed)) : std::nullopt;
+  const std::optional<double> speed = c.operation ? std::optional(std::abs(c.operation->speed)) : std::nullopt;
   const double lead = r.contacts.mechanism.lead;
   r.steps = load_steps(*c.life, r.history, lead, speed);
   if (r.history) {
@@ -71,8 +68,7 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
                     "got loads under which the screw does not turn; expected travel: rolling "
                     "contacts live by revolutions under load; check position, speed and time");
   if (!(r.largest_force > 0.0) && !c.preload)
-    throw CaseError(path,
-                    "got no load other than 0; expected loads; check the column of the force");
+    throw CaseError(path, "got no load other than 0; expected loads; check the column of the force");
   if (r.duration && *r.duration > 0.0)
     r.revolution_rate = r.revolutions / *r.duration;
   else if (speed && *speed > 0.0)
@@ -89,8 +85,7 @@ class CubicSums {
   /// `weight`: of the cubes of the curve's values at a force [N].
   void add(double force, double weight) {
     const ShareCurve::Place place = curve_.place(force);
-    for (std::size_t j = 0; j < ShareCurve::kNodes; ++j)
-      weights_[place.first + j] += weight * place.weights[j];
+    for (std::size_t j = 0; j < ShareCurve::kNodes; ++j) weights_[place.first + j] += weight * place.weights[j];
   }
 
   std::vector<double> take() && {
@@ -181,14 +176,11 @@ PerDirection<Sense> senses_of(const LifeModel& p, const LifeResult& r) {
 /// has where that is more: the range of a cycle counts however far the screw turns.
 std::function<double(double, double)> damage_between(const Sense& s) {
   std::map<double, double> up_to;  // Damage by force, summed.
-  for (std::size_t k = 0; k < s.forces.size(); ++k)
-    up_to[s.forces[k]] += std::pow(s.forces[k], 3) * s.turns[k];
+  for (std::size_t k = 0; k < s.forces.size(); ++k) up_to[s.forces[k]] += std::pow(s.forces[k], 3) * s.turns[k];
   double sum = 0.0;
   for (auto& [force, damage] : up_to) sum = damage += sum;
   return [up_to = std::move(up_to), largest = s.largest, sum](double from, double to) {
-    const auto below = [&](auto place) {
-      return place == up_to.begin() ? 0.0 : std::prev(place)->second;
-    };
+    const auto below = [&](auto place) { return place == up_to.begin() ? 0.0 : std::prev(place)->second; };
     const double part = below(up_to.upper_bound(to)) - below(up_to.lower_bound(from));
     return std::max(std::pow(to / largest, 3), sum > 0.0 ? part / sum : 0.0);
   };
@@ -214,14 +206,11 @@ ShareCurve running_curve(const LifeModel& p, const Sense& s, const std::vector<d
   std::set<double> forces;
   for (std::size_t k = 0; k < turns.size(); ++k)
     if (turns[k] > 0.0) forces.insert(s.forces[k]);
-  if (p.full() || p.preloaded() || forces.size() >= ShareCurve::kNodes)
-    return curve_of_sense(p, s, solve);
+  if (p.full() || p.preloaded() || forces.size() >= ShareCurve::kNodes) return curve_of_sense(p, s, solve);
   return ShareCurve(solve, std::vector(forces.begin(), forces.end()));
 }
 
-double largest_of(const std::vector<double>& loads) {
-  return loads.empty() ? 0.0 : *std::ranges::max_element(loads);
-}
+double largest_of(const std::vector<double>& loads) { return loads.empty() ? 0.0 : *std::ranges::max_element(loads); }
 
 /// Largest normal load of the flanks of an interface [N].
 double largest_normal_load(const LifeModel& p, Interface i, const LargestLoads& loads) {
@@ -276,8 +265,7 @@ void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCur
     s.curve->shares_at(s.forces[k], rests);
     for (const Interface i : kInterfaces) {
       const auto largest = [&](const std::vector<double>& loads) {
-        return std::ranges::max(
-            std::span(loads).subspan(rated.flank(d) + rated.body(i), rated.threads));
+        return std::ranges::max(std::span(loads).subspan(rated.flank(d) + rated.body(i), rated.threads));
       };
       const double over = largest(runs) / largest(rests);
       if (std::abs(over - 1.0) > std::abs(s.over_static[i] - 1.0)) s.over_static[i] = over;
@@ -317,8 +305,8 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
 
 std::string failure_at(const LifeModel& p, double force, Direction d) {
   const std::string why = why_not_held(p, d, force);
-  return fmt::format("the load distribution under {:.6g} N in {} did not converge{}{}", force,
-                     name(d), why.empty() ? "" : ": ", why);
+  return fmt::format("the load distribution under {:.6g} N in {} did not converge{}{}", force, name(d),
+                     why.empty() ? "" : ": ", why);
 }
 
 void find_static_loads(const LifeModel& p, const LargestSolver& solve, FlankLife& flank) {
@@ -406,18 +394,16 @@ std::vector<double> scaled(std::span<const double> values, double factor) {
 
 /// Lives of contacts that share a part of the failures; `loads` of the mechanism at which all
 /// carried as much [N].
-std::vector<double> lives_of(const LifeResult& r, std::span<const double> loads,
-                             double failure_share) {
+std::vector<double> lives_of(const LifeResult& r, std::span<const double> loads, double failure_share) {
   std::vector<double> lives;
   for (const double load : loads)
-    lives.push_back(
-        thread_life(r.dynamic_capacity, load, failure_share, static_cast<int>(loads.size())));
+    lives.push_back(thread_life(r.dynamic_capacity, load, failure_share, static_cast<int>(loads.size())));
   return lives;
 }
 
 /// Threads of an interface from the equivalent loads of a flank's contacts; adds their lives.
-ThreadLives thread_lives_of(const LifeModel& p, const LifeResult& r, Interface i,
-                            std::span<const double> equivalent, std::vector<double>& lives) {
+ThreadLives thread_lives_of(const LifeModel& p, const LifeResult& r, Interface i, std::span<const double> equivalent,
+                            std::vector<double>& lives) {
   const RatedContacts rated = p.rated();
   const double rollers = r.roller_shares ? (*r.roller_shares)[i] : 0.0;
   const double per_load = p.equal_share(), share = r.failure_shares[i];
@@ -459,12 +445,10 @@ void find_flank(const LifeModel& p, const PerDirection<Sense>& senses, LifeResul
     return equivalent;
   };
   const std::vector<double> equivalent = equivalent_loads(&Sense::cubes);
-  flank.mean_load =
-      p.preloaded() ? equivalent[p.rated().side()] : std::cbrt(s.damage / r.revolutions);
+  flank.mean_load = p.preloaded() ? equivalent[p.rated().side()] : std::cbrt(s.damage / r.revolutions);
 
   std::vector<double> lives, at_rest;
-  for (const Interface i : kInterfaces)
-    flank.threads[i] = thread_lives_of(p, r, i, equivalent, lives);
+  for (const Interface i : kInterfaces) flank.threads[i] = thread_lives_of(p, r, i, equivalent, lives);
   flank.life = combined_life(lives);
   const std::vector<double> equivalent_at_rest = equivalent_loads(&Sense::cubes_at_rest);
   for (const Interface i : kInterfaces) thread_lives_of(p, r, i, equivalent_at_rest, at_rest);
@@ -492,8 +476,7 @@ void find_flank(const LifeModel& p, const PerDirection<Sense>& senses, LifeResul
     flank.threads[i].largest_load = largest->largest[d][i];
     if (!p.contacts.interfaces[i].has_hertz()) continue;
     const auto pressure = [&](const ContactLoads& loads) {
-      return contact::at_load(p.contacts.interfaces[i].hertz,
-                              largest_normal_load(p, i, loads.largest[d]))
+      return contact::at_load(p.contacts.interfaces[i].hertz, largest_normal_load(p, i, loads.largest[d]))
           .peak_pressure;
     };
     flank.peak_pressure[i] = pressure(*largest);
@@ -534,14 +517,11 @@ void find_weakest(LifeResult& r) {
     if (!r.flanks[d]) continue;
     for (const Interface i : kInterfaces) {
       const ThreadLives& t = r.flanks[d]->threads[i];
-      const auto weaker = [&](double life) {
-        return std::isfinite(life) && (!r.weakest || life < r.weakest->life);
-      };
+      const auto weaker = [&](double life) { return std::isfinite(life) && (!r.weakest || life < r.weakest->life); };
       std::optional<Part> body;
       if (t.rollers) body = body_of(i);
       for (std::size_t k = 0; k < t.life.size(); ++k)
-        if (weaker(t.life[k]))
-          r.weakest = WeakestThread{d, i, k, body, {}, t.equivalent_load[k], t.life[k]};
+        if (weaker(t.life[k])) r.weakest = WeakestThread{d, i, k, body, {}, t.equivalent_load[k], t.life[k]};
       if (!t.rollers) continue;
       for (std::size_t k = 0; k < t.rollers->life.size(); ++k)
         if (weaker(t.rollers->life[k]))
@@ -573,8 +553,7 @@ void warn_of_loads(LifeResult& r) {
     };
     for (const Interface i : kInterfaces) {
       const std::optional<double> pressure = r.flanks[d]->peak_pressure[i];
-      if (pressure && *pressure > kStaticPressureLimit)
-        add_to_sense(static_pressure_warning(loads, i, *pressure));
+      if (pressure && *pressure > kStaticPressureLimit) add_to_sense(static_pressure_warning(loads, i, *pressure));
       if (const auto& running = r.flanks[d]->running_peak_pressure[i])
         add_to_sense(running_pressure_warning(loads, i, *running));
     }
@@ -583,8 +562,7 @@ void warn_of_loads(LifeResult& r) {
     const std::optional<double> capacity =
         r.life.static_capacity ? r.life.static_capacity : r.flanks[d]->static_capacity;
     if (capacity && r.flanks[d]->flank_edge_load)
-      add_to_sense(flank_edge_near("an ellipse", *r.flanks[d]->flank_edge_load, *capacity,
-                                   r.flanks[d]->largest_force));
+      add_to_sense(flank_edge_near("an ellipse", *r.flanks[d]->flank_edge_load, *capacity, r.flanks[d]->largest_force));
   }
   add(beyond_life_formula(r.mean_load, r.dynamic_capacity), loads);
   const std::optional<double> static_capacity =
@@ -599,8 +577,7 @@ void warn_of_loads(LifeResult& r) {
 const FlankLife* LifeResult::statically_weakest() const {
   const FlankLife* flank = nullptr;
   for (const Direction d : kDirections)
-    if (flanks[d] && flanks[d]->static_safety() &&
-        (!flank || *flanks[d]->static_safety() < *flank->static_safety()))
+    if (flanks[d] && flanks[d]->static_safety() && (!flank || *flanks[d]->static_safety() < *flank->static_safety()))
       flank = &*flanks[d];
   return flank;
 }
@@ -615,9 +592,8 @@ std::optional<StaticLimit> LifeResult::static_safety_limit() const {
   return flank ? std::optional(flank->static_rating->limit) : std::nullopt;
 }
 
-std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts,
-                                                 Direction direction, double position,
-                                                 double force) {
+std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts, Direction direction,
+                                                 double position, double force) {
   Conditions own = c;
   if (!own.life) own.life.emplace();
   own.life->share = LoadCase::Share::solved;
@@ -628,8 +604,7 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
   wanted[direction] = true;
   FlankLife flank;
   flank.largest_force = force;
-  find_static_loads(p, largest_solver(p, direction, contact_solvers(p, wanted)[direction], {}),
-                    flank);
+  find_static_loads(p, largest_solver(p, direction, contact_solvers(p, wanted)[direction], {}), flank);
   return flank.static_rating;
 }
 

@@ -50,9 +50,7 @@ struct FlankLife {
   std::optional<StaticRating> static_rating;
   /// The rating over the largest force.
   std::optional<double> static_safety() const {
-    return static_rating && largest_force > 0.0
-               ? std::optional(static_rating->force / largest_force)
-               : std::nullopt;
+    return static_rating && largest_force > 0.0 ? std::optional(static_rating->force / largest_force) : std::nullopt;
   }
   int solves = 0;                    ///< Equilibria solved for this sense.
   double interpolation_error = 0.0;  ///< Relative error of thread loads between them.
@@ -82,7 +80,7 @@ struct LifeResult {
   Contacts contacts;
   ModelOptions model;
   ModelOptions::Loads loads = ModelOptions::Loads::at_rest;  ///< Those that fatigue stands on.
-  std::optional<LemorCapacity> lemor;  ///< Absent where the case states the capacity.
+  std::optional<LemorCapacity> lemor;                        ///< Absent where the case states the capacity.
   double dynamic_capacity = 0.0;
   Interval dynamic_capacity_range;
   PerInterface<double> failure_shares;
@@ -131,9 +129,8 @@ struct LifeResult {
 /// what `analyze_life` has of a spectrum with such forces, without preload. Not of a full
 /// mechanism, whose load cases have side loads of their own. `force`: where the search begins [N].
 /// Absent where the geometry gives no Hertz contact, or no equilibrium is found.
-std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts,
-                                                 Direction direction, double position,
-                                                 double force);
+std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts, Direction direction,
+                                                 double position, double force);
 
 /// Contacts -> capacity -> load distribution over the loads of the spectrum -> lives. Reads
 /// nothing, prints nothing. The case must have passed `check_case` and the requirements of `life`;
@@ -142,8 +139,7 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
 /// never carries, or the geometry gives no contact.
 /// `oils`: in place of the lubricant at the temperature of the file, for running loads. With a
 /// block `heat` see prs/heat/analyze_heat.h.
-LifeResult analyze_life(const Conditions& c, Contacts contacts,
-                        std::optional<LoadHistory> history = {},
+LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history = {},
                         const std::optional<Oils>& oils = {});
 inline LifeResult analyze_life(const Case& c, std::optional<LoadHistory> history = {}) {
   return analyze_life(c, checked_contacts(c, Detail::complete), std::move(history));

@@ -18,9 +18,7 @@ constexpr double kChecks[] = {-0.96, -0.55, 0.19, 0.75};
 std::array<double, kNodes> chebyshev_points() {
   std::array<double, kNodes> points{};
   for (std::size_t j = 0; j < kNodes; ++j)
-    points[j] = 2 * j + 1 == kNodes
-                    ? 0.0
-                    : -std::cos(std::numbers::pi * static_cast<double>(j) / (kNodes - 1));
+    points[j] = 2 * j + 1 == kNodes ? 0.0 : -std::cos(std::numbers::pi * static_cast<double>(j) / (kNodes - 1));
   return points;
 }
 
@@ -48,8 +46,7 @@ double cube(double x) { return x * x * x; }
 
 /// Error of the interpolated shares and of their cubes against those solved, relative to the
 /// largest.
-double interpolation_error(std::span<const std::vector<double>> nodes, double t,
-                           std::span<const double> solved) {
+double interpolation_error(std::span<const std::vector<double>> nodes, double t, std::span<const double> solved) {
   const std::array<double, kNodes> weights = lagrange(t);
   double largest = 0.0, of_shares = 0.0, of_cubes = 0.0;
   for (std::size_t k = 0; k < solved.size(); ++k) {
@@ -101,9 +98,7 @@ std::optional<std::vector<double>> ShareCurve::solve_at(const Solve& solve, doub
 void ShareCurve::refine(const Solve& solve, Panel panel, int depth) {
   const double middle = 0.5 * (panel.from + panel.to);
   const auto at = [&](double t) {
-    return t == -1.0  ? panel.from
-           : t == 1.0 ? panel.to
-                      : middle + 0.5 * t * (panel.to - panel.from);
+    return t == -1.0 ? panel.from : t == 1.0 ? panel.to : middle + 0.5 * t * (panel.to - panel.from);
   };
   std::vector<std::vector<double>> nodes;
   for (const double t : chebyshev_points()) {
@@ -115,10 +110,9 @@ void ShareCurve::refine(const Solve& solve, Panel panel, int depth) {
     if (x == panel.from || x == middle || x == panel.to) shared_.emplace(x, *shares);
     nodes.push_back(std::move(*shares));
   }
-  const double weight = accuracy_.weight
-                            ? std::max(accuracy_.weight(cube(panel.from), cube(panel.to)),
-                                       accuracy_.tolerance / kWorstError)
-                            : 1.0;
+  const double weight =
+      accuracy_.weight ? std::max(accuracy_.weight(cube(panel.from), cube(panel.to)), accuracy_.tolerance / kWorstError)
+                       : 1.0;
   double error = 0.0;
   for (const double t : kChecks) {
     const std::optional<std::vector<double>> shares = solve_at(solve, at(t));
@@ -151,8 +145,7 @@ void ShareCurve::shares_at(double force, std::span<double> shares) const {
   const Place p = place(force);
   std::ranges::fill(shares, 0.0);
   for (std::size_t j = 0; j < kNodes; ++j)
-    for (std::size_t k = 0; k < shares.size(); ++k)
-      shares[k] += p.weights[j] * nodes_[p.first + j][k];
+    for (std::size_t k = 0; k < shares.size(); ++k) shares[k] += p.weights[j] * nodes_[p.first + j][k];
 }
 
 namespace {
@@ -163,16 +156,15 @@ ContactSolver equal_solver(const LifeModel& model, Direction d) {
     const std::size_t n = model.rated().threads;
     ContactLoads loads;
     loads.rated.assign(model.rated().count(), 1.0);
-    for (const Interface i : kInterfaces)
-      loads.largest[d][i].assign(n, force * model.equal_share());
+    for (const Interface i : kInterfaces) loads.largest[d][i].assign(n, force * model.equal_share());
     return std::optional(std::move(loads));
   };
 }
 
 ContactSolver sector_solver(const LifeModel& model, Direction d) {
   return [&model, d,
-          solve = distribution_solver(model.c, model.contacts, model.laws, d,
-                                      *model.c.life->position, Solver::chain)](double force) {
+          solve = distribution_solver(model.c, model.contacts, model.laws, d, *model.c.life->position, Solver::chain)](
+             double force) {
     const LoadDistribution solved = solve(force);
     if (!solved.solve.converged()) return std::optional<ContactLoads>();
     ContactLoads loads;
@@ -187,8 +179,7 @@ ContactSolver sector_solver(const LifeModel& model, Direction d) {
 }
 
 /// Both flanks under a force of one sense.
-ContactSolver preload_solver(const LifeModel& model, Direction d,
-                             std::shared_ptr<PreloadedMechanism> mechanism) {
+ContactSolver preload_solver(const LifeModel& model, Direction d, std::shared_ptr<PreloadedMechanism> mechanism) {
   return [&model, d, mechanism = std::move(mechanism)](double force) {
     const PreloadPoint point = mechanism->solve(d == Direction::tension ? force : -force);
     if (!point.solve.converged()) return std::optional<ContactLoads>();
@@ -215,8 +206,7 @@ ContactSolver preload_solver(const LifeModel& model, Direction d,
 /// The load case that acts together with all forces, or none of its own.
 SpatialLoad spatial_load(const Conditions& c) {
   const auto named = [&](const LoadCase& load) {
-    return load.share == LoadCase::Share::solved &&
-           (!c.life->load_case || load.name == *c.life->load_case);
+    return load.share == LoadCase::Share::solved && (!c.life->load_case || load.name == *c.life->load_case);
   };
   const auto found = std::ranges::find_if(c.load_cases, named);
   return found == c.load_cases.end() ? SpatialLoad{} : found->spatial;
@@ -287,8 +277,8 @@ ContactSolver full_solver(const LifeModel& model, Direction d) {
 
 RatedContacts LifeModel::rated() const {
   const Mechanism& m = contacts.mechanism;
-  return {static_cast<std::size_t>(m.contacts_per_roller),
-          full() ? static_cast<std::size_t>(m.rollers) : 0, preloaded()};
+  return {static_cast<std::size_t>(m.contacts_per_roller), full() ? static_cast<std::size_t>(m.rollers) : 0,
+          preloaded()};
 }
 
 double LifeModel::equal_share() const {
@@ -296,8 +286,7 @@ double LifeModel::equal_share() const {
   return 1.0 / (static_cast<double>(m.rollers) * static_cast<double>(m.contacts_per_roller));
 }
 
-LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver,
-                             const ContactLoads& at) {
+LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver, const ContactLoads& at) {
   if (!model.full())
     return [d, solver](double force) {
       std::optional<ContactLoads> loads = solver(force);
@@ -314,14 +303,13 @@ LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactS
     for (const double angle : angles) {
       there.spatial.carrier_angle = angle;
       there.travel.reset();  // An orbit turns the carrier alone.
-      const FullDistribution solved = full_distribution(there, model.c, model.contacts, model.laws,
-                                                        *solver_of_all, Detail::numbers);
+      const FullDistribution solved =
+          full_distribution(there, model.c, model.contacts, model.laws, *solver_of_all, Detail::numbers);
       if (!solved.solve.converged()) return std::optional<LargestLoads>();
       for (const Interface i : kInterfaces)
         for (const std::vector<double>& roller : solved.normal_load[i])
           for (std::size_t k = 0; k < roller.size(); ++k)
-            largest[i][k] =
-                std::max(largest[i][k], roller[k] * std::cos(model.laws[i].normal_angle));
+            largest[i][k] = std::max(largest[i][k], roller[k] * std::cos(model.laws[i].normal_angle));
     }
     return std::optional(std::move(largest));
   };
@@ -332,13 +320,12 @@ std::string why_not_held(const LifeModel& model, Direction d, double force) {
   LoadCase load = load_case_of(model, d);
   load.axial_force = force;
   FullSolver solver;
-  const Orbit orbit = full_orbit(load, model.c, model.contacts, model.laws, solver,
-                                 load.spatial.orbit.value_or(SpatialLoad::Orbit{}));
+  const Orbit orbit =
+      full_orbit(load, model.c, model.contacts, model.laws, solver, load.spatial.orbit.value_or(SpatialLoad::Orbit{}));
   return orbit.converged() ? std::string() : text(*orbit.failure);
 }
 
-PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
-                                            const PerDirection<bool>& wanted) {
+PerDirection<ContactSolver> contact_solvers(const LifeModel& model, const PerDirection<bool>& wanted) {
   std::shared_ptr<PreloadedMechanism> preloaded;
   if (model.preloaded()) {
     const auto sectors_at = [&](double position) {
@@ -346,8 +333,7 @@ PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
     };
     const double position = model.c.preload->position;
     const Fit fit = preload_fit(model.c, model.contacts, sectors_at(position));
-    preloaded = std::make_shared<PreloadedMechanism>(
-        sectors_at(model.c.life->position.value_or(position)), fit);
+    preloaded = std::make_shared<PreloadedMechanism>(sectors_at(model.c.life->position.value_or(position)), fit);
   }
   PerDirection<ContactSolver> solvers;
   for (const Direction d : kDirections)
@@ -362,15 +348,15 @@ PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
 LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenBy driven_by) {
   LoadCase load = load_case_of(c, d);
   // F_N omega l > 0: the screw drives.
-  load.speed = std::abs(c.operation->speed) * -sense(d) * std::copysign(1.0, lead) *
-               (driven_by == DrivenBy::screw ? 1.0 : -1.0);
+  load.speed =
+      std::abs(c.operation->speed) * -sense(d) * std::copysign(1.0, lead) * (driven_by == DrivenBy::screw ? 1.0 : -1.0);
   return load;
 }
 
-std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(
-    const LifeModel& model, Direction d, DrivenBy driven_by) {
-  const auto models = std::make_shared<SlipModels>(
-      model.c, model.contacts, model.oils ? *model.oils : oils_in_operation(model.c));
+std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(const LifeModel& model,
+                                                                                     Direction d, DrivenBy driven_by) {
+  const auto models =
+      std::make_shared<SlipModels>(model.c, model.contacts, model.oils ? *model.oils : oils_in_operation(model.c));
   const auto running = std::make_shared<RunningSolver>(model.c, model.contacts, *models);
   const LoadCase load = driven_load_case(model.c, model.contacts.threads.screw.lead, d, driven_by);
   return [&model, d, load, models, running](double force) -> std::optional<std::vector<double>> {
@@ -392,17 +378,14 @@ std::function<std::optional<std::vector<double>>(double force)> running_loads_so
         for (const Interface i : kInterfaces)
           for (const double normal : named ? (*found.threads)[i].normal_load : other[i].normal_load)
             rated.push_back(normal * std::cos(model.laws[i].normal_angle) / model.equal_share());
-        const std::vector<double>& axial =
-            named ? found.threads->screw.axial_load : other.screw.axial_load;
-        rated.push_back(model.contacts.mechanism.rollers *
-                        std::accumulate(axial.begin(), axial.end(), 0.0));
+        const std::vector<double>& axial = named ? found.threads->screw.axial_load : other.screw.axial_load;
+        rated.push_back(model.contacts.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0));
       }
       return rated;
     }
     for (const Interface i : kInterfaces)
       for (const double normal : (*found.threads)[i].normal_load)
-        rated.push_back(normal * std::cos(model.laws[i].normal_angle) /
-                        (force * model.equal_share()));
+        rated.push_back(normal * std::cos(model.laws[i].normal_angle) / (force * model.equal_share()));
     return rated;
   };
 }

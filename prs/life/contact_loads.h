@@ -36,8 +36,7 @@ class ShareCurve {
   /// Solves on [`least`, `greatest`] [N], 0 <= least <= greatest. Loads below count with the shares
   /// at `least`.
   ShareCurve(const Solve& solve, double least, double greatest, Accuracy accuracy);
-  ShareCurve(const Solve& solve, double least, double greatest)
-      : ShareCurve(solve, least, greatest, Accuracy{}) {}
+  ShareCurve(const Solve& solve, double least, double greatest) : ShareCurve(solve, least, greatest, Accuracy{}) {}
 
   /// Solves at these forces alone [N], of which there must be one; a load between them counts with
   /// the shares at the next smaller one.
@@ -90,14 +89,10 @@ struct RatedContacts {
   std::size_t of_flank() const { return 2 * threads * (1 + rollers) + (both_flanks ? 1 : 0); }
   std::size_t count() const { return (both_flanks ? 2 : 1) * of_flank(); }
   /// Where the flanks of a direction begin.
-  std::size_t flank(Direction d) const {
-    return both_flanks && d == Direction::compression ? of_flank() : 0;
-  }
+  std::size_t flank(Direction d) const { return both_flanks && d == Direction::compression ? of_flank() : 0; }
   /// Where those of an interface begin on a flank: of screw or nut, and of the rollers.
   std::size_t body(Interface i) const { return i == Interface::screw ? 0 : threads; }
-  std::size_t roller(Interface i) const {
-    return threads * (i == Interface::screw ? 2 : 2 + rollers);
-  }
+  std::size_t roller(Interface i) const { return threads * (i == Interface::screw ? 2 : 2 + rollers); }
   /// Where the load of a flank stands on it, with preload.
   std::size_t side() const { return 2 * threads * (1 + rollers); }
 };
@@ -142,8 +137,7 @@ struct LifeModel {
 
 /// Largest loads of the flanks of a direction under a force of its sense; of a full mechanism with
 /// the carrier where `at` found them.
-LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver,
-                             const ContactLoads& at);
+LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver, const ContactLoads& at);
 
 /// Why all rollers have no equilibrium under a force of this sense, at the first place of the
 /// carrier that has none; empty where the model says no more than that it did not converge.
@@ -151,8 +145,7 @@ std::string why_not_held(const LifeModel& model, Direction d, double force);
 
 /// A solver for each sense of the load that is wanted, at rest. Throws CaseError where the preload
 /// has no fit.
-PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
-                                            const PerDirection<bool>& wanted);
+PerDirection<ContactSolver> contact_solvers(const LifeModel& model, const PerDirection<bool>& wanted);
 
 /// A load case of `life` of one sense, still without force, that the screw or the load drives at
 /// the magnitude of `operation.speed`.
@@ -162,7 +155,7 @@ LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenB
 /// screw or the load drives at the magnitude of `operation.speed` [N]; nothing where there are
 /// none. Fatigue follows the normal loads: the share of a thread is n_t N cos(psi)/(F/N_r), which
 /// no longer sum to n_t.
-std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(
-    const LifeModel& model, Direction d, DrivenBy driven_by);
+std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(const LifeModel& model,
+                                                                                     Direction d, DrivenBy driven_by);
 
 }  // namespace prs

@@ -62,8 +62,7 @@ Range range_of(const Interval& i) { return {i.least, i.greatest}; }
 bool is_finite(const LifeInUse& life) { return std::isfinite(life.revolutions); }
 
 constexpr std::string_view kReliability = "ISO 281:2007, a1",
-                           kRated =
-                               "the L10 value times reliability_factor and modification_factor";
+                           kRated = "the L10 value times reliability_factor and modification_factor";
 
 /// A life, scaled to the reliability that is asked for.
 template <auto member>
@@ -79,16 +78,13 @@ constexpr auto rated_of = of<[](auto& life) {
 constexpr Quantity<LifeInUse> kLifeInUse[] = {
     {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>, "that 90 % reach", source::kLife,
      "life L10 in revolutions"},
-    {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>,
-     "by the range of the dynamic capacity", source::kLife, "life L10, by the range of C_a"},
-    {"l10_hours", of<&LifeInUse::hours, is_finite>, "needs a speed", source::kLife,
-     "life L10 in hours"},
-    {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "revolutions times lead", source::kLife,
-     "life L10 in travel"},
-    {"l10_passes", of<&LifeInUse::passes, is_finite>, "of the history or the spectrum",
-     source::kLife, "life L10 in passes"},
-    {"rated_revolutions", rated_of<&LifeInUse::revolutions>, kRated, kReliability,
-     "rated life in revolutions"},
+    {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>, "by the range of the dynamic capacity",
+     source::kLife, "life L10, by the range of C_a"},
+    {"l10_hours", of<&LifeInUse::hours, is_finite>, "needs a speed", source::kLife, "life L10 in hours"},
+    {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "revolutions times lead", source::kLife, "life L10 in travel"},
+    {"l10_passes", of<&LifeInUse::passes, is_finite>, "of the history or the spectrum", source::kLife,
+     "life L10 in passes"},
+    {"rated_revolutions", rated_of<&LifeInUse::revolutions>, kRated, kReliability, "rated life in revolutions"},
     {"rated_revolutions_range",
      of<[](auto& l) {
        return Range{l.rated * l.revolutions_range[0], l.rated * l.revolutions_range[1]};
@@ -101,31 +97,27 @@ constexpr Quantity<LifeInUse> kLifeInUse[] = {
 };
 
 constexpr Quantity<ThreadLives> kThreadLives[] = {
-    {"equivalent_load_N", of<&ThreadLives::equivalent_load>,
-     "axial, cubic mean over all revolutions", kPalmgrenMean},
-    {"l10_revolutions", of<&ThreadLives::life>,
-     "of the thread on all rollers; null where it is never loaded", source::kLife,
-     "life L10 in revolutions"},
-    {"rated_revolutions", of<&ThreadLives::rated_life>, kRated, kReliability,
-     "rated life in revolutions"},
+    {"equivalent_load_N", of<&ThreadLives::equivalent_load>, "axial, cubic mean over all revolutions", kPalmgrenMean},
+    {"l10_revolutions", of<&ThreadLives::life>, "of the thread on all rollers; null where it is never loaded",
+     source::kLife, "life L10 in revolutions"},
+    {"rated_revolutions", of<&ThreadLives::rated_life>, kRated, kReliability, "rated life in revolutions"},
     {"largest_load_N", of<&ThreadLives::largest_load>, "axial, under the largest force"},
-    {"equivalent_range_N", of<&ThreadLives::equivalent_range>,
-     "of the axial load over the cycles of the history", kMiner},
+    {"equivalent_range_N", of<&ThreadLives::equivalent_range>, "of the axial load over the cycles of the history",
+     kMiner},
     {"rollers", of<&ThreadLives::rollers>, "threads of the rollers of a full mechanism"},
 };
 
 constexpr Quantity<RollerLives> kRollerLives[] = {
-    {"equivalent_load_N", of<&RollerLives::equivalent_load>,
-     "[roller][thread], axial, cubic mean over all revolutions", kPalmgrenMean},
-    {"l10_revolutions", of<&RollerLives::life>,
-     "[roller][thread]; null where the thread is never loaded", source::kLife},
+    {"equivalent_load_N", of<&RollerLives::equivalent_load>, "[roller][thread], axial, cubic mean over all revolutions",
+     kPalmgrenMean},
+    {"l10_revolutions", of<&RollerLives::life>, "[roller][thread]; null where the thread is never loaded",
+     source::kLife},
     {"rated_revolutions", of<&RollerLives::rated_life>, kRated, kReliability},
 };
 
 constexpr Quantity<InterfaceLife> kInterfaceLife[] = {
     {"", of<&InterfaceLife::threads>},
-    {"peak_pressure_MPa", of<&InterfaceLife::peak_pressure>, "under the largest force",
-     source::kHertz},
+    {"peak_pressure_MPa", of<&InterfaceLife::peak_pressure>, "under the largest force", source::kHertz},
 };
 
 template <auto get>
@@ -140,8 +132,8 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
     {"", of<[](auto& d) { return in_use(*d.life, d.flank->life); }>},
     {"share_of_revolutions", of<[](auto& d) { return d.flank->revolutions / d.life->revolutions; }>,
      "under loads of this direction"},
-    {"mean_load_N", of_flank<&FlankLife::mean_load>,
-     "cubic mean over the revolutions of both directions", kPalmgrenMean},
+    {"mean_load_N", of_flank<&FlankLife::mean_load>, "cubic mean over the revolutions of both directions",
+     kPalmgrenMean},
     {"largest_force_N", of_flank<&FlankLife::largest_force>, "of this direction"},
     {"static_capacity_N", of_flank<&FlankLife::static_capacity>,
      "force at which the first thread has a peak pressure of 4.0 GPa", "ISO 76:2006",
@@ -156,8 +148,7 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
        return rating ? std::optional(rating->limit) : std::nullopt;
      }>,
      "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
-    {"equilibria", of_flank<&FlankLife::solves>, "that were solved", "",
-     "loads at which the threads were solved"},
+    {"equilibria", of_flank<&FlankLife::solves>, "that were solved", "", "loads at which the threads were solved"},
     {"interpolation_error", of_flank<&FlankLife::interpolation_error>,
      "of thread loads between the equilibria, relative", "", "error of thread loads between them"},
     {"screw", threads_of<Interface::screw>, "threads of one roller at the screw"},
@@ -168,8 +159,7 @@ constexpr Quantity<WeakestLife> kWeakestLife[] = {
     {"", of<[](auto& w) { return in_use(*w.life, w.life->weakest->life); }>},
     {"direction", of<[](auto& w) { return w.life->weakest->direction; }>, "tension | compression"},
     {"interface", of<[](auto& w) { return w.life->weakest->interface; }>, "screw | nut"},
-    {"thread", of<[](auto& w) { return w.life->weakest->thread + 1; }>,
-     "from 1, next to the loaded end of the screw"},
+    {"thread", of<[](auto& w) { return w.life->weakest->thread + 1; }>, "from 1, next to the loaded end of the screw"},
     {"part", of<[](auto& w) { return w.life->weakest->part; }>,
      "screw | roller | nut: whose thread; of a full mechanism"},
     {"roller", of<[](auto& w) {
@@ -182,63 +172,54 @@ constexpr Quantity<WeakestLife> kWeakestLife[] = {
 };
 
 constexpr Quantity<LifeAtRest> kLifeAtRest[] = {
-    {"system", of<[](auto& l) { return in_use(*l.life, *l.life->life_at_rest); }>,
-     "of the mechanism", "", "life of the mechanism on static loads"},
+    {"system", of<[](auto& l) { return in_use(*l.life, *l.life->life_at_rest); }>, "of the mechanism", "",
+     "life of the mechanism on static loads"},
 };
 
 template <auto get>
-constexpr auto of_lemor = of<[](auto& c) {
-  return c.life->lemor ? std::optional(std::invoke(get, *c.life->lemor)) : std::nullopt;
-}>;
+constexpr auto of_lemor =
+    of<[](auto& c) { return c.life->lemor ? std::optional(std::invoke(get, *c.life->lemor)) : std::nullopt; }>;
 
 constexpr Quantity<Capacity> kCapacity[] = {
     {"dynamic_capacity_N", of<[](auto& c) { return c.life->dynamic_capacity; }>,
      "C_a; life.dynamic_capacity where stated", kLemorCapacity},
-    {"dynamic_capacity_range_N",
-     of<[](auto& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
+    {"dynamic_capacity_range_N", of<[](auto& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
      "docs/life.md"},
     {"source", of<[](auto& c) { return c.life->lemor ? "lemor" : "given"; }>, "lemor | given", "",
      "where the dynamic capacity comes from"},
     {"geometry_factor", of_lemor<&LemorCapacity::factor>, "f_c", kLemorCapacity},
-    {"geometry_factor_range",
-     of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>, kFactorRange,
+    {"geometry_factor_range", of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>, kFactorRange,
      "docs/life.md"},
     {"diameter_ratio", of_lemor<&LemorCapacity::ratio>, "d_r cos(alpha)/d_n", kLemorCapacity},
-    {"element_diameter_mm", of_lemor<&LemorCapacity::element_diameter>,
-     "diameter of the equivalent ball", kLemorCapacity},
+    {"element_diameter_mm", of_lemor<&LemorCapacity::element_diameter>, "diameter of the equivalent ball",
+     kLemorCapacity},
     {"failure_share", of<[](auto& c) { return c.life->failure_shares; }>,
      "share of each interface in the failures under equal loads"},
     {"roller_failure_share", of<[](auto& c) { return c.life->roller_shares; }>,
-     "part of the rollers in the failures of each interface; of a full mechanism",
-     "Lundberg and Palmgren"},
-    {"static_capacity_equal_shares_N",
-     of<[](auto& c) { return c.life->equal_shares_static_capacity; }>,
+     "part of the rollers in the failures of each interface; of a full mechanism", "Lundberg and Palmgren"},
+    {"static_capacity_equal_shares_N", of<[](auto& c) { return c.life->equal_shares_static_capacity; }>,
      "force at which equal thread loads have a peak pressure of 4.0 GPa", "ISO 76:2006",
      "static capacity, equal thread loads"},
-    {"flank_edge_load_equal_shares_N",
-     of<[](auto& c) { return c.life->equal_shares_flank_edge_load; }>,
+    {"flank_edge_load_equal_shares_N", of<[](auto& c) { return c.life->equal_shares_flank_edge_load; }>,
      "force at which ellipses of equal loads reach a crest or root", source::kHertz,
      "load at the edge of a flank, equal thread loads"},
-    {"static_capacity_given_N", of<[](auto& c) { return c.life->life.static_capacity; }>,
-     "life.static_capacity"},
+    {"static_capacity_given_N", of<[](auto& c) { return c.life->life.static_capacity; }>, "life.static_capacity"},
 };
 
 template <auto get>
 constexpr auto where_revolutions_are_known =
-    of<[](auto& l) { return std::invoke(get, *l.life); },
-       [](const Loads& l) { return l.life->revolutions_known; }>;
+    of<[](auto& l) { return std::invoke(get, *l.life); }, [](const Loads& l) { return l.life->revolutions_known; }>;
 
 constexpr Quantity<Loads> kLoads[] = {
-    {"samples", of<[](auto& l) { return l.life->steps.size(); }>, "of the history or the spectrum",
-     "", "load steps of one pass"},
+    {"samples", of<[](auto& l) { return l.life->steps.size(); }>, "of the history or the spectrum", "",
+     "load steps of one pass"},
     {"revolutions", where_revolutions_are_known<&LifeResult::revolutions>, "of one pass"},
     {"travel_m", where_revolutions_are_known<[](const LifeResult& r) {
        return r.revolutions * std::abs(r.contacts.mechanism.lead);
      }>,
      "of one pass"},
     {"duration_h", of<[](auto& l) { return l.life->duration; }>, "of one pass"},
-    {"mean_load_N", of<[](auto& l) { return l.life->mean_load; }>,
-     "cubic mean over the revolutions", kPalmgrenMean},
+    {"mean_load_N", of<[](auto& l) { return l.life->mean_load; }>, "cubic mean over the revolutions", kPalmgrenMean},
     {"largest_force_N", of<[](auto& l) { return l.life->largest_force; }>, "of either direction"},
 };
 
@@ -249,18 +230,15 @@ constexpr Quantity<CycleMatrix> kCycleMatrix[] = {
     {"count", of<[](auto& matrix) {
        std::vector<std::vector<double>> rows(static_cast<std::size_t>(matrix.bins));
        for (int i = 0; i < matrix.bins; ++i)
-         for (int k = 0; k < matrix.bins; ++k)
-           rows[static_cast<std::size_t>(i)].push_back(matrix.at(i, k));
+         for (int k = 0; k < matrix.bins; ++k) rows[static_cast<std::size_t>(i)].push_back(matrix.at(i, k));
        return rows;
      }>,
      "of cycles, by range and mean"},
 };
 
 constexpr Quantity<Cycles> kCycles[] = {
-    {"count", of<[](auto& c) { return count(c.life->cycles->cycles); }>, "half cycles as halves",
-     "ASTM E1049-85"},
-    {"fatigue_slope", of<[](auto& c) { return c.life->life.fatigue_slope; }>, "of the S-N curve",
-     "FKM"},
+    {"count", of<[](auto& c) { return count(c.life->cycles->cycles); }>, "half cycles as halves", "ASTM E1049-85"},
+    {"fatigue_slope", of<[](auto& c) { return c.life->life.fatigue_slope; }>, "of the S-N curve", "FKM"},
     {"equivalent_range_N", of<[](auto& c) { return c.life->cycles->equivalent_range; }>,
      "constant range that does the same damage in as many cycles", kMiner},
     {"largest_range_N", of<[](auto& c) { return c.life->cycles->matrix.range_to; }>, "of a cycle"},
@@ -281,44 +259,36 @@ constexpr auto flank_of = of<[](auto& r) {
 constexpr Quantity<LifeResult> kLife[] = {
     {"converged", of<converged>, "whether every load has an equilibrium"},
     {"status", of<&LifeResult::failure>, "why there are no lives"},
-    {"share",
-     of<[](auto& r) { return r.life.share == LoadCase::Share::equal ? "equal" : "solved"; }>,
+    {"share", of<[](auto& r) { return r.life.share == LoadCase::Share::equal ? "equal" : "solved"; }>,
      "solved | equal: thread loads", "", "thread loads"},
     {"thread_loads", of<&LifeResult::loads>,
      "static | running: of a screw that turns, with friction; static safety is always static", "",
      "loads that fatigue stands on"},
-    {"temperature_degC", of<[](auto& r) {
-       return r.temperature ? std::optional(celsius_of(*r.temperature)) : std::nullopt;
-     }>,
+    {"temperature_degC",
+     of<[](auto& r) { return r.temperature ? std::optional(celsius_of(*r.temperature)) : std::nullopt; }>,
      "of the parts under all loads: that at which the mean heat of the spectrum flows off, or the "
      "mean of the duty cycle; with heat"},
     {"temperature_status", of<&LifeResult::temperature_status>,
      "converged | no_steady_state | iteration_limit; with heat"},
-    {"reliability_factor", of<&LifeResult::reliability_factor>,
-     "a1 of the reliability that is asked for", kReliability},
-    {"modification_factor", of<[](auto& r) { return r.life.modification_factor; }>,
-     "a_ISO as the case states it", "ISO 281:2007"},
+    {"reliability_factor", of<&LifeResult::reliability_factor>, "a1 of the reliability that is asked for",
+     kReliability},
+    {"modification_factor", of<[](auto& r) { return r.life.modification_factor; }>, "a_ISO as the case states it",
+     "ISO 281:2007"},
     {"capacity", of<[](auto& r) { return Capacity{&r}; }>, "of the mechanism"},
     {"loads", of<[](auto& r) { return Loads{&r}; }>, "of the history or the spectrum"},
     {"cycles", of<[](auto& r) { return r.cycles ? std::optional(Cycles{&r}) : std::nullopt; }>,
      "counted from a history (rainflow)"},
-    {"system", life_at<&LifeResult::system_life>, "of the mechanism, real thread loads", "",
-     "life of the mechanism"},
-    {"static",
-     of<[](auto& r) { return r.life_at_rest ? std::optional(LifeAtRest{&r}) : std::nullopt; },
-        converged>,
+    {"system", life_at<&LifeResult::system_life>, "of the mechanism, real thread loads", "", "life of the mechanism"},
+    {"static", of<[](auto& r) { return r.life_at_rest ? std::optional(LifeAtRest{&r}) : std::nullopt; }, converged>,
      "the same on the loads of a screw at rest; where thread_loads is running"},
-    {"equal_shares", life_at<&LifeResult::equal_shares_life>,
-     "of the mechanism, equal thread loads", "", "life with equal thread loads"},
-    {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3", "",
-     "life by the catalogue's formula"},
-    {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions",
-     "ISO 76", "static safety under the loads of the life"},
+    {"equal_shares", life_at<&LifeResult::equal_shares_life>, "of the mechanism, equal thread loads", "",
+     "life with equal thread loads"},
+    {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3", "", "life by the catalogue's formula"},
+    {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions", "ISO 76",
+     "static safety under the loads of the life"},
     {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>,
      "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
-    {"weakest_thread",
-     of<[](auto& r) { return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt; },
-        converged>,
+    {"weakest_thread", of<[](auto& r) { return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt; }, converged>,
      "that fails first"},
     {"tension", flank_of<Direction::tension>, "flanks that carry tension"},
     {"compression", flank_of<Direction::compression>, "flanks that carry compression"},
@@ -344,14 +314,10 @@ LifeInUse in_use(const LifeResult& r, double revolutions) {
 
 PRS_RECORD(LifeInUse, "LifeInUse", "A life L10 at the value of the dynamic capacity.", kLifeInUse);
 PRS_RECORD(ThreadLives, "ThreadLives", "Lives of the threads of one interface.", kThreadLives);
-PRS_RECORD(RollerLives, "RollerLives", "Lives of the threads of the rollers at one interface.",
-           kRollerLives);
-PRS_RECORD(InterfaceLife, "InterfaceLife", "Lives of the threads of one interface.",
-           kInterfaceLife);
-PRS_RECORD(DirectionLife, "DirectionLife", "Lives under the loads of one direction.",
-           kDirectionLife);
-PRS_RECORD(WeakestLife, "WeakestThread",
-           "The thread that fails first, of those that turn under load.", kWeakestLife);
+PRS_RECORD(RollerLives, "RollerLives", "Lives of the threads of the rollers at one interface.", kRollerLives);
+PRS_RECORD(InterfaceLife, "InterfaceLife", "Lives of the threads of one interface.", kInterfaceLife);
+PRS_RECORD(DirectionLife, "DirectionLife", "Lives under the loads of one direction.", kDirectionLife);
+PRS_RECORD(WeakestLife, "WeakestThread", "The thread that fails first, of those that turn under load.", kWeakestLife);
 PRS_RECORD(LifeAtRest, "LifeAtRest", "Lives on the loads of a screw at rest.", kLifeAtRest);
 PRS_RECORD(Capacity, "Capacity", "What the mechanism can carry.", kCapacity);
 PRS_RECORD(Loads, "LifeLoads", "The history or the spectrum.", kLoads);

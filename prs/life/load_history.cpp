@@ -12,8 +12,7 @@ double time_before(const LoadHistory& h, std::size_t k) {
 }
 
 /// Revolutions from sample k - 1 to k.
-double turned(const LoadHistory& h, double lead, std::optional<double> operation_speed,
-              std::size_t k) {
+double turned(const LoadHistory& h, double lead, std::optional<double> operation_speed, std::size_t k) {
   const auto speed = [&](std::size_t at) {
     if (h.speed.empty()) return std::abs(operation_speed.value_or(0.0));
     return std::abs(h.speed[at]) * (h.speed_along_axis ? kTurn / std::abs(lead) : 1.0);
@@ -34,8 +33,7 @@ std::optional<double> duration(const LoadHistory& h) {
   return *h.interval * static_cast<double>(h.force.size() - 1);
 }
 
-std::vector<LoadStep> load_steps(const LoadHistory& h, double lead,
-                                 std::optional<double> operation_speed,
+std::vector<LoadStep> load_steps(const LoadHistory& h, double lead, std::optional<double> operation_speed,
                                  HistorySource::DrivenBy driven_by) {
   // > 0 where tension drives.
   const auto way = [&](std::size_t k) {
@@ -59,8 +57,7 @@ std::vector<LoadStep> load_steps(const LoadHistory& h, double lead,
   return steps;
 }
 
-std::vector<double> moving_times(const LoadHistory& h, double lead,
-                                 std::optional<double> operation_speed) {
+std::vector<double> moving_times(const LoadHistory& h, double lead, std::optional<double> operation_speed) {
   std::vector<double> times(h.force.size(), 0.0);
   for (std::size_t k = 1; k < times.size(); ++k) {
     if (!(turned(h, lead, operation_speed, k) > 0.0)) continue;
@@ -70,8 +67,8 @@ std::vector<double> moving_times(const LoadHistory& h, double lead,
   return times;
 }
 
-std::vector<LoadStep> load_steps(const Life& life, const std::optional<LoadHistory>& history,
-                                 double lead, std::optional<double> operation_speed) {
+std::vector<LoadStep> load_steps(const Life& life, const std::optional<LoadHistory>& history, double lead,
+                                 std::optional<double> operation_speed) {
   if (!history) return load_steps(life.spectrum, lead, operation_speed);
   using enum HistorySource::DrivenBy;
   const HistorySource& source = *life.history;
@@ -89,8 +86,7 @@ std::vector<LoadStep> load_steps(std::span<const SpectrumLoad> spectrum, double 
     step.axial_force = l.direction == Direction::tension ? l.force : -l.force;
     if (l.revolutions) step.revolutions = *l.revolutions;
     if (l.distance) step.revolutions = *l.distance / std::abs(lead);
-    if (l.duration)
-      step.revolutions = *l.duration * std::abs(operation_speed.value_or(0.0)) / kTurn;
+    if (l.duration) step.revolutions = *l.duration * std::abs(operation_speed.value_or(0.0)) / kTurn;
     if (l.share) step.revolutions = *l.share / shares;
     if (l.driven_by == DrivenBy::load) step.driven_by_load = step.revolutions;
     steps.push_back(step);

@@ -13,14 +13,12 @@ std::optional<double> duration(const LoadHistory& history);
 /// the mean magnitude of the speed at its ends over its time: the history's or `operation_speed`
 /// [rad/s]. Both senses of rotation count. By travel a load drives where F dx > 0, or where
 /// F omega l < 0 with the mean speed omega of the step.
-std::vector<LoadStep> load_steps(const LoadHistory& history, double lead,
-                                 std::optional<double> operation_speed,
+std::vector<LoadStep> load_steps(const LoadHistory& history, double lead, std::optional<double> operation_speed,
                                  HistorySource::DrivenBy driven_by);
 
 /// Time for which the screw turns with the load of each sample, half of the intervals to its
 /// neighbours in which it does [s]; the history must have a clock.
-std::vector<double> moving_times(const LoadHistory& history, double lead,
-                                 std::optional<double> operation_speed);
+std::vector<double> moving_times(const LoadHistory& history, double lead, std::optional<double> operation_speed);
 
 /// The loads of a spectrum and their revolutions, in the order of the spectrum; shares stay shares,
 /// summing to 1. `operation_speed` [rad/s] turns durations into revolutions.
@@ -28,8 +26,8 @@ std::vector<LoadStep> load_steps(std::span<const SpectrumLoad> spectrum, double 
                                  std::optional<double> operation_speed);
 
 /// Those of the history, where there is one, else of the spectrum.
-std::vector<LoadStep> load_steps(const Life& life, const std::optional<LoadHistory>& history,
-                                 double lead, std::optional<double> operation_speed);
+std::vector<LoadStep> load_steps(const Life& life, const std::optional<LoadHistory>& history, double lead,
+                                 std::optional<double> operation_speed);
 
 /// A value of a history and where it stands there.
 struct HistoryPoint {
@@ -97,9 +95,7 @@ struct Cycle {
   HistoryPoint start, end;  ///< The turning points of its range, in the order of the history.
   double count = 1.0;       ///< 1 or 0.5
 
-  double range() const {
-    return end.value > start.value ? end.value - start.value : start.value - end.value;
-  }
+  double range() const { return end.value > start.value ? end.value - start.value : start.value - end.value; }
   double mean() const { return 0.5 * (start.value + end.value); }
 };
 
@@ -152,9 +148,7 @@ struct CycleMatrix {
 
   double range_width() const { return range_to / bins; }
   double mean_width() const { return (mean_to - mean_from) / bins; }
-  double at(int range_bin, int mean_bin) const {
-    return count[static_cast<std::size_t>(range_bin * bins + mean_bin)];
-  }
+  double at(int range_bin, int mean_bin) const { return count[static_cast<std::size_t>(range_bin * bins + mean_bin)]; }
 };
 
 /// The matrix that just holds all cycles, for people to look at: nothing is computed from it.

@@ -31,15 +31,12 @@ double size_factor(double element_diameter) {
   return millimetres <= 25.4 ? std::pow(millimetres, 1.8) : 3.647 * std::pow(millimetres, 1.4);
 }
 
-double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter,
-                      double helix_angle) {
+double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter, double helix_angle) {
   return factor * std::pow(std::cos(contact_angle), 0.86) * std::pow(contacts, 2.0 / 3.0) *
          size_factor(element_diameter) * std::tan(contact_angle) * std::cbrt(std::cos(helix_angle));
 }
 
-double factor_ratio(const LemorGeometry& g) {
-  return g.roller_diameter * std::cos(g.contact_angle) / g.nut_diameter;
-}
+double factor_ratio(const LemorGeometry& g) { return g.roller_diameter * std::cos(g.contact_angle) / g.nut_diameter; }
 
 double contact_angle(const PerInterface<double>& normal_angle) {
   return 0.5 * std::numbers::pi - 0.5 * (normal_angle.screw + normal_angle.nut);
@@ -67,23 +64,21 @@ std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g) {
   const double per_pitch_circle = std::cos(g.contact_angle) / g.pitch_circle;
   c.factor_range = {c.factor, c.factor};
   for (const double diameter : {g.roller_diameter, c.element_diameter}) {
-    const double ratio =
-        std::clamp(diameter * per_pitch_circle, kFactorRatios.least, kFactorRatios.greatest);
+    const double ratio = std::clamp(diameter * per_pitch_circle, kFactorRatios.least, kFactorRatios.greatest);
     c.factor_range.least = std::min(c.factor_range.least, *geometry_factor(ratio));
     c.factor_range.greatest = std::max(c.factor_range.greatest, *geometry_factor(ratio));
   }
   c.factor_range.least *= 1.0 - kFactorFit;
   c.factor_range.greatest *= 1.0 + kFactorFit;
-  const double per_factor =
-      lemor_capacity(1.0, g.contact_angle, g.contacts, c.element_diameter, g.helix_angle);
+  const double per_factor = lemor_capacity(1.0, g.contact_angle, g.contacts, c.element_diameter, g.helix_angle);
   c.capacity = c.factor * per_factor;
   c.capacity_range = {c.factor_range.least * per_factor, c.factor_range.greatest * per_factor};
   return c;
 }
 
 double load_at_pressure(const contact::HertzConstants& hertz, double peak_pressure) {
-  const double cube_root = 2.0 * std::numbers::pi / 3.0 * hertz.semi_major_per_cbrt_load *
-                           hertz.semi_minor_per_cbrt_load * peak_pressure;
+  const double cube_root =
+      2.0 * std::numbers::pi / 3.0 * hertz.semi_major_per_cbrt_load * hertz.semi_minor_per_cbrt_load * peak_pressure;
   return cube_root * cube_root * cube_root;
 }
 
@@ -112,8 +107,8 @@ double reliability_factor(double reliability) {
   const auto place = [](double s) { return std::log(-std::log(s)); };
   std::size_t k = 0;
   while (k + 2 < kFactor.size() && reliability > kReliability[k + 1]) ++k;
-  const double t = (place(reliability) - place(kReliability[k])) /
-                   (place(kReliability[k + 1]) - place(kReliability[k]));
+  const double t =
+      (place(reliability) - place(kReliability[k])) / (place(kReliability[k + 1]) - place(kReliability[k]));
   return std::pow(kFactor[k], 1.0 - t) * std::pow(kFactor[k + 1], t);
 }
 
@@ -146,8 +141,7 @@ double roller_failure_share(int rollers, double roller_diameter, double body_dia
 }
 
 double thread_life(double capacity, double equivalent_load, double failure_share, int threads) {
-  return std::pow(threads / failure_share, 1.0 / kWeibullSlope) *
-         rating_life(capacity, equivalent_load);
+  return std::pow(threads / failure_share, 1.0 / kWeibullSlope) * rating_life(capacity, equivalent_load);
 }
 
 }  // namespace prs

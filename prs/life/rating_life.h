@@ -46,8 +46,7 @@ double size_factor(double element_diameter);
 /// `contacts` N_c are those of all rollers at one interface; `element_diameter` D_c [m];
 /// `helix_angle` beta of the screw [rad], at its own value: Jung's table 7.1 has it fixed at 6.056
 /// deg (erratum).
-double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter,
-                      double helix_angle);
+double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter, double helix_angle);
 
 /// Inputs of Lemor's formula. SI units.
 struct LemorGeometry {

@@ -9,15 +9,13 @@ namespace {
 /// 1.3e-7 mm^4/N^2 in m^4/N^2.
 constexpr double kPalmgren = 1.3e-19;
 
-void keep_smaller(std::optional<StaticRating>& least, std::optional<double> force,
-                  StaticLimit limit) {
+void keep_smaller(std::optional<StaticRating>& least, std::optional<double> force, StaticLimit limit) {
   if (force && (!least || *force < least->force)) least = StaticRating{*force, limit};
 }
 
 }  // namespace
 
-double load_at_permanent_deformation(double diameter, double kappa_1, double kappa_2,
-                                     double share) {
+double load_at_permanent_deformation(double diameter, double kappa_1, double kappa_2, double share) {
   return diameter * std::sqrt(share / (kPalmgren * kappa_1 * kappa_2));
 }
 
@@ -33,8 +31,7 @@ const char* name(StaticLimit limit) {
 
 contact::FlankEdge nearest_flank_edge(const Contacts& contacts, Interface i) {
   const InterfaceContact& c = contacts.interfaces[i];
-  return contact::nearest_flank_edge(pair_of(contacts.threads, i), c.geometry,
-                                     c.hertz.semi_major_per_cbrt_load,
+  return contact::nearest_flank_edge(pair_of(contacts.threads, i), c.geometry, c.hertz.semi_major_per_cbrt_load,
                                      c.hertz.semi_minor_per_cbrt_load);
 }
 
@@ -45,8 +42,8 @@ StaticLimits static_limits(const Contacts& contacts, Interface i) {
   limits.pressure = load_at_pressure(c.hertz, kStaticPressureLimit);
   limits.flank_edge = std::pow(nearest_flank_edge(contacts, i).scale, 3.0);
   if (const auto diameter = flank_element_diameter(contacts.threads.roller))
-    limits.deformation = load_at_permanent_deformation(*diameter, c.geometry.relative.first,
-                                                       c.geometry.relative.second);
+    limits.deformation =
+        load_at_permanent_deformation(*diameter, c.geometry.relative.first, c.geometry.relative.second);
   return limits;
 }
 
@@ -62,24 +59,21 @@ std::optional<StaticRating> static_rating(const StaticLimits& limits, std::optio
   return least;
 }
 
-std::optional<StaticRating> smaller(const std::optional<StaticRating>& a,
-                                    const std::optional<StaticRating>& b) {
+std::optional<StaticRating> smaller(const std::optional<StaticRating>& a, const std::optional<StaticRating>& b) {
   if (!a || !b) return a ? a : b;
   return b->force < a->force ? b : a;
 }
 
-std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_load,
-                                       double static_capacity, double load) {
-  if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load && load <= edge_load))
-    return std::nullopt;
-  return Warning{
-      "", "flank_edge_near",
-      fmt::format("the load is {:.1f} % of the {{limit}} at which {} reaches the end of a "
-                  "flank, which is below the static capacity of {:.4g} kN; expected at most "
-                  "{:.0f} %",
-                  load / edge_load * per_si::percent, ellipse, static_capacity * per_si::kilonewton,
-                  per_si::percent / kUsualStaticSafety),
-      "lower the load or the profile radius, or take a coarser pitch"}
+std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_load, double static_capacity,
+                                       double load) {
+  if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load && load <= edge_load)) return std::nullopt;
+  return Warning{"", "flank_edge_near",
+                 fmt::format("the load is {:.1f} % of the {{limit}} at which {} reaches the end of a "
+                             "flank, which is below the static capacity of {:.4g} kN; expected at most "
+                             "{:.0f} %",
+                             load / edge_load * per_si::percent, ellipse, static_capacity * per_si::kilonewton,
+                             per_si::percent / kUsualStaticSafety),
+                 "lower the load or the profile radius, or take a coarser pitch"}
       .with(load, edge_load, text_unit::kilonewton);
 }
 
@@ -92,8 +86,7 @@ std::optional<Warning> dynamic_above_static(double dynamic_capacity, double stat
       .with(dynamic_capacity, static_capacity, text_unit::kilonewton);
 }
 
-std::optional<Warning> beyond_static_rating(double load, const StaticRating& rating,
-                                            std::string_view shares) {
+std::optional<Warning> beyond_static_rating(double load, const StaticRating& rating, std::string_view shares) {
   if (!(load > rating.force)) return std::nullopt;
   return Warning{"", "beyond_static_rating",
                  fmt::format("{}the load is {:.3f} times the static limit ({}): {{value}} "

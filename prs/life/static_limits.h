@@ -73,8 +73,7 @@ struct StaticRating {
 /// deformation.
 std::optional<StaticRating> static_rating(const StaticLimits& limits, std::optional<double> given);
 
-std::optional<StaticRating> smaller(const std::optional<StaticRating>& a,
-                                    const std::optional<StaticRating>& b);
+std::optional<StaticRating> smaller(const std::optional<StaticRating>& a, const std::optional<StaticRating>& b);
 
 /// Static safety from which on no limit is worth a note: makers ask for 1 to 3 under smooth loads.
 inline constexpr double kUsualStaticSafety = 1.5;
@@ -82,14 +81,12 @@ inline constexpr double kUsualStaticSafety = 1.5;
 /// A warning where an ellipse reaches the end of a flank at a force [N] on the mechanism that is
 /// below its static capacity [N] and less than `kUsualStaticSafety` times the load [N], which is no
 /// greater. `ellipse`: which of them.
-std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_load,
-                                       double static_capacity, double load);
+std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_load, double static_capacity, double load);
 
 /// A warning where the dynamic capacity [N] exceeds the static one [N], which no maker's does.
 std::optional<Warning> dynamic_above_static(double dynamic_capacity, double static_capacity);
 
 /// A warning where a force [N] exceeds its static rating.
-std::optional<Warning> beyond_static_rating(double load, const StaticRating& rating,
-                                            std::string_view shares = {});
+std::optional<Warning> beyond_static_rating(double load, const StaticRating& rating, std::string_view shares = {});
 
 }  // namespace prs

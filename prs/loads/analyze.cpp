@@ -13,14 +13,12 @@ namespace {
 /// load.
 class SolverPool {
  public:
-  SolverPool(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-             Solver solver)
+  SolverPool(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws, Solver solver)
       : conditions_(c), contacts_(contacts), laws_(laws), solver_(solver) {}
 
   LoadDistribution solve(Direction direction, double position, double axial_force) {
     DistributionSolver& solver = solvers_[{direction, position}];
-    if (!solver)
-      solver = distribution_solver(conditions_, contacts_, laws_, direction, position, solver_);
+    if (!solver) solver = distribution_solver(conditions_, contacts_, laws_, direction, position, solver_);
     return solver(axial_force);
   }
 
@@ -37,8 +35,7 @@ Result result_on(const Conditions& c, Contacts contacts, Detail detail) {
   Result result;
   result.contacts = std::move(contacts);
   result.model = c.model;
-  if (detail == Detail::complete)
-    result.warnings = geometry_warnings(c, result.contacts, c.load_cases);
+  if (detail == Detail::complete) result.warnings = geometry_warnings(c, result.contacts, c.load_cases);
   return result;
 }
 
@@ -95,12 +92,10 @@ Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options,
       continue;
     }
     if (c.model.mechanism == ModelOptions::Mechanism::full) {
-      add(result, full_result(load_case, c, result.contacts, laws, full, options.detail),
-          options.detail);
+      add(result, full_result(load_case, c, result.contacts, laws, full, options.detail), options.detail);
       continue;
     }
-    LoadDistribution loads =
-        pool.solve(*load_case.direction, *load_case.position, load_case.axial_force);
+    LoadDistribution loads = pool.solve(*load_case.direction, *load_case.position, load_case.axial_force);
     add(result, solved_result(load_case, result.contacts, laws, std::move(loads)), options.detail);
   }
   return result;
@@ -110,19 +105,17 @@ Result analyze_contacts(const Conditions& c, Contacts contacts, Detail detail) {
   Result result = result_on(c, std::move(contacts), detail);
   require_contacts(c, result.contacts);
   for (const LoadCase& load_case : c.load_cases)
-    if (load_case.share == LoadCase::Share::equal)
-      add(result, equal_share_result(load_case, result.contacts), detail);
+    if (load_case.share == LoadCase::Share::equal) add(result, equal_share_result(load_case, result.contacts), detail);
   return result;
 }
 
 DistributionSolver distribution_solver(const Conditions& c, const Contacts& contacts,
-                                       const PerInterface<ContactLaw>& laws, Direction direction,
-                                       double position, Solver solver) {
+                                       const PerInterface<ContactLaw>& laws, Direction direction, double position,
+                                       Solver solver) {
   if (c.model.bodies == ModelOptions::Bodies::influence)
-    return shared(std::make_shared<InfluenceSolver>(
-        influence_solver(c, contacts, laws, direction, position)));
-  SectorModel model = sector_model(contacts.mechanism, *c.structure, *c.materials, c.model, laws,
-                                   direction, position, c.deviations);
+    return shared(std::make_shared<InfluenceSolver>(influence_solver(c, contacts, laws, direction, position)));
+  SectorModel model =
+      sector_model(contacts.mechanism, *c.structure, *c.materials, c.model, laws, direction, position, c.deviations);
   if (solver == Solver::chain) return shared(std::make_shared<FallbackSolver>(std::move(model)));
   return shared(std::make_shared<SectorSolver>(build_sector(model)));
 }

@@ -35,8 +35,7 @@ std::string folded_points(std::vector<int> points) {
   for (std::size_t first = 0; first < points.size();) {
     std::size_t last = first;
     while (last + 1 < points.size() && points[last + 1] == points[last] + 1) ++last;
-    runs.push_back(first == last ? fmt::to_string(points[first])
-                                 : fmt::format("{}–{}", points[first], points[last]));
+    runs.push_back(first == last ? fmt::to_string(points[first]) : fmt::format("{}–{}", points[first], points[last]));
     first = last + 1;
   }
   return fmt::to_string(fmt::join(runs, ", "));
@@ -48,8 +47,7 @@ std::string configuration_name(const CaseGroup& group) {
   const std::string_view word = name(*group.direction);
   if (!group.name.ends_with(word)) return group.name;
   std::string stem = group.name.substr(0, group.name.size() - word.size());
-  while (!stem.empty() && std::string_view("-_ .").find(stem.back()) != std::string_view::npos)
-    stem.pop_back();
+  while (!stem.empty() && std::string_view("-_ .").find(stem.back()) != std::string_view::npos) stem.pop_back();
   return stem.empty() ? group.name : stem;
 }
 
@@ -72,8 +70,7 @@ Row case_row(const CaseTable& table, const LoadCaseResult& result) {
 /// First, middle and last point of a range, and how many there are.
 void add_folded_rows(const CaseTable& table, const CaseGroup& group, std::vector<Row>& rows) {
   const std::size_t count = group.cases.size();
-  for (const std::size_t k : {std::size_t{0}, count / 2, count - 1})
-    rows.push_back(case_row(table, *group.cases[k]));
+  for (const std::size_t k : {std::size_t{0}, count / 2, count - 1}) rows.push_back(case_row(table, *group.cases[k]));
 
   std::vector<std::string> failed;
   for (const LoadCaseResult* result : group.cases)
@@ -107,8 +104,7 @@ std::vector<Row> table_rows(const CaseTable& table, const std::vector<LoadCaseRe
 std::vector<std::size_t> column_widths(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.front().cells.size());
   for (const Row& row : rows)
-    for (std::size_t c = 0; c < row.cells.size(); ++c)
-      widths[c] = std::max(widths[c], width(row.cells[c]));
+    for (std::size_t c = 0; c < row.cells.size(); ++c) widths[c] = std::max(widths[c], width(row.cells[c]));
   std::size_t others = 0;
   for (std::size_t c = 1; c < widths.size(); ++c) others += kGap.size() + widths[c];
   const std::size_t room = kTableWidth - std::min(others, kTableWidth - kMinNameWidth);
@@ -116,8 +112,7 @@ std::vector<std::size_t> column_widths(const std::vector<Row>& rows) {
   return widths;
 }
 
-std::string row_line(const CaseTable& table, const Row& row,
-                     const std::vector<std::size_t>& widths) {
+std::string row_line(const CaseTable& table, const Row& row, const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t c = 0; c < row.cells.size(); ++c) {
     line += fitted(row.cells[c], widths[c], table.columns[c].left_aligned);
@@ -140,8 +135,7 @@ void add(const Warning& warning, WarningGroup& group) {
   const bool differs = without_path(warning) != without_path(group.worst);
   group.differs |= differs;
   group.several_paths |= warning.path != group.worst.path;
-  if (differs ? is_worse(warning, group.worst) : group.worst.load_case.empty())
-    group.worst = warning;
+  if (differs ? is_worse(warning, group.worst) : group.worst.load_case.empty()) group.worst = warning;
 }
 
 }  // namespace
@@ -155,30 +149,27 @@ std::vector<CaseGroup> group_cases(const std::vector<LoadCaseResult>& results) {
       return name.point && g.name == name.base && g.direction == load.direction;
     };
     auto group = std::find_if(groups.begin(), groups.end(), same);
-    if (group == groups.end())
-      group = groups.insert(group, {std::string(name.base), load.direction, {}});
+    if (group == groups.end()) group = groups.insert(group, {std::string(name.base), load.direction, {}});
     group->cases.push_back(&result);
   }
   return groups;
 }
 
 const CaseGroup* LoadedConfiguration::group(std::optional<Direction> direction) const {
-  const auto found = std::find_if(groups.begin(), groups.end(),
-                                  [&](const CaseGroup& g) { return g.direction == direction; });
+  const auto found =
+      std::find_if(groups.begin(), groups.end(), [&](const CaseGroup& g) { return g.direction == direction; });
   return found == groups.end() ? nullptr : &*found;
 }
 
 std::vector<LoadedConfiguration> loaded_configurations(const std::vector<LoadCaseResult>& results,
-                                                       std::size_t min_points,
-                                                       bool (*keep)(const LoadCaseResult&)) {
+                                                       std::size_t min_points, bool (*keep)(const LoadCaseResult&)) {
   std::vector<LoadedConfiguration> found;
   for (CaseGroup& group : group_cases(results)) {
     std::erase_if(group.cases, [&](const LoadCaseResult* result) { return !keep(*result); });
     if (group.cases.size() < min_points) continue;
     const std::string name = configuration_name(group);
-    auto it = std::find_if(found.begin(), found.end(), [&](const LoadedConfiguration& c) {
-      return c.name == name && !c.group(group.direction);
-    });
+    auto it = std::find_if(found.begin(), found.end(),
+                           [&](const LoadedConfiguration& c) { return c.name == name && !c.group(group.direction); });
     if (it == found.end()) it = found.insert(it, {name, {}});
     it->groups.push_back(std::move(group));
   }
@@ -189,16 +180,14 @@ std::string folded_names(const std::vector<std::string>& names) {
   std::vector<std::pair<std::string_view, std::vector<int>>> bases;
   for (const std::string& full : names) {
     const PointName name = split(full);
-    auto base = std::find_if(bases.begin(), bases.end(), [&](const auto& b) {
-      return name.point && b.first == name.base && !b.second.empty();
-    });
+    auto base = std::find_if(bases.begin(), bases.end(),
+                             [&](const auto& b) { return name.point && b.first == name.base && !b.second.empty(); });
     if (base == bases.end()) base = bases.insert(base, {name.base, {}});
     if (name.point) base->second.push_back(*name.point);
   }
   std::vector<std::string> labels;
   for (const auto& [base, points] : bases)
-    labels.push_back(points.empty() ? std::string(base)
-                                    : fmt::format("{}[{}]", base, folded_points(points)));
+    labels.push_back(points.empty() ? std::string(base) : fmt::format("{}[{}]", base, folded_points(points)));
   if (labels.size() > kMaxLabels) {
     const std::size_t others = labels.size() - kMaxLabels;
     labels.resize(kMaxLabels);
@@ -217,13 +206,10 @@ std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>
 
 std::string not_converged(const LoadCaseResult& result) {
   if (result.converged()) return {};
-  return fmt::format("NOT CONVERGED ({}), residual {:.1e}", status_name(result),
-                     result.solve->relative_residual);
+  return fmt::format("NOT CONVERGED ({}), residual {:.1e}", status_name(result), result.solve->relative_residual);
 }
 
-std::string case_name_cell(const LoadCaseResult& result) {
-  return printable(result.load_case.name);
-}
+std::string case_name_cell(const LoadCaseResult& result) { return printable(result.load_case.name); }
 
 std::string force_cell(const LoadCaseResult& result) {
   const double force = result.load_case.axial_force;
@@ -235,13 +221,9 @@ std::string direction_cell(const LoadCaseResult& result) {
   return std::string(d ? name(*d) : kAbsent);
 }
 
-std::string stiffness_cell(const LoadCaseResult& result) {
-  return fixed(result.axial_stiffness, "N/µm", 1);
-}
+std::string stiffness_cell(const LoadCaseResult& result) { return fixed(result.axial_stiffness, "N/µm", 1); }
 
-std::string displacement_cell(const LoadCaseResult& result) {
-  return fixed(result.axial_displacement, "µm", 2);
-}
+std::string displacement_cell(const LoadCaseResult& result) { return fixed(result.axial_displacement, "µm", 2); }
 
 std::string most_loaded_cell(const LoadCaseResult& result, Interface i) {
   if (!result.threads) return std::string(kAbsent);
@@ -250,8 +232,7 @@ std::string most_loaded_cell(const LoadCaseResult& result, Interface i) {
   if (!thread) return std::string(kAbsent);
   const auto& rollers = (*result.threads)[i].rollers;
   const std::string place =
-      rollers ? fmt::format("{}.{}", rollers->largest_roller, rollers->largest_thread)
-              : fmt::to_string(*thread + 1);
+      rollers ? fmt::format("{}.{}", rollers->largest_roller, rollers->largest_thread) : fmt::to_string(*thread + 1);
   return fmt::format("{}: {:5.2f}", place, rates[*thread] * per_si::percent);
 }
 
@@ -283,10 +264,8 @@ std::string WarningGroup::text() const {
 std::string WarningGroup::where() const {
   if (cases.empty()) return {};
   const std::size_t others = cases.size() - 1;
-  if (!differs || others == 0 || worst.load_case.empty())
-    return fmt::format("in {}", folded_names(cases));
-  return fmt::format("worst in {}, and {} other load case{}", worst.load_case, others,
-                     others == 1 ? "" : "s");
+  if (!differs || others == 0 || worst.load_case.empty()) return fmt::format("in {}", folded_names(cases));
+  return fmt::format("worst in {}, and {} other load case{}", worst.load_case, others, others == 1 ? "" : "s");
 }
 
 std::vector<WarningGroup> grouped(const std::vector<Warning>& warnings) {
@@ -294,8 +273,7 @@ std::vector<WarningGroup> grouped(const std::vector<Warning>& warnings) {
   std::map<std::pair<std::string, std::string>, std::size_t> known;
   std::set<std::pair<std::size_t, std::string>> told;
   for (const Warning& warning : warnings) {
-    const auto [at, is_new] =
-        known.try_emplace({warning.code, without_load_case(warning.path)}, groups.size());
+    const auto [at, is_new] = known.try_emplace({warning.code, without_load_case(warning.path)}, groups.size());
     if (is_new)
       groups.push_back({warning});
     else
@@ -306,17 +284,13 @@ std::vector<WarningGroup> grouped(const std::vector<Warning>& warnings) {
   return groups;
 }
 
-std::vector<Warning> all_warnings(std::vector<Warning> of_case,
-                                  const std::vector<LoadCaseResult>& load_cases) {
+std::vector<Warning> all_warnings(std::vector<Warning> of_case, const std::vector<LoadCaseResult>& load_cases) {
   for (const LoadCaseResult& load : load_cases)
-    for (const Warning& warning : load.warnings)
-      of_case.emplace_back(warning).load_case = load.load_case.name;
+    for (const Warning& warning : load.warnings) of_case.emplace_back(warning).load_case = load.load_case.name;
   return of_case;
 }
 
-std::vector<Warning> all_warnings(const Result& result) {
-  return all_warnings(result.warnings, result.load_cases);
-}
+std::vector<Warning> all_warnings(const Result& result) { return all_warnings(result.warnings, result.load_cases); }
 
 std::string warning_summary(const std::vector<Warning>& warnings) {
   std::string summary = warnings.empty() ? "" : "Warnings\n";

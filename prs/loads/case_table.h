@@ -30,8 +30,7 @@ struct LoadedConfiguration {
 /// directions belong together where their names differ in the last word only: `config1-tension` and
 /// `config1-compression` make `config1`.
 std::vector<LoadedConfiguration> loaded_configurations(const std::vector<LoadCaseResult>& results,
-                                                       std::size_t min_points,
-                                                       bool (*keep)(const LoadCaseResult&));
+                                                       std::size_t min_points, bool (*keep)(const LoadCaseResult&));
 
 /// Lists names with the points of a range folded: `a[0–44], b, c[3, 7–9]`. Beyond
 /// twelve entries says how many there are.
@@ -47,7 +46,7 @@ struct CaseColumn {
 /// A table with one row per load case.
 struct CaseTable {
   std::span<const CaseColumn> columns;
-  std::size_t load_columns = 0;  ///< The first say what the load is; a failed case has no others.
+  std::size_t load_columns = 0;                   ///< The first say what the load is; a failed case has no others.
   std::string (*failure)(const LoadCaseResult&);  ///< Stands in their place; empty where none.
   std::string_view file;                          ///< That has all points of a range.
 };
@@ -90,8 +89,7 @@ struct WarningGroup {
 std::vector<WarningGroup> grouped(const std::vector<Warning>& warnings);
 
 /// Those of the whole case, then those of the load cases with their names.
-std::vector<Warning> all_warnings(std::vector<Warning> of_case,
-                                  const std::vector<LoadCaseResult>& load_cases);
+std::vector<Warning> all_warnings(std::vector<Warning> of_case, const std::vector<LoadCaseResult>& load_cases);
 std::vector<Warning> all_warnings(const Result& result);
 
 /// Each group once with the cases it concerns, in the units of tables, below a heading. Empty where

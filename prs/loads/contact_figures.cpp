@@ -20,8 +20,7 @@ bool has_contact_points(const Contacts& contacts) {
 /// What the picture is of: `inverted screw 21 × 5 mm`.
 std::string mechanism_title(const Contacts& contacts) {
   const contact::MechanismGeometry& threads = contacts.threads;
-  return fmt::format("{}{} screw {:.4g} × {:.4g} mm",
-                     threads.screw.lead < 0.0 ? "left-handed " : "",
+  return fmt::format("{}{} screw {:.4g} × {:.4g} mm", threads.screw.lead < 0.0 ? "left-handed " : "",
                      threads.type == contact::MechanismType::standard ? "standard" : "inverted",
                      2.0 * threads.screw.pitch_radius * per_si::millimetre,
                      std::abs(threads.screw.lead) * per_si::millimetre);
@@ -29,14 +28,11 @@ std::string mechanism_title(const Contacts& contacts) {
 
 /// A range about its middle [m], shown in mm.
 Axis axis_about(std::string label, double middle, double half) {
-  return {std::move(label), "mm", (middle - half) * per_si::millimetre,
-          (middle + half) * per_si::millimetre};
+  return {std::move(label), "mm", (middle - half) * per_si::millimetre, (middle + half) * per_si::millimetre};
 }
 
 /// A point of a drawing [mm], from its coordinates [m].
-std::array<double, 2> point_mm(double x, double y) {
-  return {x * per_si::millimetre, y * per_si::millimetre};
-}
+std::array<double, 2> point_mm(double x, double y) { return {x * per_si::millimetre, y * per_si::millimetre}; }
 
 constexpr int kFlankPoints = 24;
 
@@ -67,19 +63,18 @@ InterfaceCut cut_through_contact(const Contacts& contacts, Interface i) {
   const contact::ContactPoint& point = contacts.interfaces[i].geometry.point;
   const contact::ThreadPair pair = pair_of(contacts.threads, i);
   constexpr auto kLoaded = contact::Configuration::i1_j2;
-  const auto face = static_cast<double>(i == Interface::screw ? roller_face_at_screw(kLoaded)
-                                                              : roller_face_at_nut(kLoaded));
+  const auto face =
+      static_cast<double>(i == Interface::screw ? roller_face_at_screw(kLoaded) : roller_face_at_nut(kLoaded));
   const double on_roller = height(pair.roller, face, point.radius_on_roller, point.angle_on_roller);
-  const double on_body =
-      height(pair.body, -pair.body.side * face, point.radius_on_body, point.angle_on_body);
+  const double on_body = height(pair.body, -pair.body.side * face, point.radius_on_body, point.angle_on_body);
 
   InterfaceCut cut;
   cut.contact_z = std::remainder(on_roller, pair.roller.pitch);
   cut.contact_x = point.position.x;
-  cut.body = {i == Interface::screw ? contacts.threads.screw : contacts.threads.nut, 0.0, 1.0,
-              point.position.y, cut.contact_z - on_body};
-  cut.roller = {contacts.threads.roller, pair.centre_distance, i == Interface::screw ? -1.0 : 1.0,
-                point.position.y, 0.0};
+  cut.body = {i == Interface::screw ? contacts.threads.screw : contacts.threads.nut, 0.0, 1.0, point.position.y,
+              cut.contact_z - on_body};
+  cut.roller = {contacts.threads.roller, pair.centre_distance, i == Interface::screw ? -1.0 : 1.0, point.position.y,
+                0.0};
   return cut;
 }
 
@@ -91,8 +86,7 @@ std::array<double, kFlankPoints> flank_radii(const contact::Thread& thread) {
   const double to = std::min(usable.largest, sharp.largest);
   std::array<double, kFlankPoints> radii;
   for (int k = 0; k < kFlankPoints; ++k)
-    radii[static_cast<std::size_t>(k)] =
-        std::lerp(from, to, std::clamp(k / (kFlankPoints - 1.0), 1e-9, 1.0 - 1e-9));
+    radii[static_cast<std::size_t>(k)] = std::lerp(from, to, std::clamp(k / (kFlankPoints - 1.0), 1e-9, 1.0 - 1e-9));
   return radii;
 }
 
@@ -101,8 +95,7 @@ Polyline outline(const Cut& cut, double half_length) {
   const contact::ThreadSurface surface(cut.thread);
   const auto radii = flank_radii(cut.thread);
   const auto point = [&](double radius, double rise) {
-    const double from_axis =
-        cut.side * std::sqrt(std::max(0.0, radius * radius - cut.plane * cut.plane));
+    const double from_axis = cut.side * std::sqrt(std::max(0.0, radius * radius - cut.plane * cut.plane));
     const double angle = std::atan2(cut.plane, from_axis);
     return point_mm(cut.origin + rise + angle * surface.reduced_lead, cut.axis + from_axis);
   };
@@ -133,8 +126,7 @@ Polyline contact_points(const InterfaceCut& cut, double half_length) {
   const bool same = contact::same_pitch(cut.body.thread.pitch, pitch);
   const int each_side = same ? static_cast<int>(half_length / pitch) : 0;
   Polyline points;
-  for (int k = -each_side; k <= each_side; ++k)
-    points.push_back(point_mm(cut.contact_z + k * pitch, cut.contact_x));
+  for (int k = -each_side; k <= each_side; ++k) points.push_back(point_mm(cut.contact_z + k * pitch, cut.contact_x));
   return points;
 }
 
@@ -171,19 +163,17 @@ std::vector<Series> section_lines(Figure& figure, const Section& section) {
   const auto& [at_screw, at_nut] = section.cuts;
   const Polyline screw = outline(at_screw.body, length);
   const Polyline nut = outline(at_nut.body, length);
-  const std::vector<Polyline> roller = {outline(at_screw.roller, length),
-                                        outline(at_nut.roller, length)};
+  const std::vector<Polyline> roller = {outline(at_screw.roller, length), outline(at_nut.roller, length)};
   const double axis = at_screw.roller.axis;
   std::vector<Series> lines;
   lines.push_back(polygons(figure, Part::screw, {filled_to(screw, section.inside - length)}));
-  lines.push_back(
-      polygons(figure, Part::roller, {filled_to(roller[0], axis), filled_to(roller[1], axis)}));
+  lines.push_back(polygons(figure, Part::roller, {filled_to(roller[0], axis), filled_to(roller[1], axis)}));
   lines.push_back(polygons(figure, Part::nut, {filled_to(nut, section.outside + length)}));
   lines.push_back(outlines(figure, Part::screw, {screw}));
   lines.push_back(outlines(figure, Part::roller, roller));
   lines.push_back(outlines(figure, Part::nut, {nut}));
-  lines.push_back({figure.add("roller axis", kAxisLine),
-                   {{point_mm(-2.0 * length, axis), point_mm(2.0 * length, axis)}}});
+  lines.push_back(
+      {figure.add("roller axis", kAxisLine), {{point_mm(-2.0 * length, axis), point_mm(2.0 * length, axis)}}});
   lines.push_back({figure.add("contact points I, J", kContactMark),
                    {contact_points(at_screw, length), contact_points(at_nut, length)}});
   return lines;
@@ -194,20 +184,17 @@ std::vector<Series> section_lines(Figure& figure, const Section& section) {
 void add_backlash(Panel& panel, const InterfaceCut& cut, double backlash) {
   constexpr double kVisible = 1e-6;  // [m]
   if (!contact::same_pitch(cut.body.thread.pitch, cut.roller.thread.pitch)) return;
-  panel.labels.push_back(
-      {fmt::format("backlash {} mm", number(backlash * per_si::millimetre, 3)), 0.03, 0.93, true});
-  if (std::abs(cut.body.plane) > kVisible)
-    panel.labels.push_back({"other flanks nearest at −y", 0.03, 0.85, true});
+  panel.labels.push_back({fmt::format("backlash {} mm", number(backlash * per_si::millimetre, 3)), 0.03, 0.93, true});
+  if (std::abs(cut.body.plane) > kVisible) panel.labels.push_back({"other flanks nearest at −y", 0.03, 0.85, true});
 }
 
-Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface i,
-                    const std::vector<Series>& lines) {
+Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface i, const std::vector<Series>& lines) {
   const double half = 0.45 * cut.roller.thread.pitch;
   Panel panel{fmt::format("{} at {}, y = {} mm", interface_title(i), letter(i),
                           number(cut.body.plane * per_si::millimetre, 3))};
   panel.series = lines;
-  panel.labels.push_back({letter(i), (cut.contact_z + 0.12 * half) * per_si::millimetre,
-                          cut.contact_x * per_si::millimetre});
+  panel.labels.push_back(
+      {letter(i), (cut.contact_z + 0.12 * half) * per_si::millimetre, cut.contact_x * per_si::millimetre});
   add_backlash(panel, cut, contacts.interfaces[i].geometry.point.backlash);
   panel.x = axis_about("z", cut.contact_z, half);
   panel.y = axis_about("x", cut.contact_x, half);
@@ -221,8 +208,7 @@ Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface
 Figures contact_axial_section(const Contacts& contacts) {
   if (!has_contact_points(contacts)) return {};
   const Section section = section_of(contacts);
-  Figure figure{"contact_axial_section",
-                "Section through I and J, configuration I1J2, " + mechanism_title(contacts)};
+  Figure figure{"contact_axial_section", "Section through I and J, configuration I1J2, " + mechanism_title(contacts)};
   figure.columns = 2;
   figure.overview = 1.1;
   figure.to_scale = true;
@@ -251,8 +237,7 @@ Polyline arc(const Circle& circle, double from, double to) {
   Polyline points;
   for (int k = 0; k <= kPoints; ++k) {
     const double angle = std::lerp(from, to, static_cast<double>(k) / kPoints);
-    points.push_back(point_mm(circle.x + circle.radius * std::cos(angle),
-                              circle.y + circle.radius * std::sin(angle)));
+    points.push_back(point_mm(circle.x + circle.radius * std::cos(angle), circle.y + circle.radius * std::sin(angle)));
   }
   return points;
 }
@@ -267,13 +252,12 @@ Polyline near_line_of_centres(const Circle& circle, double side, double reach) {
 }
 
 Circle body_circle(const contact::MechanismGeometry& threads, Part part) {
-  return {part, 0.0, 0.0,
-          part == Part::screw ? threads.screw.pitch_radius : threads.nut.pitch_radius};
+  return {part, 0.0, 0.0, part == Part::screw ? threads.screw.pitch_radius : threads.nut.pitch_radius};
 }
 
 Circle roller_circle(const contact::MechanismGeometry& threads, double angle) {
-  return {Part::roller, threads.centre_distance * std::cos(angle),
-          threads.centre_distance * std::sin(angle), threads.roller.pitch_radius};
+  return {Part::roller, threads.centre_distance * std::cos(angle), threads.centre_distance * std::sin(angle),
+          threads.roller.pitch_radius};
 }
 
 std::array<double, 2> contact_mm(const Contacts& contacts, Interface i) {
@@ -282,18 +266,10 @@ std::array<double, 2> contact_mm(const Contacts& contacts, Interface i) {
 }
 
 /// Styles of the figure in the order of their legend.
-enum CircleStyle : std::size_t {
-  kScrewCircle,
-  kRollerCircle,
-  kNutCircle,
-  kCentres,
-  kRadii,
-  kContactPoints
-};
+enum CircleStyle : std::size_t { kScrewCircle, kRollerCircle, kNutCircle, kCentres, kRadii, kContactPoints };
 
 void add_circle_styles(Figure& figure) {
-  for (const Part part : kParts)
-    figure.add(fmt::format("pitch circle, {}", title(part)), line_of(colour_of(part)));
+  for (const Part part : kParts) figure.add(fmt::format("pitch circle, {}", title(part)), line_of(colour_of(part)));
   figure.add("line of centres", kAxisLine);
   figure.add("radii to the contact", line_of(Colour::ink, Dash::dashed, Weight::thin));
   figure.add("contact points I, J", kContactMark);
@@ -319,12 +295,10 @@ Panel mechanism_panel(const Contacts& contacts) {
     rollers.parts.push_back(whole(roller_circle(threads, 2.0 * std::numbers::pi * k / count)));
   panel.series.push_back(std::move(rollers));
   const double reach = 1.06 * threads.nut.pitch_radius;
-  panel.series.push_back({kCentres,
-                          {{point_mm(-reach, 0.0), point_mm(reach, 0.0)},
-                           {point_mm(0.0, -reach), point_mm(0.0, reach)}}});
   panel.series.push_back(
-      {kContactPoints,
-       {{contact_mm(contacts, Interface::screw)}, {contact_mm(contacts, Interface::nut)}}});
+      {kCentres, {{point_mm(-reach, 0.0), point_mm(reach, 0.0)}, {point_mm(0.0, -reach), point_mm(0.0, reach)}}});
+  panel.series.push_back(
+      {kContactPoints, {{contact_mm(contacts, Interface::screw)}, {contact_mm(contacts, Interface::nut)}}});
   for (const Interface i : kInterfaces)
     panel.labels.push_back(mark_label(contacts, i, 0.3 * threads.roller.pitch_radius));
   panel.x = axis_about("x", 0.0, reach);
@@ -343,14 +317,11 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
   const double half = std::max(0.75 * std::hypot(dx, dy), 0.04 * roller.radius);
   const double reach = 8.0 * half;
 
-  Panel panel{fmt::format("{}: {}° {}, {}° roller", letter(i),
-                          number(point.angle_on_body * per_si::degree, 2), title(body.part),
-                          number(point.angle_on_roller * per_si::degree, 2))};
+  Panel panel{fmt::format("{}: {}° {}, {}° roller", letter(i), number(point.angle_on_body * per_si::degree, 2),
+                          title(body.part), number(point.angle_on_roller * per_si::degree, 2))};
   panel.series.push_back({style_of(body.part), {near_line_of_centres(body, 1.0, reach)}});
-  panel.series.push_back(
-      {kRollerCircle, {near_line_of_centres(roller, i == Interface::screw ? -1.0 : 1.0, reach)}});
-  panel.series.push_back(
-      {kCentres, {{point_mm(0.0, 0.0), point_mm(threads.nut.pitch_radius + reach, 0.0)}}});
+  panel.series.push_back({kRollerCircle, {near_line_of_centres(roller, i == Interface::screw ? -1.0 : 1.0, reach)}});
+  panel.series.push_back({kCentres, {{point_mm(0.0, 0.0), point_mm(threads.nut.pitch_radius + reach, 0.0)}}});
   const auto at = contact_mm(contacts, i);
   panel.series.push_back({kRadii, {{point_mm(0.0, 0.0), at}, {point_mm(roller.x, 0.0), at}}});
   panel.series.push_back({kContactPoints, {{at}}});
@@ -408,8 +379,7 @@ DrawnEllipse loaded_ellipse(const LoadedThread& at, Interface i) {
   const InterfaceLoads& loads = (*at.load_case->threads)[i];
   const std::size_t k = at.thread;
   return {loads.semi_major[k] * per_si::millimetre, loads.semi_minor[k] * per_si::millimetre,
-          fmt::format("{:.4g} N, {:.3f} GPa", loads.normal_load[k],
-                      loads.peak_pressure[k] * per_si::gigapascal)};
+          fmt::format("{:.4g} N, {:.3f} GPa", loads.normal_load[k], loads.peak_pressure[k] * per_si::gigapascal)};
 }
 
 /// Absent where the relative curvatures give no ellipse.
@@ -426,18 +396,10 @@ std::array<double, 2> polar(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-Polyline diameter(double angle, double half_length) {
-  return {polar(-half_length, angle), polar(half_length, angle)};
-}
+Polyline diameter(double angle, double half_length) { return {polar(-half_length, angle), polar(half_length, angle)}; }
 
 /// Styles of the figure in the order of their legend; of the directions, the second follows.
-enum EllipseStyle : std::size_t {
-  kInside,
-  kOutline,
-  kScrew,
-  kRoller = kScrew + 2,
-  kNut = kRoller + 2
-};
+enum EllipseStyle : std::size_t { kInside, kOutline, kScrew, kRoller = kScrew + 2, kNut = kRoller + 2 };
 
 void add_ellipse_styles(Figure& figure) {
   Style inside = area_of(Colour::grey);
@@ -464,12 +426,10 @@ void add_semi_axis_labels(Panel& panel, const DrawnEllipse& ellipse, double majo
   };
   letter_at("a", a, major);
   letter_at("b", b, major + kQuarterTurn);
-  if (loaded)
-    panel.labels.push_back({fmt::format("a = {:.4f} mm, b = {:.4f} mm", a, b), 0.03, 0.04, true});
+  if (loaded) panel.labels.push_back({fmt::format("a = {:.4f} mm, b = {:.4f} mm", a, b), 0.03, 0.04, true});
 }
 
-Panel ellipse_panel(const contact::InterfaceGeometry& geometry, const DrawnEllipse& ellipse,
-                    Interface i, bool loaded) {
+Panel ellipse_panel(const contact::InterfaceGeometry& geometry, const DrawnEllipse& ellipse, Interface i, bool loaded) {
   const double a = ellipse.semi_major, b = ellipse.semi_minor;
   const double major = geometry.relative.angle;
   const Polyline ellipse_line = prs::ellipse(0.0, 0.0, a, b, major);
@@ -477,8 +437,7 @@ Panel ellipse_panel(const contact::InterfaceGeometry& geometry, const DrawnEllip
   panel.series.push_back({kInside, {ellipse_line}});
   add_directions(panel, i == Interface::screw ? kScrew : kNut, geometry.body.angle, 1.35 * a);
   add_directions(panel, kRoller, geometry.roller.angle, 1.2 * a);
-  panel.series.push_back(
-      {kOutline, {ellipse_line, diameter(major, a), diameter(major + kQuarterTurn, b)}});
+  panel.series.push_back({kOutline, {ellipse_line, diameter(major, a), diameter(major + kQuarterTurn, b)}});
   add_semi_axis_labels(panel, ellipse, major, loaded);
   return panel;
 }
@@ -508,8 +467,7 @@ Figures contact_ellipses(const Result& result, const FigureOptions&) {
   double largest = 0.0;
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry& geometry = contacts.interfaces[i].geometry;
-    const std::optional<DrawnEllipse> drawn =
-        loaded ? loaded_ellipse(*at[i], i) : unit_ellipse(geometry);
+    const std::optional<DrawnEllipse> drawn = loaded ? loaded_ellipse(*at[i], i) : unit_ellipse(geometry);
     if (!drawn) return {};
     figure.panels.push_back(ellipse_panel(geometry, *drawn, i, loaded));
     largest = std::max(largest, drawn->semi_major);

@@ -45,10 +45,9 @@ constexpr Quantity<ScrewEnd> kScrewEnd[] = {
      }>,
      "those that no bearing holds there: the order of both matrices"},
     {"stiffness_SI", of<[](const ScrewEnd& s) { return given(s.stiffness); }>,
-     "tangent, N/m, N and N m/rad; the inverse of the compliance", "",
-     "stiffness in N/m, N, N m/rad"},
-    {"compliance_SI", of<[](const ScrewEnd& s) { return given(s.compliance); }>,
-     "displacements per load at the load", "", "compliance in m/N, 1/N, rad/(N m)"},
+     "tangent, N/m, N and N m/rad; the inverse of the compliance", "", "stiffness in N/m, N, N m/rad"},
+    {"compliance_SI", of<[](const ScrewEnd& s) { return given(s.compliance); }>, "displacements per load at the load",
+     "", "compliance in m/N, 1/N, rad/(N m)"},
 };
 
 std::vector<double> list_of(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
@@ -60,10 +59,8 @@ struct NutSupport {
 constexpr Quantity<NutSupport> kNutSupport[] = {
     {"force_N", of<[](const NutSupport& s) { return list_of(s.support->force); }>,
      "x, y, z, of the housing on the nut"},
-    {"moment_Nm", of<[](const NutSupport& s) { return pair_of(s.support->moment); }>,
-     "about y and z"},
-    {"at_mm", of<[](const NutSupport& s) { return s.support->position; }>, "the thrust section", "",
-     "position"},
+    {"moment_Nm", of<[](const NutSupport& s) { return pair_of(s.support->moment); }>, "about y and z"},
+    {"at_mm", of<[](const NutSupport& s) { return s.support->position; }>, "the thrust section", "", "position"},
 };
 
 constexpr Quantity<SupportForce> kSupport[] = {
@@ -76,8 +73,7 @@ constexpr Quantity<SupportForce> kSupport[] = {
 };
 
 constexpr Quantity<RingForce> kRing[] = {
-    {"force_N", of<[](const RingForce& r) { return pair_of(r.force); }>,
-     "y, z, of the ring on the rollers"},
+    {"force_N", of<[](const RingForce& r) { return pair_of(r.force); }>, "y, z, of the ring on the rollers"},
     {"moment_Nm", of<[](const RingForce& r) { return pair_of(r.moment); }>,
      "of the ring on the rollers about y and z, at `at_mm`"},
     {"at_mm", of<&RingForce::position>, "x"},
@@ -90,12 +86,9 @@ struct Reactions {
 
 constexpr Quantity<Reactions> kReactions[] = {
     {"nut", of<[](const Reactions& r) { return NutSupport{&r.full->nut}; }>, "of the nut's seat"},
-    {"rings", of<[](const Reactions& r) {
-       return std::vector<RingForce>(r.full->rings.begin(), r.full->rings.end());
-     }>,
+    {"rings", of<[](const Reactions& r) { return std::vector<RingForce>(r.full->rings.begin(), r.full->rings.end()); }>,
      "near and far"},
-    {"bearings",
-     of<[](const Reactions& r) -> const std::vector<SupportForce>& { return r.full->bearings; }>,
+    {"bearings", of<[](const Reactions& r) -> const std::vector<SupportForce>& { return r.full->bearings; }>,
      "as the file has them"},
 };
 
@@ -104,13 +97,11 @@ struct Symmetric {
 };
 
 constexpr Quantity<Symmetric> kSymmetric[] = {
-    {"axial_displacement_um",
-     of<[](const Symmetric& s) { return s.full->symmetric.axial_displacement; }>,
+    {"axial_displacement_um", of<[](const Symmetric& s) { return s.full->symmetric.axial_displacement; }>,
      "of the loaded section"},
     {"axial_stiffness_N_per_um", of<[](const Symmetric& s) { return s.full->symmetric_stiffness; }>,
      "secant: force over displacement"},
-    {"tangent_stiffness_N_per_um",
-     of<[](const Symmetric& s) { return s.full->symmetric.tangent_stiffness; }>,
+    {"tangent_stiffness_N_per_um", of<[](const Symmetric& s) { return s.full->symmetric.tangent_stiffness; }>,
      "derivative of the force by the displacement"},
     {"largest_normal_load_N", of<[](const Symmetric& s) {
        const PerInterface<double>& largest = s.full->symmetric.largest_normal_load;
@@ -147,42 +138,33 @@ constexpr Quantity<Orbit> kOrbit[] = {
 };
 
 constexpr Quantity<FullLoads> kFullLoads[] = {
-    {"dofs", of<&FullLoads::freedoms>, "freedoms of the model", "",
-     "degrees of freedom of the model"},
+    {"dofs", of<&FullLoads::freedoms>, "freedoms of the model", "", "degrees of freedom of the model"},
     {"rollers", of<&FullLoads::rollers>, "missing ones included"},
     {"carrier_angle_deg", of<&FullLoads::carrier_angle>, "azimuth of the first roller"},
     {"idle_rollers", of<&FullLoads::idle_rollers>, "that carry nothing, from 1"},
     {"screw_end", of<&FullLoads::screw_end>, "displacement and stiffness of the loaded section"},
-    {"reactions", of<[](const FullLoads& f) { return Reactions{&f}; }>,
-     "forces of the supports on the parts"},
+    {"reactions", of<[](const FullLoads& f) { return Reactions{&f}; }>, "forces of the supports on the parts"},
     {"symmetric", of<[](const FullLoads& f) { return Symmetric{&f}; }>,
      "the same screw with the axial force only: aligned, all rollers, nominal parts", "",
      "the same screw, axial force only"},
-    {"orbit", of<&FullLoads::orbit>, "what a turn of the carrier does", "",
-     "a turn of the carrier"},
+    {"orbit", of<&FullLoads::orbit>, "what a turn of the carrier does", "", "a turn of the carrier"},
     {"travel", of<&FullLoads::travel>, "positions of the turning mechanism", "", "travel"},
-    {"modes", of<&FullLoads::modes>, "natural vibration about the equilibrium", "",
-     "natural frequencies"},
+    {"modes", of<&FullLoads::modes>, "natural vibration about the equilibrium", "", "natural frequencies"},
 };
 
 }  // namespace
 
 Record<RollerShares> record_of(Type<RollerShares>) {
-  return {"RollerShares", "How the load spreads over the rollers of a full mechanism.",
-          kRollerShares};
+  return {"RollerShares", "How the load spreads over the rollers of a full mechanism.", kRollerShares};
 }
 Record<ScrewEnd> record_of(Type<ScrewEnd>) {
   return {"ScrewEnd", "The loaded section of the screw of a full mechanism.", kScrewEnd};
 }
-Record<NutSupport> record_of(Type<NutSupport>) {
-  return {"NutSupport", "What holds the nut.", kNutSupport};
-}
+Record<NutSupport> record_of(Type<NutSupport>) { return {"NutSupport", "What holds the nut.", kNutSupport}; }
 Record<SupportForce> record_of(Type<SupportForce>) {
   return {"BearingForce", "What a bearing does to the screw.", kSupport};
 }
-Record<RingForce> record_of(Type<RingForce>) {
-  return {"RingForce", "What a guide ring does to the rollers.", kRing};
-}
+Record<RingForce> record_of(Type<RingForce>) { return {"RingForce", "What a guide ring does to the rollers.", kRing}; }
 Record<Reactions> record_of(Type<Reactions>) {
   return {"Reactions", "Forces of the supports of a full mechanism on its parts.", kReactions};
 }
@@ -192,9 +174,7 @@ Record<Symmetric> record_of(Type<Symmetric>) {
 Record<OrbitLoads> record_of(Type<OrbitLoads>) {
   return {"OrbitLoads", "What a turn of the carrier does at an interface.", kOrbitLoads};
 }
-Record<Orbit> record_of(Type<Orbit>) {
-  return {"Orbit", "A turn of the carrier of a full mechanism.", kOrbit};
-}
+Record<Orbit> record_of(Type<Orbit>) { return {"Orbit", "A turn of the carrier of a full mechanism.", kOrbit}; }
 Record<FullLoads> record_of(Type<FullLoads>) {
   return {"FullLoads", "What the full mechanism adds to a load case.", kFullLoads};
 }

@@ -14,9 +14,8 @@ std::vector<std::string> contacts_without_figure(const Result& result) {
   std::vector<std::string> notes;
   for (const Interface i : kInterfaces)
     if (!result.contacts.interfaces[i].geometry.ok())
-      notes.push_back(fmt::format(
-          "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
-          label(i), failure(result.contacts, i).message));
+      notes.push_back(fmt::format("pictures of the contacts were not drawn: the {} threads have no contact point ({})",
+                                  label(i), failure(result.contacts, i).message));
   return notes;
 }
 
@@ -73,9 +72,9 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
   if (std::ranges::none_of(result.load_cases, has_travel)) return {};
   CsvWriter positions(style), threads(style);
   load_header(positions);
-  positions.fields("angle_deg", "deviation_um", "tangent_stiffness_N_per_um", "end_y_um",
-                   "end_z_um", "end_theta_y_mrad", "end_theta_z_mrad", "nut_x_N", "nut_y_N",
-                   "nut_z_N", "nut_moment_y_Nm", "nut_moment_z_Nm");
+  positions.fields("angle_deg", "deviation_um", "tangent_stiffness_N_per_um", "end_y_um", "end_z_um",
+                   "end_theta_y_mrad", "end_theta_z_mrad", "nut_x_N", "nut_y_N", "nut_z_N", "nut_moment_y_Nm",
+                   "nut_moment_z_Nm");
   positions.end_row();
   load_header(threads);
   threads.fields("interface", "roller", "thread", "mean_normal_load_N", "ripple_normal_load_N");
@@ -88,14 +87,12 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
       load_fields(positions, r.load_case);
       positions.number(t.angle[k], per_si::degree);
       positions.number(deviation[k], per_si::micrometre);
-      positions.number(
-          t.tangent_stiffness.empty() ? std::nullopt : std::optional(t.tangent_stiffness[k]), 1e-6);
+      positions.number(t.tangent_stiffness.empty() ? std::nullopt : std::optional(t.tangent_stiffness[k]), 1e-6);
       for (const double value : {t.end_displacement[k].y, t.end_displacement[k].z})
         positions.number(value, per_si::micrometre);
-      for (const double value : {t.end_rotation[k].y, t.end_rotation[k].z})
-        positions.number(value, 1e3);
-      for (const double value : {t.nut.force[k][0], t.nut.force[k][1], t.nut.force[k][2],
-                                 t.nut.moment[k].y, t.nut.moment[k].z})
+      for (const double value : {t.end_rotation[k].y, t.end_rotation[k].z}) positions.number(value, 1e3);
+      for (const double value :
+           {t.nut.force[k][0], t.nut.force[k][1], t.nut.force[k][2], t.nut.moment[k].y, t.nut.moment[k].z})
         positions.number(value);
       positions.end_row();
     }
@@ -111,8 +108,7 @@ std::vector<OutputFile> travel_files(const Result& result, const CsvStyle& style
 }
 
 bool all_converged(const Result& result) {
-  return std::ranges::all_of(result.load_cases,
-                             [](const LoadCaseResult& r) { return r.converged() && travels(r); });
+  return std::ranges::all_of(result.load_cases, [](const LoadCaseResult& r) { return r.converged() && travels(r); });
 }
 
 std::vector<std::string> summary_of_warnings(const Result& result) {
@@ -126,15 +122,13 @@ const Analysis<Result>& contact_analysis() {
       .command = Command::contact,
       .help = "Contact points, backlash, curvatures, ellipses, pictures",
       .file = "contact.json",
-      .run = [](const input::Source&,
-                const input::CaseInput& in) { return analyze_contacts(in.values); },
+      .run = [](const input::Source&, const input::CaseInput& in) { return analyze_contacts(in.values); },
       .places = places,
       .put = put_loads,
       .load_case = load_case_json,
       .table = contact_table,
       .notes = summary_of_warnings,
-      .pictures = [](const Result& r,
-                     const Case& c) { return with_drawings(contact_pictures(r), c, r); },
+      .pictures = [](const Result& r, const Case& c) { return with_drawings(contact_pictures(r), c, r); },
       .without_figure = contacts_without_figure,
       .all_warnings = all_warnings,
       .responses = kContactResponses,
@@ -144,17 +138,13 @@ const Analysis<Result>& contact_analysis() {
 
 void put_contacts(Json& document, const Contacts& contacts) {
   document["contact"] = object_of(contacts);
-  if (Json threads = object_of(contacts.threads); !threads.empty())
-    document["threads"] = std::move(threads);
+  if (Json threads = object_of(contacts.threads); !threads.empty()) document["threads"] = std::move(threads);
 }
 
 void put_loads(Json& document, const Result& result) {
   if (result.contacts.threads.centre_distance > 0.0) put_contacts(document, result.contacts);
-  const auto is_solved = [](const LoadCaseResult& load_case) {
-    return load_case.solve.has_value();
-  };
-  if (std::ranges::any_of(result.load_cases, is_solved))
-    document["model"] = object_of(ModelSummary{&result});
+  const auto is_solved = [](const LoadCaseResult& load_case) { return load_case.solve.has_value(); };
+  if (std::ranges::any_of(result.load_cases, is_solved)) document["model"] = object_of(ModelSummary{&result});
   document["load_cases"] = Json::array();
 }
 
@@ -166,9 +156,7 @@ std::optional<Json> load_case_json(const Result& result, std::size_t k) {
 }
 
 std::vector<Place> with_contacts(std::initializer_list<Place> places) {
-  return joined(
-      {{"contact", describe<Contacts>}, {"threads", describe<contact::MechanismGeometry>, false}},
-      places);
+  return joined({{"contact", describe<Contacts>}, {"threads", describe<contact::MechanismGeometry>, false}}, places);
 }
 
 std::vector<Place> with_loads(std::initializer_list<Place> places) {
@@ -182,15 +170,13 @@ std::vector<Place> with_loads(std::initializer_list<Place> places) {
 std::string load_case_table(const Result& result) {
   std::string model = model_line(result);
   if (!model.empty()) model = wrapped(model.substr(0, model.size() - 1), "", kTableWidth);
-  const std::string table =
-      model + case_table({kColumns, 3, not_converged, "load_cases.csv"}, result.load_cases);
+  const std::string table = model + case_table({kColumns, 3, not_converged, "load_cases.csv"}, result.load_cases);
   return table + warning_section(all_warnings(result));
 }
 
 std::string load_distribution_chart(const LoadCaseResult& result) {
   const std::string title = case_name_cell(result);
-  if (!result.threads)
-    return fmt::format("{}: no load distribution ({})\n", title, status_name(result));
+  if (!result.threads) return fmt::format("{}: no load distribution ({})\n", title, status_name(result));
 
   const bool rollers = result.full != nullptr;
   PerInterface<std::vector<double>> shares;
@@ -199,8 +185,7 @@ std::string load_distribution_chart(const LoadCaseResult& result) {
     shares[i] = percent(rollers ? loads.rollers->share : loads.load_rate);
   }
   const double mean = per_si::percent / static_cast<double>(shares.screw.size());
-  return fmt::format("{}: share of each {}, mean {:.2f} %\n", title, rollers ? "roller" : "thread",
-                     mean) +
+  return fmt::format("{}: share of each {}, mean {:.2f} %\n", title, rollers ? "roller" : "thread", mean) +
          bar_chart(shares, 2, "%");
 }
 
@@ -212,8 +197,7 @@ void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface 
   const auto row = static_cast<std::size_t>(std::max(loads.threads_per_roller, 0));
   csv.fields(thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt,
              scaled(entry(loads.load_rate, thread), per_si::percent),
-             scaled(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)),
-                    per_si::megapascal));
+             scaled(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)), per_si::megapascal));
 }
 
 }  // namespace
@@ -223,13 +207,11 @@ std::string load_cases_csv(const Result& result, const CsvStyle& style) {
   load_header(csv);
   scalar_header<LoadCaseResult>(csv, "", "converged");
   for (const Interface i : kInterfaces)
-    for (const char* key :
-         {"most_loaded_thread", "largest_load_rate_percent", "largest_peak_pressure_MPa"})
+    for (const char* key : {"most_loaded_thread", "largest_load_rate_percent", "largest_peak_pressure_MPa"})
       csv.text(fmt::format("{}_{}", name(i), key));
   csv.text("loads");
   scalar_header<RunningLoads>(csv, "running_");
-  for (const Interface i : kInterfaces)
-    csv.text(fmt::format("static_{}_largest_normal_load_N", name(i)));
+  for (const Interface i : kInterfaces) csv.text(fmt::format("static_{}_largest_normal_load_N", name(i)));
   scalar_header<RunningLoads::AtRest>(csv, "static_");
   csv.end_row();
 
@@ -252,12 +234,11 @@ std::string load_cases_csv(const Result& result, const CsvStyle& style) {
 std::string load_distribution_csv(const Result& result, const CsvStyle& style) {
   CsvWriter csv(style);
   load_header(csv);
-  const bool all_rollers = std::ranges::any_of(
-      result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
+  const bool all_rollers =
+      std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
   if (all_rollers) csv.text("roller");
   csv.text("thread");
-  for (const Interface i : kInterfaces)
-    series_header<InterfaceLoads>(csv, fmt::format("{}_", name(i)));
+  for (const Interface i : kInterfaces) series_header<InterfaceLoads>(csv, fmt::format("{}_", name(i)));
   csv.end_row();
 
   for (const LoadCaseResult& load_case : result.load_cases) {
@@ -290,10 +271,9 @@ std::string mechanism_line(const Contacts& contacts) {
   return fmt::format(
       "{} roller screw, {}-handed, lead {:.6g} {}, {} roller{} ({} fit)\n"
       "centre distance {}\n",
-      m.type == Mechanism::Type::standard ? "Standard" : "Inverted",
-      m.lead < 0.0 ? "left" : "right", shown(std::abs(m.lead), "mm"), table_unit("mm").text,
-      m.rollers, m.rollers == 1 ? "" : "s", contact::largest_roller_count(contacts.threads),
-      fixed_with_unit(contacts.threads.centre_distance, "mm", 4));
+      m.type == Mechanism::Type::standard ? "Standard" : "Inverted", m.lead < 0.0 ? "left" : "right",
+      shown(std::abs(m.lead), "mm"), table_unit("mm").text, m.rollers, m.rollers == 1 ? "" : "s",
+      contact::largest_roller_count(contacts.threads), fixed_with_unit(contacts.threads.centre_distance, "mm", 4));
 }
 
 using Number = std::optional<double>;
@@ -306,16 +286,11 @@ struct PartRow {
 
 constexpr PartRow kPartRows[] = {
     {"  pitch diameter, mm", "mm", [](const Thread& t) { return Number(2.0 * t.pitch_radius); }},
-    {"  helix angle, deg", "deg",
-     [](const Thread& t) { return Number(ThreadSurface(t).helix_angle()); }},
-    {"  flank from radius, mm", "mm",
-     [](const Thread& t) { return Number(contact::flank_limits(t).smallest); }},
-    {"  flank to radius, mm", "mm",
-     [](const Thread& t) { return Number(contact::flank_limits(t).largest); }},
-    {"  crest width, mm", "mm",
-     [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).crest; }},
-    {"  root width, mm", "mm",
-     [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).root; }},
+    {"  helix angle, deg", "deg", [](const Thread& t) { return Number(ThreadSurface(t).helix_angle()); }},
+    {"  flank from radius, mm", "mm", [](const Thread& t) { return Number(contact::flank_limits(t).smallest); }},
+    {"  flank to radius, mm", "mm", [](const Thread& t) { return Number(contact::flank_limits(t).largest); }},
+    {"  crest width, mm", "mm", [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).crest; }},
+    {"  root width, mm", "mm", [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).root; }},
 };
 
 std::string part_rows(const contact::MechanismGeometry& threads) {
@@ -337,27 +312,16 @@ struct ContactRow {
 };
 
 constexpr ContactRow kContactRows[] = {
-    {"radius_on_body_mm", 4},
-    {"radius_on_roller_mm", 4},
-    {"angle_on_body_deg", 4},
-    {"angle_on_roller_deg", 4},
-    {"normal_angle_deg", 4},
-    {"backlash_mm", 4},
-    {"flank_clearance_mm", 4},
-    {"body_crest_clearance_mm", 4},
-    {"roller_crest_clearance_mm", 4},
-    {"body_curvatures_per_mm", 6},
-    {"roller_curvatures_per_mm", 6},
-    {"relative_curvatures_per_mm", 6},
-    {"curvature_sum_per_mm", 6},
-    {"first_directions_angle_deg", 4},
-    {"ellipticity", 6},
+    {"radius_on_body_mm", 4},          {"radius_on_roller_mm", 4},        {"angle_on_body_deg", 4},
+    {"angle_on_roller_deg", 4},        {"normal_angle_deg", 4},           {"backlash_mm", 4},
+    {"flank_clearance_mm", 4},         {"body_crest_clearance_mm", 4},    {"roller_crest_clearance_mm", 4},
+    {"body_curvatures_per_mm", 6},     {"roller_curvatures_per_mm", 6},   {"relative_curvatures_per_mm", 6},
+    {"curvature_sum_per_mm", 6},       {"first_directions_angle_deg", 4}, {"ellipticity", 6},
     {"hertz_constant_N_per_mm1_5", 1},
 };
 
 /// One number or both of a pair, in SI.
-std::array<Number, 2> values_of(const Contacts& contacts, Interface i,
-                                const Quantity<ContactAt>& q) {
+std::array<Number, 2> values_of(const Contacts& contacts, Interface i, const Quantity<ContactAt>& q) {
   const ContactAt contact{&contacts, i};
   if (!contact.contact().geometry.ok()) return {};
   if (q.value.number) {
@@ -374,8 +338,7 @@ std::string contact_rows(const Contacts& contacts) {
     const auto& q = quantity<ContactAt>(key);
     const std::string_view unit = q.unit.text;
     std::string label = fmt::format("  {}{}{}", title_of(q), unit.empty() ? "" : ", ", unit);
-    const auto screw = values_of(contacts, Interface::screw, q),
-               nut = values_of(contacts, Interface::nut, q);
+    const auto screw = values_of(contacts, Interface::screw, q), nut = values_of(contacts, Interface::nut, q);
     for (std::size_t k = 0; k < screw.size(); ++k)
       if (screw[k] || nut[k])
         rows += kRows(with_table_unit(std::exchange(label, "")),
@@ -448,16 +411,14 @@ std::string load_table(const std::vector<LoadCaseResult>& results) {
     titles.emplace_back(column.title);
     units.push_back(with_table_unit(column.of().unit.text));
   }
-  std::string table =
-      "\nEqual shares of all threads\n" + kLoadRows("", titles) + kLoadRows("  load case", units);
+  std::string table = "\nEqual shares of all threads\n" + kLoadRows("", titles) + kLoadRows("  load case", units);
   for (const LoadCaseResult* result : cases) {
     std::string label = fitted(printable(result->load_case.name), kNameWidth, true);
     for (const Interface i : kInterfaces) {
       std::vector<std::string> cells;
       for (const LoadColumn& column : columns)
         cells.push_back(fixed(value(*result, i, column), column.of().unit.text, column.decimals));
-      table += kLoadRows(fmt::format("  {:{}} {}", std::exchange(label, ""), kNameWidth, name(i)),
-                         cells);
+      table += kLoadRows(fmt::format("  {:{}} {}", std::exchange(label, ""), kNameWidth, name(i)), cells);
     }
   }
   if (cases.size() < count) table += fmt::format("  … {} of {} cases\n", cases.size(), count);
@@ -468,8 +429,8 @@ std::string load_table(const std::vector<LoadCaseResult>& results) {
 
 std::string contact_table(const Result& result) {
   const Contacts& contacts = result.contacts;
-  std::string table = mechanism_line(contacts) + '\n' + part_rows(contacts.threads) + '\n' +
-                      contact_rows(contacts) + load_table(result.load_cases);
+  std::string table = mechanism_line(contacts) + '\n' + part_rows(contacts.threads) + '\n' + contact_rows(contacts) +
+                      load_table(result.load_cases);
   return table + warning_section(all_warnings(result));
 }
 

@@ -7,10 +7,10 @@
 namespace prs {
 namespace {
 
-void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact,
-                        simd::InstructionSet set, const contact::KnownApproach& known) {
-  contact::set_ellipses(contact.hertz, loads.normal_load, loads.semi_major, loads.semi_minor,
-                        loads.peak_pressure, set, known);
+void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact, simd::InstructionSet set,
+                        const contact::KnownApproach& known) {
+  contact::set_ellipses(contact.hertz, loads.normal_load, loads.semi_major, loads.semi_minor, loads.peak_pressure, set,
+                        known);
   if (!contact.shear) return;
   for (const double pressure : loads.peak_pressure)
     loads.max_shear_stress.push_back(contact.shear->shear_over_pressure * pressure);
@@ -19,19 +19,18 @@ void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact,
 }
 
 /// Numbers of an interface whose normal loads and angle are set.
-void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const Contacts& contacts,
-                         Interface i, double cosine, simd::InstructionSet set,
-                         const LoadDetail& detail = {}, const contact::KnownApproach& known = {}) {
+void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const Contacts& contacts, Interface i,
+                         double cosine, simd::InstructionSet set, const LoadDetail& detail = {},
+                         const contact::KnownApproach& known = {}) {
   const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
   const std::size_t threads = loads.normal_load.size();
   loads.axial_load.resize(detail.axial_load ? threads : 0);
-  for (std::size_t k = 0; k < loads.axial_load.size(); ++k)
-    loads.axial_load[k] = loads.normal_load[k] * cosine;
+  for (std::size_t k = 0; k < loads.axial_load.size(); ++k) loads.axial_load[k] = loads.normal_load[k] * cosine;
   loads.load_rate.resize(detail.load_rate ? threads : 0);
   for (std::size_t k = 0; k < loads.load_rate.size(); ++k)
     loads.load_rate[k] = loads.normal_load[k] * cosine / roller_force;
-  for (auto* values : {&loads.semi_major, &loads.semi_minor, &loads.peak_pressure,
-                       &loads.max_shear_stress, &loads.max_shear_depth})
+  for (auto* values :
+       {&loads.semi_major, &loads.semi_minor, &loads.peak_pressure, &loads.max_shear_stress, &loads.max_shear_depth})
     values->clear();
   const InterfaceContact& contact = contacts.interfaces[i];
   if (detail.ellipses && contact.has_hertz()) add_hertz_contacts(loads, contact, set, known);
@@ -44,45 +43,39 @@ double equal_normal_load(const LoadCase& load_case, const Mechanism& m, double p
 }
 
 /// The most loaded thread's ellipse against the ends of the flanks.
-void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& contacts,
-                                  Interface i, const std::string& path,
-                                  std::vector<Warning>& warnings) {
+void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& contacts, Interface i,
+                                  const std::string& path, std::vector<Warning>& warnings) {
   if (loads.semi_major.empty()) return;
-  const auto violations = contact::ellipse_beyond_flanks(
-      pair_of(contacts.threads, i), contacts.interfaces[i].geometry,
-      *std::max_element(loads.semi_major.begin(), loads.semi_major.end()),
-      *std::max_element(loads.semi_minor.begin(), loads.semi_minor.end()));
+  const auto violations =
+      contact::ellipse_beyond_flanks(pair_of(contacts.threads, i), contacts.interfaces[i].geometry,
+                                     *std::max_element(loads.semi_major.begin(), loads.semi_major.end()),
+                                     *std::max_element(loads.semi_minor.begin(), loads.semi_minor.end()));
   constexpr double kUnseen = 1e-7;  // No flank ends that sharply [m].
   for (const contact::FlankViolation& v : violations)
     if (v.by > kUnseen)
-      warnings.push_back(
-          Warning{path,
-                  fmt::format("{}_ellipse_beyond_{}_of_{}", name(i), contact::name(v.end),
-                              v.of_roller ? "roller" : name(i)),
-                  fmt::format("the largest {} ellipse reaches {{value}} beyond the {} of the {}",
-                              label(i), contact::name(v.end), v.of_roller ? "roller" : name(i))}
-              .with(v.by, {}, text_unit::millimetre));
+      warnings.push_back(Warning{
+          path,
+          fmt::format("{}_ellipse_beyond_{}_of_{}", name(i), contact::name(v.end), v.of_roller ? "roller" : name(i)),
+          fmt::format("the largest {} ellipse reaches {{value}} beyond the {} of the {}", label(i),
+                      contact::name(v.end), v.of_roller ? "roller" : name(i))}
+                             .with(v.by, {}, text_unit::millimetre));
 }
 
 /// Of missing rollers.
 std::ptrdiff_t missing_contacts(const InterfaceLoads& loads) {
-  return loads.rollers
-             ? static_cast<std::ptrdiff_t>(loads.rollers->missing) * loads.threads_per_roller
-             : 0;
+  return loads.rollers ? static_cast<std::ptrdiff_t>(loads.rollers->missing) * loads.threads_per_roller : 0;
 }
 
-void warn_of_threads(const PerInterface<InterfaceLoads>& threads, const Contacts& contacts,
-                     const std::string& path, std::vector<Warning>& warnings) {
+void warn_of_threads(const PerInterface<InterfaceLoads>& threads, const Contacts& contacts, const std::string& path,
+                     std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const auto contacts_of = static_cast<std::ptrdiff_t>(threads[i].normal_load.size());
     const std::ptrdiff_t missing = missing_contacts(threads[i]);
-    const auto open =
-        std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0) - missing;
+    const auto open = std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0) - missing;
     if (open > 0)
-      warnings.push_back(
-          Warning{path, fmt::format("{}_contacts_open", name(i)),
-                  fmt::format("{{value}} of {{limit}} {} contacts are open", label(i))}
-              .with(static_cast<double>(open), static_cast<double>(contacts_of - missing)));
+      warnings.push_back(Warning{path, fmt::format("{}_contacts_open", name(i)),
+                                 fmt::format("{{value}} of {{limit}} {} contacts are open", label(i))}
+                             .with(static_cast<double>(open), static_cast<double>(contacts_of - missing)));
     const auto& pressure = threads[i].peak_pressure;
     const auto highest = std::max_element(pressure.begin(), pressure.end());
     if (highest != pressure.end() && *highest > kStaticPressureLimit)
@@ -93,18 +86,16 @@ void warn_of_threads(const PerInterface<InterfaceLoads>& threads, const Contacts
 
 }  // namespace
 
-LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts,
-                             const PerInterface<ContactLaw>& laws, LoadDistribution d) {
+LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                             LoadDistribution d) {
   LoadCaseResult result;
   result.load_case = load_case;
-  set_solved_result(result, contacts, {numbers_of(laws.screw), numbers_of(laws.nut)}, d,
-                    simd::InstructionSet::scalar);
+  set_solved_result(result, contacts, {numbers_of(laws.screw), numbers_of(laws.nut)}, d, simd::InstructionSet::scalar);
   return result;
 }
 
-void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
-                       const PerInterface<ContactLawNumbers>& laws, LoadDistribution& d,
-                       simd::InstructionSet set, const LoadDetail& detail) {
+void set_solved_result(LoadCaseResult& result, const Contacts& contacts, const PerInterface<ContactLawNumbers>& laws,
+                       LoadDistribution& d, simd::InstructionSet set, const LoadDetail& detail) {
   if (!result.solve) result.solve.emplace();
   std::swap(*result.solve, d.solve);
   if (!result.solve->converged()) {
@@ -136,15 +127,13 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
                                   const PerInterface<std::optional<double>>& hertz_constant) {
   LoadCaseResult result;
   result.load_case = load_case;
-  set_equal_share_result(result, contacts, normal_angle, hertz_constant,
-                         simd::InstructionSet::scalar);
+  set_equal_share_result(result, contacts, normal_angle, hertz_constant, simd::InstructionSet::scalar);
   return result;
 }
 
-void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
-                            const PerInterface<double>& normal_angle,
-                            const PerInterface<std::optional<double>>& hertz_constant,
-                            simd::InstructionSet set, const LoadDetail& detail) {
+void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts, const PerInterface<double>& normal_angle,
+                            const PerInterface<std::optional<double>>& hertz_constant, simd::InstructionSet set,
+                            const LoadDetail& detail) {
   if (!result.threads) result.threads.emplace();
   const auto count = static_cast<std::size_t>(contacts.mechanism.contacts_per_roller);
   for (const Interface i : kInterfaces) {
@@ -152,8 +141,7 @@ void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
     const double load = equal_normal_load(result.load_case, contacts.mechanism, normal_angle[i]);
     loads.normal_load.assign(count, load);
     loads.normal_angle = normal_angle[i];
-    set_interface_loads(loads, result.load_case, contacts, i, std::cos(normal_angle[i]), set,
-                        detail);
+    set_interface_loads(loads, result.load_case, contacts, i, std::cos(normal_angle[i]), set, detail);
     loads.hertz_constant = hertz_constant[i];
     if (hertz_constant[i])
       loads.approach.assign(count, std::pow(load / *hertz_constant[i], 2.0 / 3.0));
@@ -175,8 +163,8 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
   return result;
 }
 
-void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
-                            simd::InstructionSet set, const LoadDetail& detail) {
+void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts, simd::InstructionSet set,
+                            const LoadDetail& detail) {
   PerInterface<double> normal_angle;
   PerInterface<std::optional<double>> hertz_constant;
   for (const Interface i : kInterfaces) {
@@ -189,20 +177,17 @@ void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
 
 void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
   if (!result.converged() && result.warnings.empty())
-    result.warnings.push_back(
-        Warning{"", "not_converged",
-                fmt::format("not converged: {}, relative residual {:.1e}",
-                            fe::name(result.solve->status), result.solve->relative_residual)}
-            .with(result.solve->relative_residual));
+    result.warnings.push_back(Warning{"", "not_converged",
+                                      fmt::format("not converged: {}, relative residual {:.1e}",
+                                                  fe::name(result.solve->status), result.solve->relative_residual)}
+                                  .with(result.solve->relative_residual));
   if (result.solve && result.converged() && !result.full && !result.tangent_stiffness)
-    result.warnings.push_back(
-        {"model.refined.poisson", "no_stiffness",
-         "the screw is so much softer than its threads that this effect exceeds all "
-         "deflection, and stiffness is left out",
-         "check `materials.screw.youngs_modulus` or take `poisson: false`"});
+    result.warnings.push_back({"model.refined.poisson", "no_stiffness",
+                               "the screw is so much softer than its threads that this effect exceeds all "
+                               "deflection, and stiffness is left out",
+                               "check `materials.screw.youngs_modulus` or take `poisson: false`"});
   if (result.threads)
-    warn_of_threads(*result.threads, contacts, path_in(result.load_case, "axial_force"),
-                    result.warnings);
+    warn_of_threads(*result.threads, contacts, path_in(result.load_case, "axial_force"), result.warnings);
 }
 
 Warning static_pressure_warning(std::string path, Interface i, double pressure) {
@@ -213,12 +198,11 @@ Warning static_pressure_warning(std::string path, Interface i, double pressure) 
 
 std::optional<Warning> running_pressure_warning(std::string path, Interface i, double pressure) {
   if (pressure <= kRunningPressureLimit || pressure > kStaticPressureLimit) return std::nullopt;
-  return Warning{
-      std::move(path), fmt::format("{}_running_pressure", name(i)),
-      fmt::format("{} peak pressure {{value}} is above {:g} GPa, much for flanks that run "
-                  "({{limit}} is the limit at rest)",
-                  label(i), kRunningPressureLimit * per_si::gigapascal),
-      "lower the load or take more contacts"}
+  return Warning{std::move(path), fmt::format("{}_running_pressure", name(i)),
+                 fmt::format("{} peak pressure {{value}} is above {:g} GPa, much for flanks that run "
+                             "({{limit}} is the limit at rest)",
+                             label(i), kRunningPressureLimit * per_si::gigapascal),
+                 "lower the load or take more contacts"}
       .with(pressure, kStaticPressureLimit, text_unit::gigapascal);
 }
 
@@ -232,8 +216,7 @@ constexpr double kUnloaded = 1e-6;
 
 std::vector<double> flat(const RollerThreads& values) {
   std::vector<double> all;
-  for (const std::vector<double>& roller : values)
-    all.insert(all.end(), roller.begin(), roller.end());
+  for (const std::vector<double>& roller : values) all.insert(all.end(), roller.begin(), roller.end());
   return all;
 }
 
@@ -242,8 +225,7 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   s.missing = f.rollers - static_cast<int>(f.present.size());
   const auto threads = static_cast<std::size_t>(f.threads());
   s.share.assign(static_cast<std::size_t>(f.rollers), 0.0);
-  const double unloaded =
-      kUnloaded * f.axial_force / (static_cast<double>(f.rollers) * f.threads());
+  const double unloaded = kUnloaded * f.axial_force / (static_cast<double>(f.rollers) * f.threads());
   for (const FullModel::Roller& r : f.present)
     for (std::size_t k = 0; k < threads; ++k) {
       const auto roller = static_cast<std::size_t>(r.number);
@@ -261,17 +243,15 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
 
 std::string why_left_out(const FullLoads& full, bool influence) {
   if (!influence || full.idle_rollers.empty()) return full.screw_end.left_out;
-  return fmt::format(
-      "roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
-      full.idle_rollers.front());
+  return fmt::format("roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
+                     full.idle_rollers.front());
 }
 
 /// Bearings that push against each other with more than this many times the axial force leave
 /// balances of less than nine digits.
 constexpr double kForcedBearing = 1e3;
 
-std::optional<Warning> forced_bearings(const std::vector<SupportForce>& bearings,
-                                       double axial_force) {
+std::optional<Warning> forced_bearings(const std::vector<SupportForce>& bearings, double axial_force) {
   double largest = 0.0;
   for (const SupportForce& b : bearings) largest = std::max(largest, b.force.norm());
   if (largest <= kForcedBearing * axial_force) return std::nullopt;
@@ -295,19 +275,17 @@ std::optional<Warning> lifted_shoulder(const Structure::Nut& nut, const SupportF
 
 /// Rollers without anything of their own.
 bool alike(const Deviations& d) {
-  return d.roller_diameters.empty() && d.roller_position.near.empty() &&
-         d.roller_position.far.empty() && d.missing_rollers.empty() &&
-         d.pitch_error.roller.lists.empty() && d.turning.rollers == TurningRollers{};
+  return d.roller_diameters.empty() && d.roller_position.near.empty() && d.roller_position.far.empty() &&
+         d.missing_rollers.empty() && d.pitch_error.roller.lists.empty() && d.turning.rollers == TurningRollers{};
 }
 
 /// Whether nothing but the rollers has an azimuth, so that all turns with the carrier.
 bool is_round(const Conditions& c, const SpatialLoad& load) {
   const auto none = [](const Lateral& l) { return l.y == 0.0 && l.z == 0.0; };
   const Deviations& d = c.deviations;
-  return none(load.side_force.value) && none(load.moment.value) && none(load.eccentricity) &&
-         none(load.nut_tilt) && none(load.nut_offset) && none(d.thread_eccentricity.screw) &&
-         none(d.thread_eccentricity.nut) && d.index_error.screw.empty() &&
-         d.index_error.nut.empty() && d.turning == Turning{} &&
+  return none(load.side_force.value) && none(load.moment.value) && none(load.eccentricity) && none(load.nut_tilt) &&
+         none(load.nut_offset) && none(d.thread_eccentricity.screw) && none(d.thread_eccentricity.nut) &&
+         d.index_error.screw.empty() && d.index_error.nut.empty() && d.turning == Turning{} &&
          c.model.contact_phase == ModelOptions::ContactPhase::equal &&
          std::ranges::all_of(c.structure->screw.bearings,
                              [&](const Bearing& b) { return none(b.offset) && none(b.angle); });
@@ -317,16 +295,9 @@ bool is_round(const Conditions& c, const SpatialLoad& load) {
 class AllRollers {
  public:
   AllRollers(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-             const PerInterface<ContactLaw>& laws, FullSolver& solver,
-             const std::vector<RollerPush>& push = {})
-      : load_case_(load_case),
-        c_(c),
-        contacts_(contacts),
-        laws_(laws),
-        solver_(solver),
-        push_(push) {
-    if (c.model.bodies == ModelOptions::Bodies::influence)
-      bodies_ = full_bodies(c, contacts, laws, model());
+             const PerInterface<ContactLaw>& laws, FullSolver& solver, const std::vector<RollerPush>& push = {})
+      : load_case_(load_case), c_(c), contacts_(contacts), laws_(laws), solver_(solver), push_(push) {
+    if (c.model.bodies == ModelOptions::Bodies::influence) bodies_ = full_bodies(c, contacts, laws, model());
   }
 
   bool influence() const { return bodies_.has_value(); }
@@ -334,8 +305,8 @@ class AllRollers {
   /// Turned as the load case has it.
   FullModel model() const { return model(load_case_, turn_of(contacts_.mechanism, load_case_)); }
   FullModel model(const LoadCase& at, const Turn& turn) const {
-    FullModel model = full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_,
-                                 at, c_.deviations, turn);
+    FullModel model =
+        full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_, at, c_.deviations, turn);
     model.push = push_;
     return model;
   }
@@ -354,8 +325,7 @@ class AllRollers {
   Orbit turned(const SpatialLoad::Orbit& wanted,
                const std::function<FullDistribution(const FullModel&)>& solver) const {
     return orbit([this](double carrier_angle) { return model(carrier_angle); }, solver, wanted,
-                 load_case_.spatial.carrier_angle,
-                 {alike(c_.deviations), is_round(c_, load_case_.spatial)});
+                 load_case_.spatial.carrier_angle, {alike(c_.deviations), is_round(c_, load_case_.spatial)});
   }
 
  private:
@@ -374,9 +344,7 @@ TravelResult travelled(const AllRollers& all, const LoadCase& load_case, const M
   const auto turn = [&](double theta) { return turn_of(m, wanted, theta); };
   TravelModel model{[&](double theta) { return all.model(load_case, turn(theta)); }, {}, {}};
   if (all.influence()) {
-    model.solver = [&] {
-      return [&](const FullModel& f) { return all.solved(f, Detail::complete); };
-    };
+    model.solver = [&] { return [&](const FullModel& f) { return all.solved(f, Detail::complete); }; };
   } else {
     model.carrier = [&](double theta) { return turn(theta).carrier - turn(wanted.from).carrier; };
     model.solver = [] {
@@ -389,8 +357,8 @@ TravelResult travelled(const AllRollers& all, const LoadCase& load_case, const M
 }
 
 /// Natural modes at the equilibrium d, and at positions of the travel.
-ModesResult vibrating(const AllRollers& all, const FullModel& f, const FullDistribution& d,
-                      const LoadCase& load_case, const Conditions& c, const Mechanism& m) {
+ModesResult vibrating(const AllRollers& all, const FullModel& f, const FullDistribution& d, const LoadCase& load_case,
+                      const Conditions& c, const Mechanism& m) {
   const Travel at_rest;
   const Travel& turning = load_case.travel ? *load_case.travel : at_rest;
   const Modes& wanted = *load_case.modes;
@@ -407,16 +375,14 @@ ModesResult vibrating(const AllRollers& all, const FullModel& f, const FullDistr
   FullSolver solver;
   const double positions = *wanted.positions;
   for (int k = 0; k < *wanted.positions; ++k) {
-    const double theta =
-        turning.angle(static_cast<int>(std::floor(k * turning.last() / positions + 0.5)));
+    const double theta = turning.angle(static_cast<int>(std::floor(k * turning.last() / positions + 0.5)));
     const FullModel there = all.model(load_case, turn_of(m, turning, theta));
     const FullDistribution loads = solver.solve(there, Detail::complete);
     ModesResult found;
     found.left_out = "there is no equilibrium";
     if (loads.solve.converged()) found = at(there, loads);
     if (!found.left_out.empty()) {
-      result.along_travel_left_out =
-          fmt::format("{} at {:.6g} deg", found.left_out, theta * 180.0 / std::numbers::pi);
+      result.along_travel_left_out = fmt::format("{} at {:.6g} deg", found.left_out, theta * 180.0 / std::numbers::pi);
       return result;
     }
     along.angle.push_back(theta);
@@ -430,18 +396,17 @@ ModesResult vibrating(const AllRollers& all, const FullModel& f, const FullDistr
 /// A disc whose gyroscopic moment is this share of its tilting inertia splits pairs by per cents.
 constexpr double kGyroscopic = 0.02;
 
-void warn_of_modes(const ModesResult& modes, const Structure& structure,
-                   const std::optional<double>& speed, std::vector<Warning>& warnings) {
+void warn_of_modes(const ModesResult& modes, const Structure& structure, const std::optional<double>& speed,
+                   std::vector<Warning>& warnings) {
   if (!modes.idle_rollers.empty())
-    warnings.push_back(Warning{"", "modes_without_idle_rollers",
-                               "{value} rollers carry nothing and have no part in the modes"}
-                           .with(static_cast<double>(modes.idle_rollers.size())));
+    warnings.push_back(
+        Warning{"", "modes_without_idle_rollers", "{value} rollers carry nothing and have no part in the modes"}.with(
+            static_cast<double>(modes.idle_rollers.size())));
   if (!modes.left_out.empty())
     warnings.push_back({"", "no_modes", fmt::format("the modes are left out: {}", modes.left_out)});
   if (!modes.along_travel_left_out.empty())
-    warnings.push_back(
-        {"", "no_modes_along_travel",
-         fmt::format("the modes along the travel are left out: {}", modes.along_travel_left_out)});
+    warnings.push_back({"", "no_modes_along_travel",
+                        fmt::format("the modes along the travel are left out: {}", modes.along_travel_left_out)});
   if (modes.buckled > 0)
     warnings.push_back({"", "buckled",
                         "the screw buckles under the axial force: a mode without frequency is left "
@@ -460,14 +425,12 @@ void warn_of_modes(const ModesResult& modes, const Structure& structure,
 }
 
 /// What belongs to no single thread, but the orbit.
-FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution& d,
-                     const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                     const PerInterface<ContactLaw>& laws) {
+FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution& d, const LoadCase& load_case,
+                     const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws) {
   FullLoads full;
   full.freedoms = d.freedoms;
   full.rollers = f.rollers;
-  full.carrier_angle =
-      load_case.spatial.carrier_angle + turn_of(contacts.mechanism, load_case).carrier;
+  full.carrier_angle = load_case.spatial.carrier_angle + turn_of(contacts.mechanism, load_case).carrier;
   for (const int roller : d.idle_rollers) full.idle_rollers.push_back(roller + 1);
   full.missing_rollers = c.deviations.missing_rollers;
   full.screw_end = std::move(d.screw_end);
@@ -478,8 +441,7 @@ FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution
     Conditions nominal = c;
     nominal.deviations = {};
     full.symmetric = symmetric_loads(
-        f, influence_solver(nominal, contacts, laws, *load_case.direction, *load_case.position)
-               .solve(f.axial_force));
+        f, influence_solver(nominal, contacts, laws, *load_case.direction, *load_case.position).solve(f.axial_force));
   } else {
     full.symmetric = symmetric_loads(f);
   }
@@ -488,40 +450,36 @@ FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution
 }
 
 /// A contact that opens further than the other flank is away.
-void warn_of_openings(const FullDistribution& d, const Contacts& contacts,
-                      const PerInterface<ContactLaw>& laws, std::vector<Warning>& warnings) {
+void warn_of_openings(const FullDistribution& d, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                      std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const double opening = d.largest_opening[i] / std::cos(laws[i].normal_angle);
     const contact::ContactPoint& point = contacts.interfaces[i].geometry.point;
     if (point.ok() && point.backlash > 0.0 && opening > point.backlash)
-      warnings.push_back(
-          Warning{"", fmt::format("{}_opening", name(i)),
-                  fmt::format("a {} contact opens by {{value}}, more than the backlash of "
-                              "{{limit}}: the other flank would touch, which the model leaves out",
-                              label(i))}
-              .with(opening, point.backlash, text_unit::millimetre));
+      warnings.push_back(Warning{"", fmt::format("{}_opening", name(i)),
+                                 fmt::format("a {} contact opens by {{value}}, more than the backlash of "
+                                             "{{limit}}: the other flank would touch, which the model leaves out",
+                                             label(i))}
+                             .with(opening, point.backlash, text_unit::millimetre));
   }
 }
 
 }  // namespace
 
-FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
-                                   const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                   FullSolver& solver, Detail detail,
+FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                                   const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail,
                                    const std::vector<RollerPush>& push) {
   const AllRollers all(load_case, c, contacts, laws, solver, push);
   return all.solved(all.model(), detail);
 }
 
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                 const PerInterface<ContactLaw>& laws, FullSolver& solver,
-                 const SpatialLoad::Orbit& wanted) {
+                 const PerInterface<ContactLaw>& laws, FullSolver& solver, const SpatialLoad::Orbit& wanted) {
   return AllRollers(load_case, c, contacts, laws, solver).turned(wanted);
 }
 
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                 const PerInterface<ContactLaw>& laws,
-                 const std::function<FullDistribution(double)>& solved,
+                 const PerInterface<ContactLaw>& laws, const std::function<FullDistribution(double)>& solved,
                  const SpatialLoad::Orbit& wanted) {
   FullSolver none;
   return AllRollers(load_case, c, contacts, laws, none).turned(wanted, [&](const FullModel& f) {
@@ -530,8 +488,7 @@ Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts&
 }
 
 std::string text(const Orbit::Failure& failure) {
-  return fmt::format("{} (carrier at {:.4g} deg)", failure.why,
-                     failure.carrier_angle * 180.0 / std::numbers::pi);
+  return fmt::format("{} (carrier at {:.4g} deg)", failure.why, failure.carrier_angle * 180.0 / std::numbers::pi);
 }
 
 bool travels(const LoadCaseResult& result) {
@@ -566,13 +523,11 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   std::optional<TravelResult> moved;
   if ((load_case.travel && load_case.travel->turns != 0) || load_case.modes) {
     const AllRollers at_rest(load_case, c, contacts, laws, solver);
-    if (load_case.travel && load_case.travel->turns != 0)
-      moved = travelled(at_rest, load_case, contacts.mechanism);
+    if (load_case.travel && load_case.travel->turns != 0) moved = travelled(at_rest, load_case, contacts.mechanism);
     if (load_case.modes) {
       const FullModel still = at_rest.model();
-      found_modes =
-          vibrating(at_rest, still, push.empty() ? d : at_rest.solved(still, Detail::complete),
-                    load_case, c, contacts.mechanism);
+      found_modes = vibrating(at_rest, still, push.empty() ? d : at_rest.solved(still, Detail::complete), load_case, c,
+                              contacts.mechanism);
     }
   }
   FullLoads full = full_loads(all, f, d, load_case, c, contacts, laws);
@@ -589,10 +544,9 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
       warnings.push_back(no_orbit(*turned.failure));
   }
   if (moved && !moved->converged())
-    warnings.push_back(
-        {"", "no_travel",
-         fmt::format("no equilibrium at {:.6g} deg of the travel: {}",
-                     moved->failure->angle * 180.0 / std::numbers::pi, moved->failure->why)});
+    warnings.push_back({"", "no_travel",
+                        fmt::format("no equilibrium at {:.6g} deg of the travel: {}",
+                                    moved->failure->angle * 180.0 / std::numbers::pi, moved->failure->why)});
   if (moved && moved->left_out_at)
     warnings.push_back({"", "no_travel_stiffness",
                         fmt::format("the stiffness over the travel is left out: there is none at "
@@ -606,9 +560,9 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     if (found_modes->left_out.empty()) full.modes = std::move(found_modes);
   }
   if (detail == Detail::complete && full.screw_end.compliance.size() == 0)
-    warnings.push_back({"", "no_screw_end_stiffness",
-                        fmt::format("the stiffness of the screw's end is left out: {}",
-                                    why_left_out(full, all.influence()))});
+    warnings.push_back(
+        {"", "no_screw_end_stiffness",
+         fmt::format("the stiffness of the screw's end is left out: {}", why_left_out(full, all.influence()))});
   if (result.axial_displacement && *result.axial_displacement < 0.0)
     warnings.push_back(Warning{"", "negative_stiffness",
                                "the loaded section moves {value} against the force, as side loads "

@@ -8,8 +8,8 @@ namespace prs {
 
 /// The answer to a load case whose load distribution is solved: loads, ellipses and pressures of
 /// each thread, displacement and stiffness; the status alone where it did not converge.
-LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts,
-                             const PerInterface<ContactLaw>& laws, LoadDistribution distribution);
+LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                             LoadDistribution distribution);
 
 /// Which numbers of the threads are wanted besides loads and approaches.
 struct LoadDetail {
@@ -21,9 +21,8 @@ struct LoadDetail {
 
 /// The same into the result of that load case, which keeps its memory and exchanges it with the
 /// distribution's. What is not wanted is left empty.
-void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
-                       const PerInterface<ContactLawNumbers>& laws, LoadDistribution& distribution,
-                       simd::InstructionSet set, const LoadDetail& detail = {});
+void set_solved_result(LoadCaseResult& result, const Contacts& contacts, const PerInterface<ContactLawNumbers>& laws,
+                       LoadDistribution& distribution, simd::InstructionSet set, const LoadDetail& detail = {});
 
 /// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
@@ -32,10 +31,9 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
 
 /// The same into the result of that load case, which keeps its memory. What is not wanted is left
 /// empty.
-void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
-                            const PerInterface<double>& normal_angle,
-                            const PerInterface<std::optional<double>>& hertz_constant,
-                            simd::InstructionSet set, const LoadDetail& detail = {});
+void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts, const PerInterface<double>& normal_angle,
+                            const PerInterface<std::optional<double>>& hertz_constant, simd::InstructionSet set,
+                            const LoadDetail& detail = {});
 
 /// Equal loads with the laws of a load distribution.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
@@ -43,8 +41,8 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
 
 /// Result of equal shares with the laws that the geometry gives; the contacts must exist.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts);
-void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
-                            simd::InstructionSet set, const LoadDetail& detail = {});
+void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts, simd::InstructionSet set,
+                            const LoadDetail& detail = {});
 
 /// Adds warnings: open threads, high pressures, ellipses beyond the flanks.
 void add_warnings(LoadCaseResult& result, const Contacts& contacts);
@@ -59,8 +57,7 @@ inline constexpr double kRunningPressureLimit = 2.5e9;
 /// A warning where the largest peak pressure [Pa] of an interface is above `kRunningPressureLimit`;
 /// none above `kStaticPressureLimit`, which has a warning of its own. `slip`, `life` and, with a
 /// speed, `measures` give it: `solve` does not know whether the screw turns under the load.
-std::optional<Warning> running_pressure_warning(std::string path, Interface i,
-                                                double peak_pressure);
+std::optional<Warning> running_pressure_warning(std::string path, Interface i, double peak_pressure);
 
 /// What a load case of the full mechanism has in addition to the loads of its threads.
 struct FullLoads {
@@ -87,21 +84,18 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
                            const std::vector<RollerPush>& push = {});
 
 /// How a load case spreads over all rollers.
-FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
-                                   const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                   FullSolver& solver, Detail detail,
+FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                                   const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail,
                                    const std::vector<RollerPush>& push = {});
 
 /// A turn of the carrier under a load case, each position answered by `solved`.
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                  const PerInterface<ContactLaw>& laws,
-                 const std::function<FullDistribution(double carrier_angle)>& solved,
-                 const SpatialLoad::Orbit& wanted);
+                 const std::function<FullDistribution(double carrier_angle)>& solved, const SpatialLoad::Orbit& wanted);
 
 /// A turn of the carrier under a load case.
 Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                 const PerInterface<ContactLaw>& laws, FullSolver& solver,
-                 const SpatialLoad::Orbit& wanted);
+                 const PerInterface<ContactLaw>& laws, FullSolver& solver, const SpatialLoad::Orbit& wanted);
 
 /// Whether a travel that was asked for came to its end.
 bool travels(const LoadCaseResult& result);

@@ -75,14 +75,13 @@ const std::vector<double>& loads_of(const LoadCaseResult& result, Interface i) {
 }
 
 bool has_pressure(const LoadCaseResult& result) {
-  return has_shares(result) && !(result.threads->screw.peak_pressure.empty() &&
-                                 result.threads->nut.peak_pressure.empty());
+  return has_shares(result) &&
+         !(result.threads->screw.peak_pressure.empty() && result.threads->nut.peak_pressure.empty());
 }
 
 }  // namespace
 
-std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result,
-                                    const FigureOptions& options) {
+std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result, const FigureOptions& options) {
   std::vector<LoadedConfiguration> all = configurations(result, options, plot.keep);
   if (all.empty()) return std::nullopt;
   Figure figure{plot.name, plot.title + common_force(all)};
@@ -91,8 +90,7 @@ std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result
   figure.columns = std::size(kInterfaces);
   for (std::size_t c = 0; c < all.size(); ++c) figure.add(all[c].name, case_line(c));
   const std::size_t levels = figure.styles.size();
-  for (std::size_t c = 0; c < all.size(); ++c)
-    figure.add(line_of(case_colour(c), Dash::dashed, Weight::thin));
+  for (std::size_t c = 0; c < all.size(); ++c) figure.add(line_of(case_colour(c), Dash::dashed, Weight::thin));
   std::size_t threads = 0;
   bool has_level = false;
   for (const std::optional<Direction> direction :
@@ -129,10 +127,9 @@ Figures from_zero(std::optional<Figure> figure) {
 namespace {
 
 Figures load_distribution(const Result& result, const FigureOptions& options) {
-  std::optional<Figure> figure =
-      thread_figure({"load_distribution", "Load distribution", "Share of the load", "%",
-                     loads_of<&InterfaceLoads::load_rate>, per_si::percent, has_shares},
-                    result, options);
+  std::optional<Figure> figure = thread_figure({"load_distribution", "Load distribution", "Share of the load", "%",
+                                                loads_of<&InterfaceLoads::load_rate>, per_si::percent, has_shares},
+                                               result, options);
   if (!figure) return {};
   // The threads of a panel's first line share 100 %.
   const Polyline& shares = figure->panels.front().series.front().parts.front();
@@ -147,11 +144,10 @@ Figures peak_pressure(const Result& result, const FigureOptions& options) {
                      loads_of<&InterfaceLoads::peak_pressure>, per_si::megapascal, has_pressure},
                     result, options);
   if (!figure) return {};
-  const std::size_t limit = figure->add(
-      fmt::format("static limit {:.1f} GPa, ISO 76", kStaticPressureLimit * per_si::gigapascal),
-      line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
-  for (Panel& panel : figure->panels)
-    panel.references.push_back({limit, kStaticPressureLimit * per_si::megapascal});
+  const std::size_t limit =
+      figure->add(fmt::format("static limit {:.1f} GPa, ISO 76", kStaticPressureLimit * per_si::gigapascal),
+                  line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
+  for (Panel& panel : figure->panels) panel.references.push_back({limit, kStaticPressureLimit * per_si::megapascal});
   return from_zero(std::move(figure));
 }
 
@@ -161,8 +157,7 @@ double largest_force_kN(const std::vector<LoadedConfiguration>& sweeps, Directio
   double largest = 0.0;
   for (const LoadedConfiguration& sweep : sweeps)
     if (const CaseGroup* group = sweep.group(direction))
-      for (const LoadCaseResult* result : group->cases)
-        largest = std::max(largest, std::abs(signed_kN(*result)));
+      for (const LoadCaseResult* result : group->cases) largest = std::max(largest, std::abs(signed_kN(*result)));
   return largest;
 }
 
@@ -176,8 +171,7 @@ Polyline over_load(const CaseGroup& group, const auto& value, bool with_sign) {
   return points;
 }
 
-Polyline over_load(const CaseGroup& group, std::optional<double> LoadCaseResult::*quantity,
-                   double factor) {
+Polyline over_load(const CaseGroup& group, std::optional<double> LoadCaseResult::*quantity, double factor) {
   return over_load(
       group,
       [&](const LoadCaseResult& result) -> std::optional<double> {
@@ -191,9 +185,7 @@ bool is_solved(const LoadCaseResult& result) {
   return result.load_case.direction && result.solve && result.threads && !result.full;
 }
 
-bool has_stiffness(const LoadCaseResult& result) {
-  return result.load_case.direction && result.axial_stiffness;
-}
+bool has_stiffness(const LoadCaseResult& result) { return result.load_case.direction && result.axial_stiffness; }
 
 /// One panel for each direction; `draw` adds the lines of a sweep, the c-th of them.
 Figures over_load_figure(Figure figure, std::vector<LoadedConfiguration> sweeps, const auto& draw) {
@@ -202,8 +194,7 @@ Figures over_load_figure(Figure figure, std::vector<LoadedConfiguration> sweeps,
   for (const Direction d : {Direction::tension, Direction::compression})
     if (const double largest = largest_force_kN(sweeps, d); largest > 0.0) {
       figure.x.to = std::max(figure.x.to, largest);
-      Panel& panel =
-          figure.panels.emplace_back(Panel{d == Direction::tension ? "Tension" : "Compression"});
+      Panel& panel = figure.panels.emplace_back(Panel{d == Direction::tension ? "Tension" : "Compression"});
       for (std::size_t c = 0; c < sweeps.size(); ++c)
         if (const CaseGroup* group = sweeps[c].group(d)) draw(panel, *group, c);
     }
@@ -282,12 +273,10 @@ Figures stiffness(const Result& result, const FigureOptions&) {
   figure.add("secant", {Colour::ink, Dash::solid});
   figure.add("tangent", {Colour::ink, Dash::dashed});
   constexpr double kFactor = per_si::newton_per_micrometre;
-  return over_load_figure(
-      std::move(figure), std::move(sweeps), [](Panel& panel, const CaseGroup& g, std::size_t c) {
-        panel.series.push_back({2 * c, {over_load(g, &LoadCaseResult::axial_stiffness, kFactor)}});
-        panel.series.push_back(
-            {2 * c + 1, {over_load(g, &LoadCaseResult::tangent_stiffness, kFactor)}});
-      });
+  return over_load_figure(std::move(figure), std::move(sweeps), [](Panel& panel, const CaseGroup& g, std::size_t c) {
+    panel.series.push_back({2 * c, {over_load(g, &LoadCaseResult::axial_stiffness, kFactor)}});
+    panel.series.push_back({2 * c + 1, {over_load(g, &LoadCaseResult::tangent_stiffness, kFactor)}});
+  });
 }
 
 /// Axial displacement against the load of each range, > 0 in the direction of the load.
@@ -297,11 +286,9 @@ Figures displacement(const Result& result, const FigureOptions&) {
   keep_first(sweeps, kMostLines, figure.title);
   figure.y = {"Axial displacement", "µm"};
   for (std::size_t c = 0; c < sweeps.size(); ++c) figure.add(sweeps[c].name, case_line(c));
-  return over_load_figure(
-      std::move(figure), std::move(sweeps), [](Panel& panel, const CaseGroup& g, std::size_t c) {
-        panel.series.push_back(
-            {c, {over_load(g, &LoadCaseResult::axial_displacement, per_si::micrometre)}});
-      });
+  return over_load_figure(std::move(figure), std::move(sweeps), [](Panel& panel, const CaseGroup& g, std::size_t c) {
+    panel.series.push_back({c, {over_load(g, &LoadCaseResult::axial_displacement, per_si::micrometre)}});
+  });
 }
 
 /// Load of each thread in % of the mean against the load of each range, tension to the right: a row
@@ -318,8 +305,7 @@ Figures butterfly(const Result& result, const FigureOptions& options) {
   std::ranges::reverse(figure.legend);
   for (const LoadedConfiguration& sweep : sweeps)
     for (const Interface i : kInterfaces)
-      if (!options.interface || i == *options.interface)
-        figure.panels.push_back(butterfly_panel(sweep, i));
+      if (!options.interface || i == *options.interface) figure.panels.push_back(butterfly_panel(sweep, i));
   figure.columns = options.interface ? 1 : std::size(kInterfaces);
   add_mean(figure, per_si::percent);
   fit_y_range(figure);
@@ -330,8 +316,7 @@ Figures butterfly(const Result& result, const FigureOptions& options) {
 Figures convergence(const Result& result, const FigureOptions&) {
   std::vector<const LoadCaseResult*> cases;
   for (const CaseGroup& group : group_cases(result.load_cases))
-    if (const LoadCaseResult& last = *group.cases.back();
-        last.solve && !last.solve->history.empty())
+    if (const LoadCaseResult& last = *group.cases.back(); last.solve && !last.solve->history.empty())
       cases.push_back(&last);
   if (cases.empty()) return {};
   Figure figure{"convergence", "Convergence"};
@@ -348,8 +333,7 @@ Figures convergence(const Result& result, const FigureOptions&) {
       if (const double residual = r->solve->history[k].relative_residual; residual > 0.0)
         line.push_back({static_cast<double>(k + 1), residual});
     longest = std::max(longest, r->solve->history.size());
-    const std::size_t style =
-        figure.add(shown_name(r->load_case.name), case_line(figure.styles.size()));
+    const std::size_t style = figure.add(shown_name(r->load_case.name), case_line(figure.styles.size()));
     panel.series.push_back({style, {std::move(line)}});
   }
   figure.x.from = 0.7;
@@ -363,8 +347,7 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_ellipses);
   if (!shown) return {};
   constexpr std::size_t kMostInARow = 20;
-  Figure figure{"ellipses",
-                "Contact ellipses of the threads, " + shown_name(shown->load_case.name)};
+  Figure figure{"ellipses", "Contact ellipses of the threads, " + shown_name(shown->load_case.name)};
   figure.to_scale = true;
   const std::size_t threads = shown->threads->screw.semi_major.size();
   const std::size_t rows = (threads + kMostInARow - 1) / kMostInARow;
@@ -387,20 +370,17 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
   double lowest = 0.0;
   for (std::size_t k = 0; k < std::size(kInterfaces); ++k) {
     const InterfaceLoads& loads = (*shown->threads)[kInterfaces[k]];
-    const double top =
-        -static_cast<double>(k * rows) * height - 0.3 * height * static_cast<double>(k);
+    const double top = -static_cast<double>(k * rows) * height - 0.3 * height * static_cast<double>(k);
     for (std::size_t t = 0; t < threads; ++t) {
       const double x = static_cast<double>(t % per_row) * step;
       const double y = top - static_cast<double>(t / per_row) * height;
-      series.parts.push_back(ellipse(x, y, loads.semi_major[t] * per_si::millimetre,
-                                     loads.semi_minor[t] * per_si::millimetre, 0.0));
+      series.parts.push_back(
+          ellipse(x, y, loads.semi_major[t] * per_si::millimetre, loads.semi_minor[t] * per_si::millimetre, 0.0));
       series.values.push_back(loads.peak_pressure[t] * per_si::megapascal);
-      panel.labels.push_back(
-          {std::to_string(t + 1), x, y + minor + 0.42 * major, false, Label::Anchor::centre});
+      panel.labels.push_back({std::to_string(t + 1), x, y + minor + 0.42 * major, false, Label::Anchor::centre});
       lowest = y;
     }
-    figure.y.ticks.push_back(
-        {top - 0.5 * static_cast<double>(rows - 1) * height, interface_title(kInterfaces[k])});
+    figure.y.ticks.push_back({top - 0.5 * static_cast<double>(rows - 1) * height, interface_title(kInterfaces[k])});
   }
   // A bar of known length.
   double length = 1.0;
@@ -408,10 +388,10 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
   const double right = static_cast<double>(per_row) * step - 0.6 * step;
   const double bar = lowest - minor - 0.7 * major;
   panel.series.push_back(std::move(series));
-  panel.series.push_back({figure.add(line_of(Colour::ink, Dash::solid, Weight::strong)),
-                          {{{right - length, bar}, {right, bar}}}});
-  panel.labels.push_back({fmt::format("{:g} mm", length), right - length - 0.3 * major, bar, false,
-                          Label::Anchor::right});
+  panel.series.push_back(
+      {figure.add(line_of(Colour::ink, Dash::solid, Weight::strong)), {{{right - length, bar}, {right, bar}}}});
+  panel.labels.push_back(
+      {fmt::format("{:g} mm", length), right - length - 0.3 * major, bar, false, Label::Anchor::right});
   figure.x = {"", "", -0.6 * step, static_cast<double>(per_row) * step - 0.4 * step};
   figure.x.hidden = true;
   figure.y.from = bar - 0.7 * major;
@@ -423,8 +403,7 @@ Figures ellipses(const Result& result, const FigureOptions& options) {
 
 using enum Picture::Drawn;
 
-constexpr const char* kRange =
-    "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal shares";
+constexpr const char* kRange = "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal shares";
 
 /// Some solve has not converged: how it went is then the answer.
 bool has_failed(const Result& r) {
@@ -433,17 +412,15 @@ bool has_failed(const Result& r) {
 
 /// A single thread carries all: its picture is a dot.
 bool has_several_threads(const Result& r) {
-  return std::ranges::any_of(r.load_cases, [](const LoadCaseResult& c) {
-    return c.threads && c.threads->screw.axial_load.size() > 1;
-  });
+  return std::ranges::any_of(
+      r.load_cases, [](const LoadCaseResult& c) { return c.threads && c.threads->screw.axial_load.size() > 1; });
 }
 
 /// Titles name the loads that figures stand on where a screw runs.
 Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
   const auto runs = [](const LoadCaseResult& c) { return c.loads == ModelOptions::Loads::running; };
   if (std::ranges::none_of(r.load_cases, runs)) return pictures;
-  const char* loads =
-      std::ranges::all_of(r.load_cases, runs) ? ", running loads" : ", static and running loads";
+  const char* loads = std::ranges::all_of(r.load_cases, runs) ? ", running loads" : ", static and running loads";
   for (Picture& picture : pictures)
     picture.make = [make = std::move(picture.make), loads](const FigureOptions& options) {
       Figures figures = make(options);
@@ -456,21 +433,18 @@ Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
 
 Pictures load_pictures(const Result& r) {
   const Picture::Drawn of_threads = drawn_if(has_several_threads(r));
-  Pictures all{{"load_distribution", "a load case that converged, or equal shares",
-                of_result(r, load_distribution), of_threads},
-               {"peak_pressure", "load cases, and contacts that come from the threads",
-                of_result(r, peak_pressure), of_threads},
-               {"ellipses", "load cases, and contacts that come from the threads",
-                of_result(r, ellipses), of_threads},
-               {"displacement", kRange, of_result(r, displacement)},
-               {"stiffness", kRange, of_result(r, stiffness)},
-               {"butterfly",
-                "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged",
-                of_result(r, butterfly)}};
+  Pictures all{
+      {"load_distribution", "a load case that converged, or equal shares", of_result(r, load_distribution), of_threads},
+      {"peak_pressure", "load cases, and contacts that come from the threads", of_result(r, peak_pressure), of_threads},
+      {"ellipses", "load cases, and contacts that come from the threads", of_result(r, ellipses), of_threads},
+      {"displacement", kRange, of_result(r, displacement)},
+      {"stiffness", kRange, of_result(r, stiffness)},
+      {"butterfly", "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged",
+       of_result(r, butterfly)}};
   std::ranges::move(roller_pictures(r), std::back_inserter(all));
   std::ranges::move(motion_pictures(r), std::back_inserter(all));
-  all.push_back({"convergence", "at most a few load cases, not of equal shares",
-                 of_result(r, convergence), has_failed(r) ? always : with_all});
+  all.push_back({"convergence", "at most a few load cases, not of equal shares", of_result(r, convergence),
+                 has_failed(r) ? always : with_all});
   return all;
 }
 
@@ -496,8 +470,8 @@ void without_missing(Panel& panel, const FullLoads& full) {
   for (const int roller : full.missing_rollers) {
     for (std::size_t k = 0; k < grid.x.size(); ++k)
       grid.values[k * grid.y.size() + static_cast<std::size_t>(roller - 1)] = kFree;
-    panel.labels.push_back({"missing", 0.5 * (grid.x.front() + grid.x.back()),
-                            static_cast<double>(roller), false, Label::Anchor::centre});
+    panel.labels.push_back(
+        {"missing", 0.5 * (grid.x.front() + grid.x.back()), static_cast<double>(roller), false, Label::Anchor::centre});
   }
 }
 
@@ -525,8 +499,8 @@ Pictures solve_pictures(const Result& r) {
 
 bool has_rollers(const LoadCaseResult& result) { return result.full && result.threads; }
 
-Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options,
-                       ColourScale colours, const OfThreads& of) {
+Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
+                       const OfThreads& of) {
   const LoadCaseResult* chosen = chosen_case(result, options, of.has);
   if (!chosen) return {};
   const LoadCaseResult& shown = *chosen;
@@ -551,8 +525,7 @@ namespace {
 
 /// Normal load of every thread of every roller, at both interfaces.
 Figures roller_loads(const Result& result, const FigureOptions& options) {
-  return map_of_rollers({"roller_loads", "Loads of all rollers"}, result, options,
-                        {"Normal load", "N"},
+  return map_of_rollers({"roller_loads", "Loads of all rollers"}, result, options, {"Normal load", "N"},
                         {has_rollers, loads_of<&InterfaceLoads::normal_load>});
 }
 
@@ -560,19 +533,14 @@ Figures roller_loads(const Result& result, const FigureOptions& options) {
 Figures roller_shares(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_rollers);
   if (!shown) return {};
-  Figure figure{"roller_shares",
-                fmt::format("Shares of the rollers, {}", shown_name(shown->load_case.name))};
+  Figure figure{"roller_shares", fmt::format("Shares of the rollers, {}", shown_name(shown->load_case.name))};
   const contact::MechanismGeometry& threads = result.contacts.threads;
-  const auto circle = [](double y, double z, double radius) {
-    return ellipse(y, z, radius, radius, 0.0);
-  };
+  const auto circle = [](double y, double z, double radius) { return ellipse(y, z, radius, radius, 0.0); };
   const double nut = contact::ThreadSurface(threads.nut).pitch_radius;
   const double screw = contact::ThreadSurface(threads.screw).pitch_radius;
   Panel& panel = figure.panels.emplace_back();
-  panel.series.push_back(
-      {figure.add("screw, pitch circle", line_of(colour_of(Part::screw))), {circle(0, 0, screw)}});
-  panel.series.push_back(
-      {figure.add("nut, pitch circle", line_of(colour_of(Part::nut))), {circle(0, 0, nut)}});
+  panel.series.push_back({figure.add("screw, pitch circle", line_of(colour_of(Part::screw))), {circle(0, 0, screw)}});
+  panel.series.push_back({figure.add("nut, pitch circle", line_of(colour_of(Part::nut))), {circle(0, 0, nut)}});
   Series rollers{figure.add(area_of(colour_of(Part::roller)))};
   const std::vector<double>& share = shown->threads->screw.rollers->share;
   const int count = shown->full->rollers;
@@ -587,8 +555,7 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
     const auto [at_y, at_z] = towards(1.13 * nut, azimuth);
     const bool missing = std::ranges::count(shown->full->missing_rollers, j + 1) > 0;
     const double percent = share[static_cast<std::size_t>(j)] * count * per_si::percent;
-    panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false,
-                            Label::Anchor::centre});
+    panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false, Label::Anchor::centre});
     if (missing) continue;
     panel.labels.push_back({fmt::to_string(j + 1), y, z, false, Label::Anchor::centre});
     rollers.parts.push_back(circle(y, z, contact::ThreadSurface(threads.roller).pitch_radius));
@@ -596,8 +563,8 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   }
   panel.series.push_back(std::move(rollers));
   constexpr double kUsual = 150.0;  // So that equal shares do not look like a peak.
-  figure.colours = ColourScale{"Share of the roller", "% of equal shares",
-                               std::min(0.0, range.from), std::max(kUsual, range.to)};
+  figure.colours =
+      ColourScale{"Share of the roller", "% of equal shares", std::min(0.0, range.from), std::max(kUsual, range.to)};
   const double reach = 1.25 * nut;
   figure.x = {"y", {}, -reach, reach};
   figure.y = {"z", {}, -reach, reach};
@@ -614,23 +581,21 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   const Orbit& orbit = *shown->full->orbit;
   if (orbit.carrier_angle.empty()) return {};
   constexpr double kTurn = 360.0;
-  Figure figure{"carrier_turn", fmt::format("One roller over a turn of the carrier, {}",
-                                            shown_name(shown->load_case.name))};
+  Figure figure{"carrier_turn",
+                fmt::format("One roller over a turn of the carrier, {}", shown_name(shown->load_case.name))};
   Panel& panel = figure.panels.emplace_back();
   for (const Interface i : kInterfaces) {
     Polyline line;
     for (std::size_t m = 0; m < orbit.carrier_angle.size(); ++m)
       line.push_back({orbit.carrier_angle[m] * per_si::degree, orbit.loads[i].first_roller[m]});
     line.push_back({line.front()[0] + kTurn, line.front()[1]});  // Where it began.
-    panel.series.push_back(
-        {figure.add(interface_title(i), line_of(colour_of(body_of(i)),
-                                                i == Interface::nut ? Dash::dashed : Dash::solid)),
-         {std::move(line)}});
+    panel.series.push_back({figure.add(interface_title(i), line_of(colour_of(body_of(i)),
+                                                                   i == Interface::nut ? Dash::dashed : Dash::solid)),
+                            {std::move(line)}});
   }
   const double start = panel.series.front().parts.front().front()[0];
   figure.x = {"Angle of the carrier", "°", start, start + kTurn};
-  for (double turned = 0.0; turned <= kTurn; turned += 60.0)
-    figure.x.ticks.push_back({start + turned});
+  for (double turned = 0.0; turned <= kTurn; turned += 60.0) figure.x.ticks.push_back({start + turned});
   // The first that is there.
   const std::vector<int>& missing = shown->full->missing_rollers;
   int roller = 1;
@@ -646,10 +611,9 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
 
 Pictures roller_pictures(const Result& r) {
   constexpr const char* kNeeds = "a load case of `model: {mechanism: full}` that converged";
-  return {
-      {"roller_loads", kNeeds, of_result(r, roller_loads)},
-      {"roller_shares", kNeeds, of_result(r, roller_shares)},
-      {"carrier_turn", "`orbit` in a load case of the full mechanism", of_result(r, carrier_turn)}};
+  return {{"roller_loads", kNeeds, of_result(r, roller_loads)},
+          {"roller_shares", kNeeds, of_result(r, roller_shares)},
+          {"carrier_turn", "`orbit` in a load case of the full mechanism", of_result(r, carrier_turn)}};
 }
 
 }  // namespace prs

@@ -33,8 +33,7 @@ struct ThreadPlot {
 
 /// A row of panels a direction, one column per interface, one line per configuration; none without
 /// a load case that `keep` holds of.
-std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result,
-                                    const FigureOptions& options);
+std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result, const FigureOptions& options);
 
 /// Whether one roller stands for all.
 bool has_shares(const LoadCaseResult& result);
@@ -48,9 +47,7 @@ struct ChosenThread {
   std::size_t thread = 0;
 
   const InterfaceLoads& at(Interface i) const { return (*load_case->threads)[i]; }
-  bool has_ellipse(Interface i) const {
-    return thread < at(i).semi_minor.size() && at(i).semi_minor[thread] > 0.0;
-  }
+  bool has_ellipse(Interface i) const { return thread < at(i).semi_minor.size() && at(i).semi_minor[thread] > 0.0; }
 };
 
 /// The one that the options name, else the most loaded; none without a load case that `has` holds
@@ -68,8 +65,8 @@ struct OfThreads {
 };
 
 /// A map of all rollers for each interface, of the load case that the options choose.
-Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options,
-                       ColourScale colours, const OfThreads& of);
+Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
+                       const OfThreads& of);
 
 /// Of travels and modes.
 Pictures motion_pictures(const Result& result);

@@ -33,8 +33,7 @@ constexpr Quantity<FrictionForces> kFrictionForces[] = {
 constexpr Quantity<RunningLoads> kRunning[] = {
     {"status", of<&RunningLoads::status>, "how the search for loads and friction ended"},
     {"rounds", of<&RunningLoads::rounds>, "evaluations of slip", "", "", "", "", Reach::document},
-    {"change", of<&RunningLoads::change>,
-     "of a thread's load in the last round, over the largest load", "", "", "", "",
+    {"change", of<&RunningLoads::change>, "of a thread's load in the last round, over the largest load", "", "", "", "",
      Reach::document},
 };
 
@@ -57,9 +56,7 @@ constexpr Quantity<RunningLoads::AtRest> kAtRest[] = {
      "of the loaded section; > 0 along the load"},
 };
 
-bool has_load(const InterfaceLoads& l) {
-  return l.load_rate.empty() || !std::isnan(l.load_rate.front());
-}
+bool has_load(const InterfaceLoads& l) { return l.load_rate.empty() || !std::isnan(l.load_rate.front()); }
 
 constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
     {"hertz_constant_N_per_mm1_5", of<&InterfaceLoads::hertz_constant>,
@@ -69,24 +66,20 @@ constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
     {"axial_load_N", of<&InterfaceLoads::axial_load>,
      "axial part of the normal load, of a running screw with that of friction"},
     {"normal_load_N", of<&InterfaceLoads::normal_load>, "at rest axial load over cos(psi)"},
-    {"load_rate_percent", of<&InterfaceLoads::load_rate, has_load>,
-     "share: axial load over force per roller", "Abevi 2015, (3)"},
-    {"approach_um", of<&InterfaceLoads::approach>,
-     "by which the bodies come closer along the normal", source::kHertz},
-    {"semi_major_mm", of<&InterfaceLoads::semi_major>, "longer semi-axis a of the contact ellipse",
-     source::kHertz, "semi-axis a of the ellipse"},
-    {"semi_minor_mm", of<&InterfaceLoads::semi_minor>, "shorter semi-axis b of the contact ellipse",
-     source::kHertz, "semi-axis b of the ellipse"},
-    {"peak_pressure_MPa", of<&InterfaceLoads::peak_pressure>, "p_0 = 3 N/(2 pi a b)",
-     source::kHertz},
-    {"max_shear_stress_MPa", of<&InterfaceLoads::max_shear_stress>,
-     "largest shear stress below the surface", source::kHertz, "largest shear stress", "", "",
-     Reach::complete},
+    {"load_rate_percent", of<&InterfaceLoads::load_rate, has_load>, "share: axial load over force per roller",
+     "Abevi 2015, (3)"},
+    {"approach_um", of<&InterfaceLoads::approach>, "by which the bodies come closer along the normal", source::kHertz},
+    {"semi_major_mm", of<&InterfaceLoads::semi_major>, "longer semi-axis a of the contact ellipse", source::kHertz,
+     "semi-axis a of the ellipse"},
+    {"semi_minor_mm", of<&InterfaceLoads::semi_minor>, "shorter semi-axis b of the contact ellipse", source::kHertz,
+     "semi-axis b of the ellipse"},
+    {"peak_pressure_MPa", of<&InterfaceLoads::peak_pressure>, "p_0 = 3 N/(2 pi a b)", source::kHertz},
+    {"max_shear_stress_MPa", of<&InterfaceLoads::max_shear_stress>, "largest shear stress below the surface",
+     source::kHertz, "largest shear stress", "", "", Reach::complete},
     {"max_shear_depth_mm", of<&InterfaceLoads::max_shear_depth>,
      "where the largest shear stress acts, for the depth of hardening", source::kHertz,
      "depth of the largest shear stress", "", "", Reach::complete},
-    {"friction_force_N", of<&InterfaceLoads::friction>,
-     "of each thread on the roller; running loads"},
+    {"friction_force_N", of<&InterfaceLoads::friction>, "of each thread on the roller; running loads"},
     {"running_over_static", of<&InterfaceLoads::running_over_static>,
      "largest normal load over the largest of the same case at rest; running loads"},
     {"", of<&InterfaceLoads::rollers>},
@@ -96,22 +89,19 @@ using fe::NewtonIteration;
 
 constexpr Quantity<NewtonIteration> kNewtonIteration[] = {
     {"energy_J", of<&NewtonIteration::energy>, "potential energy after the step"},
-    {"relative_residual", of<&NewtonIteration::relative_residual>,
-     "largest force out of balance over the load"},
+    {"relative_residual", of<&NewtonIteration::relative_residual>, "largest force out of balance over the load"},
     {"step_length", of<&NewtonIteration::step_length>, "share of the Newton step that was taken"},
     {"shift", of<&NewtonIteration::shift>, "added to the diagonal so that it can be solved"},
 };
 
 /// Where something is solved.
 template <auto get>
-constexpr auto of_solve = of<[](const LoadCaseResult& r) {
-  return r.solve ? std::optional(std::invoke(get, *r.solve)) : std::nullopt;
-}>;
+constexpr auto of_solve =
+    of<[](const LoadCaseResult& r) { return r.solve ? std::optional(std::invoke(get, *r.solve)) : std::nullopt; }>;
 
 template <Interface i>
 constexpr auto of_loads =
-    of<[](const LoadCaseResult& r) { return r.threads ? &(*r.threads)[i] : nullptr; },
-       &LoadCaseResult::converged>;
+    of<[](const LoadCaseResult& r) { return r.threads ? &(*r.threads)[i] : nullptr; }, &LoadCaseResult::converged>;
 
 /// One flank of a nut under preload.
 struct FlankOf {
@@ -147,10 +137,8 @@ constexpr auto side_of_flank = of<[](const FlankOf& f) {
 }>;
 
 constexpr Quantity<FlankSide> kFlankSide[] = {
-    {"normal_load_N", of<[](const FlankSide& s) { return *s.normal_load; }>,
-     "of each thread of a roller"},
-    {"power_W", of<[](const FlankSide& s) { return s.power; }>,
-     "that friction takes at each of them; with slip"},
+    {"normal_load_N", of<[](const FlankSide& s) { return *s.normal_load; }>, "of each thread of a roller"},
+    {"power_W", of<[](const FlankSide& s) { return s.power; }>, "that friction takes at each of them; with slip"},
     {"axial_N", of<[](const FlankSide& s) {
        return s.rollers * std::accumulate(s.axial_load->begin(), s.axial_load->end(), 0.0);
      }>,
@@ -171,35 +159,29 @@ constexpr Quantity<BothFlanks> kFlanks[] = {
 };
 
 constexpr Quantity<LoadCaseResult> kLoadCase[] = {
-    {"name", of<[](const LoadCaseResult& r) -> const std::string& { return r.load_case.name; }>,
-     "as the file has it"},
+    {"name", of<[](const LoadCaseResult& r) -> const std::string& { return r.load_case.name; }>, "as the file has it"},
     {"axial_force_N", of<[](const LoadCaseResult& r) { return r.load_case.axial_force; }>,
      "on the whole screw; > 0 with a direction"},
-    {"direction", of<[](const LoadCaseResult& r) { return r.load_case.direction; }>,
-     "tension | compression"},
+    {"direction", of<[](const LoadCaseResult& r) { return r.load_case.direction; }>, "tension | compression"},
     {"position_mm", of<[](const LoadCaseResult& r) { return r.load_case.position; }>,
      "of the first roller contact on the nut"},
     {"loads", of<&LoadCaseResult::loads>, "static | running: of a screw that turns, with friction"},
     {"converged", of<&LoadCaseResult::converged>, "whether there is an equilibrium"},
     {"status", of<status_name>, "how the solve ended; equal shares need none"},
-    {"iterations", of_solve<&fe::NewtonSummary::iterations>, "linear solves", "", "", "", "",
-     Reach::document},
-    {"relative_residual", of_solve<&fe::NewtonSummary::relative_residual>,
-     "largest force out of balance over the load", "", "", "", "", Reach::document},
-    {"factorization", of<factorization>,
-     "library, version and kind of what solved the sparse equations", "", "", "", "",
-     Reach::document},
+    {"iterations", of_solve<&fe::NewtonSummary::iterations>, "linear solves", "", "", "", "", Reach::document},
+    {"relative_residual", of_solve<&fe::NewtonSummary::relative_residual>, "largest force out of balance over the load",
+     "", "", "", "", Reach::document},
+    {"factorization", of<factorization>, "library, version and kind of what solved the sparse equations", "", "", "",
+     "", Reach::document},
     {"axial_displacement_um", of<&LoadCaseResult::axial_displacement, &LoadCaseResult::converged>,
      "of the loaded section; > 0 along the load"},
     {"axial_stiffness_N_per_um", of<&LoadCaseResult::axial_stiffness, &LoadCaseResult::converged>,
      "secant: force over displacement"},
-    {"tangent_stiffness_N_per_um",
-     of<&LoadCaseResult::tangent_stiffness, &LoadCaseResult::converged>,
+    {"tangent_stiffness_N_per_um", of<&LoadCaseResult::tangent_stiffness, &LoadCaseResult::converged>,
      "derivative of the force by the displacement"},
     {"running", of<&LoadCaseResult::running>, "how loads and friction were found together"},
     {"static",
-     of<[](const LoadCaseResult& r) { return r.running ? &r.running->at_rest : nullptr; },
-        &LoadCaseResult::converged>,
+     of<[](const LoadCaseResult& r) { return r.running ? &r.running->at_rest : nullptr; }, &LoadCaseResult::converged>,
      "the same case at rest, at the same temperatures; running loads"},
     {"screw", of_loads<Interface::screw>, "threads of one roller at the screw"},
     {"nut", of_loads<Interface::nut>, "threads of one roller at the nut"},
@@ -211,37 +193,25 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
      "under preload: both flanks of the threads, or both nuts; the lists above are those of the "
      "flank that the direction names"},
     {"", of<[](const LoadCaseResult& r) { return r.full.get(); }>},
-    {"warnings", of<[](const LoadCaseResult& r) { return sentences(r.warnings); }>,
-     "what is unusual about this load"},
-    {"newton_history",
-     of<[](const LoadCaseResult& r) { return r.solve ? &r.solve->history : nullptr; }>,
-     "one per linear solve; documents of many load cases leave it out", "", "", "", "",
-     Reach::document},
+    {"warnings", of<[](const LoadCaseResult& r) { return sentences(r.warnings); }>, "what is unusual about this load"},
+    {"newton_history", of<[](const LoadCaseResult& r) { return r.solve ? &r.solve->history : nullptr; }>,
+     "one per linear solve; documents of many load cases leave it out", "", "", "", "", Reach::document},
 };
 
 }  // namespace
 
-PRS_RECORD(FlankSide, "FlankThreads", "Threads of a flank of one roller at an interface.",
-           kFlankSide);
+PRS_RECORD(FlankSide, "FlankThreads", "Threads of a flank of one roller at an interface.", kFlankSide);
 PRS_RECORD(FlankOf, "Flank", "A flank of a nut under preload.", kFlank);
 PRS_RECORD(BothFlanks, "Flanks", "Both flanks of a nut under preload.", kFlanks);
-PRS_RECORD(FrictionForces, "FrictionForces", "Friction of each thread on the roller.",
-           kFrictionForces);
-PRS_RECORD(RunningLoads, "Running", "How loads of a running screw and their friction were found.",
-           kRunning);
-PRS_RECORD(LargestAtRest, "LargestAtRest", "Threads of an interface of a screw at rest.",
-           kLargestAtRest);
+PRS_RECORD(FrictionForces, "FrictionForces", "Friction of each thread on the roller.", kFrictionForces);
+PRS_RECORD(RunningLoads, "Running", "How loads of a running screw and their friction were found.", kRunning);
+PRS_RECORD(LargestAtRest, "LargestAtRest", "Threads of an interface of a screw at rest.", kLargestAtRest);
 PRS_RECORD(RunningLoads::AtRest, "AtRest", "What a running load case is at rest.", kAtRest);
-PRS_RECORD(
-    InterfaceLoads, "InterfaceLoads",
-    "Threads of one interface of one roller; thread 1 is next to the loaded end of the screw.",
-    kInterfaceLoads);
-PRS_RECORD(NewtonIteration, "NewtonIteration", "One linear solve of the load distribution.",
-           kNewtonIteration);
-PRS_RECORD(
-    LoadCaseResult, "LoadCase",
-    "The answer to one load case; one that did not converge has its status and residual alone.",
-    kLoadCase);
+PRS_RECORD(InterfaceLoads, "InterfaceLoads",
+           "Threads of one interface of one roller; thread 1 is next to the loaded end of the screw.", kInterfaceLoads);
+PRS_RECORD(NewtonIteration, "NewtonIteration", "One linear solve of the load distribution.", kNewtonIteration);
+PRS_RECORD(LoadCaseResult, "LoadCase",
+           "The answer to one load case; one that did not converge has its status and residual alone.", kLoadCase);
 
 namespace {
 
@@ -284,9 +254,8 @@ std::string_view known_bias(const ModelOptions& m) {
       return "17 to 32 % stiffer than finite elements on an inverted 21 x 5 mm screw; nearer: "
              "`model: {bodies: refined}`";
     case Bodies::refined:
-      return effects_off(m.refined).empty()
-                 ? "0.4 to 3.4 % stiffer than finite elements on an inverted 21 x 5 mm screw"
-                 : "";
+      return effects_off(m.refined).empty() ? "0.4 to 3.4 % stiffer than finite elements on an inverted 21 x 5 mm screw"
+                                            : "";
     case Bodies::influence:
       break;
   }
@@ -303,19 +272,16 @@ template <Bodies bodies>
 constexpr auto is = [](const ModelOptions& m) { return m.bodies == bodies; };
 
 constexpr Quantity<ModelSummary> kModelSummary[] = {
-    {"bodies", of<[](const ModelSummary& s) { return name(options_of(s).bodies); }>,
-     "bars | refined | influence"},
+    {"bodies", of<[](const ModelSummary& s) { return name(options_of(s).bodies); }>, "bars | refined | influence"},
     {"roller_contacts",
      of<[](const ModelSummary& s) {
        return name(roller_contacts(options_of(s), s.result->contacts.mechanism.starts.roller));
      },
         [](const ModelSummary& s) { return !is<Bodies::bars>(options_of(s)); }>,
      "opposite | half_pitch_apart"},
-    {"effects_off",
-     of_model<[](const ModelOptions& m) { return effects_off(m.refined); }, is<Bodies::refined>>,
+    {"effects_off", of_model<[](const ModelOptions& m) { return effects_off(m.refined); }, is<Bodies::refined>>,
      "effects of `refined` that are switched off"},
-    {"accuracy",
-     of_model<[](const ModelOptions& m) { return name(m.accuracy); }, is<Bodies::influence>>,
+    {"accuracy", of_model<[](const ModelOptions& m) { return name(m.accuracy); }, is<Bodies::influence>>,
      "working | reference, of `influence`"},
     {"tooth_compliance_width_mm",
      of_model<[](const ModelOptions& m) { return m.tooth_compliance.width; }, has_yamamoto>,
@@ -330,19 +296,16 @@ PRS_RECORD(ModelSummary, "Model", "How the loads were solved.", kModelSummary);
 
 std::string model_line(const Result& result) {
   const ModelOptions& m = result.model;
-  if (std::ranges::none_of(result.load_cases,
-                           [](const LoadCaseResult& r) { return r.solve.has_value(); }))
-    return {};
+  if (std::ranges::none_of(result.load_cases, [](const LoadCaseResult& r) { return r.solve.has_value(); })) return {};
   std::string line = fmt::format("bodies: {}", name(m.bodies));
   if (m.bodies != Bodies::bars)
-    line += fmt::format(", roller contacts {}",
-                        name(roller_contacts(m, result.contacts.mechanism.starts.roller)));
+    line += fmt::format(", roller contacts {}", name(roller_contacts(m, result.contacts.mechanism.starts.roller)));
   if (m.bodies == Bodies::influence) line += fmt::format(", {} accuracy", name(m.accuracy));
   if (m.bodies == Bodies::refined && !effects_off(m.refined).empty())
     line += fmt::format(", without {}", fmt::join(effects_off(m.refined), ", "));
   if (has_yamamoto(m))
-    line += fmt::format(", tooth deflection after Yamamoto over {:g} mm",
-                        m.tooth_compliance.width * per_si::millimetre);
+    line +=
+        fmt::format(", tooth deflection after Yamamoto over {:g} mm", m.tooth_compliance.width * per_si::millimetre);
   if (!known_bias(m).empty()) line += fmt::format(": {}", known_bias(m));
   return line + '\n';
 }
@@ -377,15 +340,11 @@ constexpr Quantity<HeatResult> kHeat[] = {
     {"converged", of<&HeatResult::converged>, "whether there is a steady state"},
     {"status", of<&HeatResult::status>, "converged | no_steady_state | iteration_limit"},
     {"reason", of<[](const HeatResult& r) { return reason_of(r.reason); }>, "where not converged"},
-    {"evaluations", of<&HeatResult::evaluations>, "of the losses at temperatures", "", "", "", "",
-     Reach::document},
+    {"evaluations", of<&HeatResult::evaluations>, "of the losses at temperatures", "", "", "", "", Reach::document},
     {"other_steady_states", balanced<&HeatResult::others>,
      "whether hotter ones exist; this one is reached from ambient temperature"},
-    {"temperature_degC", balanced<[](const HeatResult& r) { return celsius_of(r.temperature); }>,
-     "of each part"},
-    {"oil_degC", balanced<[](const HeatResult& r) {
-       return r.oil ? std::optional(celsius_of(*r.oil)) : std::nullopt;
-     }>,
+    {"temperature_degC", balanced<[](const HeatResult& r) { return celsius_of(r.temperature); }>, "of each part"},
+    {"oil_degC", balanced<[](const HeatResult& r) { return r.oil ? std::optional(celsius_of(*r.oil)) : std::nullopt; }>,
      "at the contacts of each interface: the mean of its two bodies; needs a lubricant"},
     {"heat_W", balanced<[](const HeatResult& r) {
        return PartNumbers{r.heat.screw, r.heat.roller, r.heat.nut};
@@ -404,12 +363,9 @@ constexpr Quantity<HeatCycle> kHeatCycle[] = {
     {"time_s", periodic<&HeatCycle::time>, "from the start of the cycle to its end"},
     {"temperature_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.temperature); }>,
      "of each part at these times"},
-    {"peak_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.peak); }>,
-     "largest of each part"},
-    {"mean_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.mean); }>,
-     "of each part over the cycle"},
-    {"energy_in_J", periodic<&HeatCycle::energy_in>,
-     "that shaft and load bring in while they drive, per cycle"},
+    {"peak_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.peak); }>, "largest of each part"},
+    {"mean_degC", periodic<[](const HeatCycle& r) { return celsius_of(r.mean); }>, "of each part over the cycle"},
+    {"energy_in_J", periodic<&HeatCycle::energy_in>, "that shaft and load bring in while they drive, per cycle"},
     {"energy_lost_J", periodic<&HeatCycle::energy_lost>, "to friction, per cycle"},
     {"efficiency", periodic<&HeatCycle::efficiency>, "energy out over energy in"},
 };
@@ -425,9 +381,7 @@ PartSeries celsius_of(const PerPart<std::vector<double>>& kelvin) {
     for (double& value : *part) value -= kZeroCelsius;
   return series;
 }
-InterfaceNumbers celsius_of(const PerInterface<double>& k) {
-  return {k.screw - kZeroCelsius, k.nut - kZeroCelsius};
-}
+InterfaceNumbers celsius_of(const PerInterface<double>& k) { return {k.screw - kZeroCelsius, k.nut - kZeroCelsius}; }
 
 PRS_RECORD(PartNumbers, "PartNumbers", "A number of each part.", kPartNumbers);
 PRS_RECORD(PartSeries, "PartSeries", "Numbers of each part over time.", kPartSeries);
@@ -436,8 +390,7 @@ PRS_RECORD(HeatResult, "Heat",
            "Steady temperatures: what friction puts into the parts flows off through the "
            "conductances.",
            kHeat);
-PRS_RECORD(HeatCycle, "HeatCycle", "The state of a duty that repeats itself from cycle to cycle.",
-           kHeatCycle);
+PRS_RECORD(HeatCycle, "HeatCycle", "The state of a duty that repeats itself from cycle to cycle.", kHeatCycle);
 
 namespace {
 
@@ -463,8 +416,7 @@ constexpr Quantity<PerDirection<T>> kPerDirection[] = {
 };
 
 template <auto get>
-constexpr auto point =
-    of<[](const ContactAt& c) { return std::invoke(get, c.contact().geometry.point); }>;
+constexpr auto point = of<[](const ContactAt& c) { return std::invoke(get, c.contact().geometry.point); }>;
 
 template <contact::PrincipalValues contact::InterfaceGeometry::*values>
 constexpr auto both = of<[](const ContactAt& c) {
@@ -472,8 +424,7 @@ constexpr auto both = of<[](const ContactAt& c) {
 }>;
 
 template <auto get>
-constexpr auto geometry =
-    of<[](const ContactAt& c) { return std::invoke(get, c.contact().geometry); }>;
+constexpr auto geometry = of<[](const ContactAt& c) { return std::invoke(get, c.contact().geometry); }>;
 
 template <double contact::HertzConstants::*get>
 constexpr auto hertz = of<[](const ContactAt& c) { return c.contact().hertz.*get; },
@@ -485,8 +436,7 @@ constexpr auto shear = of<[](const ContactAt& c) { return (*c.contact().shear).*
 
 template <auto get>
 constexpr auto clearance = of<[](const ContactAt& c) {
-  return c.contact().clearance ? std::optional<double>((*c.contact().clearance).*get)
-                               : std::nullopt;
+  return c.contact().clearance ? std::optional<double>((*c.contact().clearance).*get) : std::nullopt;
 }>;
 
 using contact::HertzConstants;
@@ -496,44 +446,35 @@ using Point = contact::ContactPoint;
 constexpr std::string_view kSandu = "Sandu 2018, chapter 1", kYao = "Yao 2023, (55) to (58)";
 
 constexpr Quantity<ContactAt> kInterfaceContact[] = {
-    {"radius_on_body_mm", point<&Point::radius_on_body>,
-     "of the contact point from the body's axis", kSandu, "radius on the body"},
-    {"radius_on_roller_mm", point<&Point::radius_on_roller>,
-     "of the contact point from the roller's axis", kSandu, "radius on the roller"},
+    {"radius_on_body_mm", point<&Point::radius_on_body>, "of the contact point from the body's axis", kSandu,
+     "radius on the body"},
+    {"radius_on_roller_mm", point<&Point::radius_on_roller>, "of the contact point from the roller's axis", kSandu,
+     "radius on the roller"},
     {"angle_on_body_deg", point<&Point::angle_on_body>,
-     "of the contact point about the body's axis, from the line of centres", kSandu,
-     "angle on the body"},
+     "of the contact point about the body's axis, from the line of centres", kSandu, "angle on the body"},
     {"angle_on_roller_deg", point<&Point::angle_on_roller>,
-     "of the contact point about the roller's axis, from the line of centres", kSandu,
-     "angle on the roller"},
+     "of the contact point about the roller's axis, from the line of centres", kSandu, "angle on the roller"},
     {"flank_clearance_mm", clearance<&ThreadClearance::flank>,
      "along the axis, each thread in the middle of the other's groove; half the backlash", kYao,
      "flank to flank when centred"},
     {"body_crest_clearance_mm", clearance<&ThreadClearance::body_crest>,
-     "along the axis, from the edge of the body's crest to the roller's flank", kYao,
-     "crest of the body to flank"},
+     "along the axis, from the edge of the body's crest to the roller's flank", kYao, "crest of the body to flank"},
     {"roller_crest_clearance_mm", clearance<&ThreadClearance::roller_crest>,
-     "along the axis, from the edge of the roller's crest to the body's flank", kYao,
-     "crest of the roller to flank"},
+     "along the axis, from the edge of the roller's crest to the body's flank", kYao, "crest of the roller to flank"},
     {"body_curvatures_per_mm", both<&InterfaceGeometry::body>,
-     "principal curvatures, convex > 0, ascending in absolute value", kSandu,
-     "curvatures of the body"},
+     "principal curvatures, convex > 0, ascending in absolute value", kSandu, "curvatures of the body"},
     {"roller_curvatures_per_mm", both<&InterfaceGeometry::roller>,
-     "principal curvatures, convex > 0, ascending in absolute value", kSandu,
-     "curvatures of the roller"},
+     "principal curvatures, convex > 0, ascending in absolute value", kSandu, "curvatures of the roller"},
     {"relative_curvatures_per_mm", both<&InterfaceGeometry::relative>,
-     "eigenvalues of the sum of both curvature tensors, without a factor 1/2", kSandu,
-     "relative curvatures"},
-    {"curvature_sum_per_mm", geometry<&InterfaceGeometry::curvature_sum>, "kappa_1 + kappa_2",
-     "Sandu 2018, (1.77)", "sum of the relative curvatures"},
-    {"equivalent_radius_mm",
-     geometry<[](const InterfaceGeometry& g) { return 1.0 / g.curvature_sum(); }>,
+     "eigenvalues of the sum of both curvature tensors, without a factor 1/2", kSandu, "relative curvatures"},
+    {"curvature_sum_per_mm", geometry<&InterfaceGeometry::curvature_sum>, "kappa_1 + kappa_2", "Sandu 2018, (1.77)",
+     "sum of the relative curvatures"},
+    {"equivalent_radius_mm", geometry<[](const InterfaceGeometry& g) { return 1.0 / g.curvature_sum(); }>,
      "1 over the sum of the relative curvatures"},
     {"first_directions_angle_deg", geometry<&InterfaceGeometry::first_directions_angle>,
      "between the first principal directions of body and roller", "Sandu 2018, (1.61)",
      "angle of the first directions"},
-    {"normal_angle_deg", point<&Point::normal_angle>, "psi = arccos|n_z|", kSandu,
-     "normal against the axis"},
+    {"normal_angle_deg", point<&Point::normal_angle>, "psi = arccos|n_z|", kSandu, "normal against the axis"},
     {"normal", of<[](const ContactAt& c) {
        const contact::Vector3<double>& n = c.contact().geometry.point.normal;
        return std::array{n.x, n.y, n.z};
@@ -542,24 +483,20 @@ constexpr Quantity<ContactAt> kInterfaceContact[] = {
     {"backlash_mm",
      of<[](const ContactAt& c) { return c.contact().geometry.point.backlash; },
         [](const ContactAt& c) { return c.same_pitch(); }>,
-     "axial play of both faces; < 0: the threads are too thick; needs equal pitches",
-     "Sandu 2018, (1.40)"},
-    {"hertz_constant_N_per_mm1_5", hertz<&HertzConstants::hertz_constant>,
-     "k_0 of N = k_0 delta^1.5", source::kHertz, "Hertz constant"},
-    {"ellipticity", hertz<&HertzConstants::ellipticity>, "b/a of the contact ellipse",
-     source::kHertz, "ellipticity b/a"},
+     "axial play of both faces; < 0: the threads are too thick; needs equal pitches", "Sandu 2018, (1.40)"},
+    {"hertz_constant_N_per_mm1_5", hertz<&HertzConstants::hertz_constant>, "k_0 of N = k_0 delta^1.5", source::kHertz,
+     "Hertz constant"},
+    {"ellipticity", hertz<&HertzConstants::ellipticity>, "b/a of the contact ellipse", source::kHertz,
+     "ellipticity b/a"},
     {"semi_major_mm_per_N1_3", hertz<&HertzConstants::semi_major_per_cbrt_load>,
-     "semi-axis a over the cube root of the normal load", source::kHertz,
-     "semi-axis a over cube root of the load"},
+     "semi-axis a over the cube root of the normal load", source::kHertz, "semi-axis a over cube root of the load"},
     {"semi_minor_mm_per_N1_3", hertz<&HertzConstants::semi_minor_per_cbrt_load>,
-     "semi-axis b over the cube root of the normal load", source::kHertz,
-     "semi-axis b over cube root of the load"},
+     "semi-axis b over the cube root of the normal load", source::kHertz, "semi-axis b over cube root of the load"},
     {"max_shear_over_peak_pressure", shear<&contact::SubsurfaceShear::shear_over_pressure>,
-     "largest shear stress below the surface over p_0", source::kHertz,
-     "largest shear stress over peak pressure", "", "", Reach::complete},
-    {"max_shear_depth_over_semi_minor", shear<&contact::SubsurfaceShear::depth_over_semi_minor>,
-     "its depth over b", source::kHertz, "depth of the largest shear stress over semi-axis b", "",
+     "largest shear stress below the surface over p_0", source::kHertz, "largest shear stress over peak pressure", "",
      "", Reach::complete},
+    {"max_shear_depth_over_semi_minor", shear<&contact::SubsurfaceShear::depth_over_semi_minor>, "its depth over b",
+     source::kHertz, "depth of the largest shear stress over semi-axis b", "", "", Reach::complete},
 };
 
 PerPart<double> of_threads(const MechanismGeometry& threads, auto value) {
@@ -579,9 +516,7 @@ constexpr Quantity<Contacts> kContacts[] = {
      }>,
      "where thread and groove are equally wide, or as the file has it"},
     {"helix_angle_deg", of<[](const Contacts& c) {
-       return of_threads(c.threads, [](const auto& thread) {
-         return contact::ThreadSurface(thread).helix_angle();
-       });
+       return of_threads(c.threads, [](const auto& thread) { return contact::ThreadSurface(thread).helix_angle(); });
      }>,
      "at the pitch diameter"},
     {"profile_radius_limits_mm", of<[](const Contacts& c) {
@@ -589,8 +524,7 @@ constexpr Quantity<Contacts> kContacts[] = {
          const contact::RadiusLimits limits = contact::flank_limits(thread);
          return TwoValues{limits.smallest, limits.largest};
        };
-       return PerPart<TwoValues>{range(c.threads.screw), range(c.threads.roller),
-                                 range(c.threads.nut)};
+       return PerPart<TwoValues>{range(c.threads.screw), range(c.threads.roller), range(c.threads.nut)};
      }>,
      "radii between which there is a flank", "", "radii of the flanks"},
     {"max_rollers", of<[](const Contacts& c) { return contact::largest_roller_count(c.threads); }>,
@@ -602,8 +536,7 @@ constexpr Quantity<Contacts> kContacts[] = {
 constexpr Quantity<ThreadWidths> kThreadWidths[] = {
     {"crest_width_mm", of<&ThreadWidths::crest>, "along the axis; < 0: the profile ends before",
      "Yao 2023, (52) to (54)", "crest width"},
-    {"root_width_mm", of<&ThreadWidths::root>, "along the axis", "Yao 2023, (52) to (54)",
-     "root width"},
+    {"root_width_mm", of<&ThreadWidths::root>, "along the axis", "Yao 2023, (52) to (54)", "root width"},
 };
 
 template <contact::Thread MechanismGeometry::*part>
@@ -620,22 +553,18 @@ constexpr Quantity<MechanismGeometry> kThreads[] = {
 
 }  // namespace
 
-PRS_RECORD(PerPart<double>, "PerPart", "One number each of screw, roller and nut.",
-           kPerPart<double>);
-PRS_RECORD(PerPart<TwoValues>, "PerPartRange",
-           "Smallest and largest value each of screw, roller and nut.", kPerPart<TwoValues>);
-PRS_RECORD(PerInterface<double>, "PerInterface",
-           "One number each of the roller's contacts with screw and nut.", kPerInterface);
-PRS_RECORD(PerDirection<double>, "PerDirection", "One number for each sense of the load.",
-           kPerDirection<double>);
-PRS_RECORD(PerDirection<std::optional<double>>, "PerDirection",
-           "One number for each sense of the load.", kPerDirection<std::optional<double>>);
+PRS_RECORD(PerPart<double>, "PerPart", "One number each of screw, roller and nut.", kPerPart<double>);
+PRS_RECORD(PerPart<TwoValues>, "PerPartRange", "Smallest and largest value each of screw, roller and nut.",
+           kPerPart<TwoValues>);
+PRS_RECORD(PerInterface<double>, "PerInterface", "One number each of the roller's contacts with screw and nut.",
+           kPerInterface);
+PRS_RECORD(PerDirection<double>, "PerDirection", "One number for each sense of the load.", kPerDirection<double>);
+PRS_RECORD(PerDirection<std::optional<double>>, "PerDirection", "One number for each sense of the load.",
+           kPerDirection<std::optional<double>>);
 PRS_RECORD(ContactAt, "InterfaceContact",
-           "Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.",
-           kInterfaceContact);
+           "Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.", kInterfaceContact);
 PRS_RECORD(Contacts, "Contacts", "Mechanism and contacts of both interfaces.", kContacts);
 PRS_RECORD(ThreadWidths, "ThreadWidths", "Axial widths of a truncated thread.", kThreadWidths);
-PRS_RECORD(MechanismGeometry, "Threads", "Threads of the parts by themselves; needs their heights.",
-           kThreads);
+PRS_RECORD(MechanismGeometry, "Threads", "Threads of the parts by themselves; needs their heights.", kThreads);
 
 }  // namespace prs

@@ -31,8 +31,7 @@ inline std::optional<std::size_t> index_of_largest(const std::vector<double>& va
 }
 
 /// The entry of a thread; absent where the list has none.
-inline std::optional<double> entry(const std::vector<double>& values,
-                                   std::optional<std::size_t> thread) {
+inline std::optional<double> entry(const std::vector<double>& values, std::optional<std::size_t> thread) {
   return thread && *thread < values.size() ? std::optional(values[*thread]) : std::nullopt;
 }
 
@@ -80,8 +79,7 @@ struct ContactAt {
   /// Whether the backlash means something.
   bool same_pitch() const {
     const contact::MechanismGeometry& threads = contacts->threads;
-    return contact::same_pitch(interface == Interface::screw ? threads.screw : threads.nut,
-                               threads.roller);
+    return contact::same_pitch(interface == Interface::screw ? threads.screw : threads.nut, threads.roller);
   }
 };
 

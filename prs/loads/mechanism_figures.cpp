@@ -13,15 +13,13 @@ struct Teeth {
   double slope = 0.0;  ///< Of the flanks: axial over radial.
 
   /// Half of a tooth's thickness at a radius.
-  double half_thickness(double r) const {
-    return std::clamp(0.25 * pitch - (r - radius) * slope, 0.0, 0.5 * pitch);
-  }
+  double half_thickness(double r) const { return std::clamp(0.25 * pitch - (r - radius) * slope, 0.0, 0.5 * pitch); }
 };
 
 Teeth teeth_of(const contact::Thread& thread, double flank_angle) {
   const contact::RadiusLimits limits = contact::flank_limits(thread);
-  return {thread.pitch * kMm, contact::ThreadSurface(thread).pitch_radius * kMm,
-          limits.smallest * kMm, limits.largest * kMm, std::tan(flank_angle)};
+  return {thread.pitch * kMm, contact::ThreadSurface(thread).pitch_radius * kMm, limits.smallest * kMm,
+          limits.largest * kMm, std::tan(flank_angle)};
 }
 
 /// From `from` to `to` along the axis, a tooth in the middle at `tooth`: (x, radius).
@@ -55,8 +53,7 @@ SectionPlace place_of(const Case& c, const Result& result, const LoadCaseResult*
   p.contacts = c.mechanism.contacts_per_roller;
   const double length = (p.contacts - 1) * p.pitch;
   p.nut_length = c.structure ? c.structure->nut.length * kMm : length + 4.0 * p.pitch;
-  p.first = shown && shown->load_case.position ? *shown->load_case.position * kMm
-                                               : 0.5 * (p.nut_length - length);
+  p.first = shown && shown->load_case.position ? *shown->load_case.position * kMm : 0.5 * (p.nut_length - length);
   const double end = c.structure ? c.structure->roller.end_length * kMm : 0.0;
   const double margin = 0.04 * p.nut_length;
   const double loaded = c.structure ? p.first - free_length(*c.structure) * kMm : 0.0;
@@ -102,8 +99,7 @@ Polyline roller_outline(const Case& c, const SectionPlace& p, const Teeth& t, do
     if (!c.structure) return;
     const double r = 0.5 * c.structure->roller.end_diameter * kMm;
     const double end = x + out * c.structure->roller.end_length * kMm;
-    const Polyline points{
-        {x, y - out * r}, {end, y - out * r}, {end, y + out * r}, {x, y + out * r}};
+    const Polyline points{{x, y - out * r}, {end, y - out * r}, {end, y + out * r}, {x, y + out * r}};
     line.insert(line.end(), points.begin(), points.end());
   };
   const Polyline teeth = tooth_outline(t, p.first, from, to);
@@ -157,8 +153,7 @@ Polyline circle(double y, double z, double r) { return ellipse(y, z, r, r, 0.0);
 std::string rollers_text(const Case& c) {
   const int places = c.mechanism.rollers;
   const int missing = static_cast<int>(c.deviations.missing_rollers.size());
-  return missing == 0 ? fmt::format("{} rollers", places)
-                      : fmt::format("{} of {} rollers", places - missing, places);
+  return missing == 0 ? fmt::format("{} rollers", places) : fmt::format("{} of {} rollers", places - missing, places);
 }
 
 /// What a drawing is read by: sizes in the bodies, the length of the nut between arrows. `top` is
@@ -173,41 +168,36 @@ void add_sizes(Figure& figure, Panel& panel, const Case& c, const SectionPlace& 
     return 2.0 * contact::ThreadSurface(thread).pitch_radius * kMm;
   };
   const double screw = 0.5 * diameter(threads.screw), roller = 0.5 * diameter(threads.roller);
-  add(middle, 0.55 * screw,
-      fmt::format("screw, pitch Ø{:.5g}, lead {:.5g}", 2.0 * screw, threads.screw.lead * kMm));
+  add(middle, 0.55 * screw, fmt::format("screw, pitch Ø{:.5g}, lead {:.5g}", 2.0 * screw, threads.screw.lead * kMm));
   const double of_roller = 0.5 * (p.first + p.last());
   add(of_roller, axis + 0.45 * roller, rollers_text(c));
-  add(of_roller, axis - 0.45 * roller,
-      fmt::format("pitch Ø{:.5g}, {} threads", 2.0 * roller, p.contacts));
+  add(of_roller, axis - 0.45 * roller, fmt::format("pitch Ø{:.5g}, {} threads", 2.0 * roller, p.contacts));
   if (!c.structure) return;
   const double body = 0.5 * c.structure->nut.outer_diameter * kMm;
   add(middle, 0.5 * (axis + roller + body), fmt::format("nut Ø{:.5g}", 2.0 * body));
   for (const Structure::Flange& flange : c.structure->nut.flanges)
     if (const double outer = 0.5 * flange.outer_diameter * kMm; outer > body)
-      add(0.5 * (flange.from + flange.to) * kMm, 0.5 * (body + outer),
-          fmt::format("Ø{:.5g}", 2.0 * outer));
+      add(0.5 * (flange.from + flange.to) * kMm, 0.5 * (body + outer), fmt::format("Ø{:.5g}", 2.0 * outer));
   const double above = 1.08 * top;
-  panel.series.push_back(
-      {figure.add(arrows_of(Colour::ink)),
-       {{{middle, above}, {0.0, above}}, {{middle, above}, {p.nut_length, above}}}});
+  panel.series.push_back({figure.add(arrows_of(Colour::ink)),
+                          {{{middle, above}, {0.0, above}}, {{middle, above}, {p.nut_length, above}}}});
   add(middle, 1.14 * top, fmt::format("{:.5g}", p.nut_length));
 }
 
 /// What holds the parts under this load. `roller` is the radius at its pitch.
-void add_supports(Figure& figure, Panel& panel, const Case& c, const SectionPlace& p, double axis,
-                  double roller, const LoadCaseResult* shown) {
+void add_supports(Figure& figure, Panel& panel, const Case& c, const SectionPlace& p, double axis, double roller,
+                  const LoadCaseResult* shown) {
   if (!c.structure) return;
   const Structure& s = *c.structure;
   const auto& direction = shown ? shown->load_case.direction : std::nullopt;
   if (direction)
-    if (const auto& thrust =
-            *direction == Direction::tension ? s.nut.thrust.tension : s.nut.thrust.compression) {
+    if (const auto& thrust = *direction == Direction::tension ? s.nut.thrust.tension : s.nut.thrust.compression) {
       const auto [before, behind] = nut_diameters_at(s.nut, *thrust);
       const double x = *thrust * kMm, outer = 0.5 * std::max(before, behind) * kMm;
       const double from = axis + roller;  // No line crosses the roller's words.
-      panel.series.push_back({figure.add("section where the nut is held",
-                                         line_of(Colour::ink, Dash::dashed, Weight::strong)),
-                              {{{x, from}, {x, 1.04 * outer}}}});
+      panel.series.push_back(
+          {figure.add("section where the nut is held", line_of(Colour::ink, Dash::dashed, Weight::strong)),
+           {{{x, from}, {x, 1.04 * outer}}}});
     }
   Style guide = points_of(Colour::purple, Mark::diamond);
   panel.series.push_back({figure.add("roller guided", guide),
@@ -228,8 +218,7 @@ Polyline arrow(double from, double to, double y, double point) {
 }
 
 /// The force on the screw, at its loaded end, with room for its words.
-void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCaseResult& shown,
-              double top) {
+void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCaseResult& shown, double top) {
   const double span = p.screw_to - p.screw_from, height = figure.y.to - figure.y.from;
   const bool is_short = 2.0 * height > 1.17 * span;  // Pages draw it half as wide then.
   const double room = (is_short ? 0.45 : 0.17) * span, near = p.screw_from - 0.1 * room;
@@ -237,14 +226,13 @@ void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCas
   const double above = std::max(0.09 * top, 14.0 * point);
   const double y = std::max(0.15 * top, figure.y.from + above + 10.0 * point);
   const bool pulls = shown.load_case.direction == Direction::tension;
-  panel.series.push_back({figure.add(area_of(Colour::bad)),
-                          {pulls ? arrow(near, far, y, point) : arrow(far, near, y, point)}});
+  panel.series.push_back(
+      {figure.add(area_of(Colour::bad)), {pulls ? arrow(near, far, y, point) : arrow(far, near, y, point)}});
   const double middle = 0.5 * (near + far);
+  panel.labels.push_back({fmt::format("{:.4g} kN", shown.load_case.axial_force * per_si::kilonewton), middle, y + above,
+                          false, Label::Anchor::centre});
   panel.labels.push_back(
-      {fmt::format("{:.4g} kN", shown.load_case.axial_force * per_si::kilonewton), middle,
-       y + above, false, Label::Anchor::centre});
-  panel.labels.push_back({std::string(name(*shown.load_case.direction)), middle, y - above, false,
-                          Label::Anchor::centre});
+      {std::string(name(*shown.load_case.direction)), middle, y - above, false, Label::Anchor::centre});
   figure.x.from = far - 0.1 * room;
 }
 
@@ -257,8 +245,8 @@ void add_ring(Figure& figure, Panel& panel, Part part, double outer, double inne
   Style pale = area_of(colour_of(part));
   pale.pale = true;
   panel.series.push_back({figure.add(std::string(title(part)), pale), {ring}});
-  panel.series.push_back({figure.add(line_of(colour_of(part), Dash::solid, Weight::thin)),
-                          {circle(0, 0, outer), circle(0, 0, inner)}});
+  panel.series.push_back(
+      {figure.add(line_of(colour_of(part), Dash::solid, Weight::thin)), {circle(0, 0, outer), circle(0, 0, inner)}});
 }
 
 std::string shown_title(const char* what, const LoadCaseResult* shown) {
@@ -286,10 +274,8 @@ Figures mechanism_section(const Case& c, const Result& result, const FigureOptio
   Figure figure{"section", shown_title("Section through the axis", shown)};
   Panel& panel = figure.panels.emplace_back();
   const double bore = c.structure ? 0.5 * c.structure->screw.bore * kMm : 0.0;
-  add_body(
-      figure, panel, Part::screw,
-      {closed_below(tooth_outline(teeth.screw, p.first + 0.5 * p.pitch, p.screw_from, p.screw_to),
-                    bore)});
+  add_body(figure, panel, Part::screw,
+           {closed_below(tooth_outline(teeth.screw, p.first + 0.5 * p.pitch, p.screw_from, p.screw_to), bore)});
   const Polyline nut = nut_outline(c, p, teeth.nut);
   add_body(figure, panel, Part::nut, {nut});
   add_body(figure, panel, Part::roller, {roller_outline(c, p, teeth.roller, axis)});
@@ -317,8 +303,8 @@ Figures mechanism_section(const Case& c, const Result& result, const FigureOptio
   Range height;
   for (const auto& point : nut) height.include(point[1]);
   const double top = height.to;
-  figure.x = {"From the end of the nut at the loaded end of the screw", "mm",
-              p.screw_from - overhang, p.screw_to + overhang};
+  figure.x = {"From the end of the nut at the loaded end of the screw", "mm", p.screw_from - overhang,
+              p.screw_to + overhang};
   figure.y = {"Radius", "mm", -0.06 * top, (c.structure ? 1.22 : 1.05) * top};
   add_sizes(figure, panel, c, p, axis, threads, top);
   add_supports(figure, panel, c, p, axis, teeth.roller.radius, shown);
@@ -334,26 +320,21 @@ Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& 
   const LoadCaseResult* shown = case_shown(result, options);
   const contact::MechanismGeometry& threads = result.contacts.threads;
   const double axis = threads.centre_distance * kMm;
-  const auto radius = [](const contact::Thread& thread) {
-    return contact::ThreadSurface(thread).pitch_radius * kMm;
-  };
+  const auto radius = [](const contact::Thread& thread) { return contact::ThreadSurface(thread).pitch_radius * kMm; };
   const int rollers = c.mechanism.rollers;
   const bool all = shown && shown->full;
   Figure figure{"end_view", shown_title("Seen along the axis", all ? shown : nullptr)};
   Panel& panel = figure.panels.emplace_back();
-  const double outer =
-      c.structure ? 0.5 * c.structure->nut.outer_diameter * kMm : 1.15 * radius(threads.nut);
+  const double outer = c.structure ? 0.5 * c.structure->nut.outer_diameter * kMm : 1.15 * radius(threads.nut);
   add_ring(figure, panel, Part::nut, outer, radius(threads.nut));
-  add_ring(figure, panel, Part::screw, radius(threads.screw),
-           c.structure ? 0.5 * c.structure->screw.bore * kMm : 0.0);
+  add_ring(figure, panel, Part::screw, radius(threads.screw), c.structure ? 0.5 * c.structure->screw.bore * kMm : 0.0);
 
   std::vector<Polyline> circles;
   std::vector<double> shares;
   Range range;
   for (int j = 0; j < rollers; ++j) {
     if (std::ranges::count(c.deviations.missing_rollers, j + 1) > 0) continue;
-    const double azimuth =
-        (all ? shown->full->carrier_angle : 0.0) + 2.0 * std::numbers::pi * j / rollers;
+    const double azimuth = (all ? shown->full->carrier_angle : 0.0) + 2.0 * std::numbers::pi * j / rollers;
     const double y = axis * std::cos(azimuth), z = axis * std::sin(azimuth);
     circles.push_back(circle(y, z, radius(threads.roller)));
     panel.labels.push_back({fmt::to_string(j + 1), y, z, false, Label::Anchor::centre});
@@ -362,8 +343,7 @@ Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& 
   }
   for (const LoadCaseResult& load_case : result.load_cases)  // One scale for their pictures.
     if (load_case.full && load_case.threads)
-      for (const double share : load_case.threads->screw.rollers->share)
-        range.include(share * rollers);
+      for (const double share : load_case.threads->screw.rollers->share) range.include(share * rollers);
   if (all) {
     panel.series.push_back({figure.add(area_of(colour_of(Part::roller))), circles, shares});
     figure.colours = scale_of(range);
@@ -385,13 +365,11 @@ bool has_threads(const LoadCaseResult& result) { return result.threads.has_value
 std::string words_of_thread(const ChosenThread& chosen) {
   const auto threads = static_cast<std::size_t>(chosen.at(Interface::screw).threads_per_roller);
   return threads == 0 ? fmt::format("thread {}", chosen.thread + 1)
-                      : fmt::format("roller {}, thread {}", chosen.thread / threads + 1,
-                                    chosen.thread % threads + 1);
+                      : fmt::format("roller {}, thread {}", chosen.thread / threads + 1, chosen.thread % threads + 1);
 }
 
 std::string picture_title(const char* what, const ChosenThread& chosen) {
-  return fmt::format("{}, {}, {}", what, words_of_thread(chosen),
-                     shown_name(chosen.load_case->load_case.name));
+  return fmt::format("{}, {}, {}", what, words_of_thread(chosen), shown_name(chosen.load_case->load_case.name));
 }
 
 }  // namespace
@@ -403,8 +381,7 @@ std::optional<ChosenThread> chosen_thread(const Result& result, const FigureOpti
   const std::vector<double>& loads = load_case->threads->screw.normal_load;
   if (loads.empty()) return std::nullopt;
   const std::size_t thread = options.thread.value_or(*index_of_largest(loads));
-  if (thread >= loads.size())
-    throw NoFigure(fmt::format("thread: got {}; expected 0 to {}", thread, loads.size() - 1));
+  if (thread >= loads.size()) throw NoFigure(fmt::format("thread: got {}; expected 0 to {}", thread, loads.size() - 1));
   return ChosenThread{load_case, thread};
 }
 
@@ -425,8 +402,7 @@ Figures thread_pressure(const Result& result, const FigureOptions& options) {
     const double b = loads.semi_minor[chosen->thread] * per_si::millimetre;
     const double peak = loads.peak_pressure[chosen->thread] * per_si::megapascal;
     Panel& panel = figure.panels.emplace_back();
-    panel.title =
-        fmt::format("{}: {:.4g} N", interface_title(i), loads.normal_load[chosen->thread]);
+    panel.title = fmt::format("{}: {:.4g} N", interface_title(i), loads.normal_load[chosen->thread]);
     Series series{rings};
     for (int k = 0; k < kRings; ++k) {
       // Rings of equal steps of pressure, each in the colour of its middle.
@@ -469,8 +445,7 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
     const InterfaceLoads& loads = chosen->at(i);
     const double a = loads.semi_major[chosen->thread], b = loads.semi_minor[chosen->thread];
     const double peak = loads.peak_pressure[chosen->thread] * per_si::megapascal;
-    const double nu =
-        std::min((*c.materials)[body_of(i)].poisson_ratio, c.materials->roller.poisson_ratio);
+    const double nu = std::min((*c.materials)[body_of(i)].poisson_ratio, c.materials->roller.poisson_ratio);
     Series of_normal{normal}, of_major{major}, of_minor{minor}, of_shear{shear};
     for (int k = 0; k <= kSteps; ++k) {
       const double depth = kDepth * b * k / kSteps;
@@ -485,8 +460,7 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
     panel.series = {of_normal, of_major, of_minor, of_shear};
     panel.references.push_back({zero, 0.0});
     if (!loads.max_shear_depth.empty())
-      panel.references.push_back(
-          {deepest, loads.max_shear_depth[chosen->thread] * per_si::micrometre, true});
+      panel.references.push_back({deepest, loads.max_shear_depth[chosen->thread] * per_si::micrometre, true});
   }
   if (figure.panels.empty()) return {};
   figure.columns = figure.panels.size();
@@ -500,8 +474,7 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
 Pictures drawings(const Case& c, const Result& r) {
   using enum Picture::Drawn;
   constexpr const char* kMechanism = "a mechanism";
-  constexpr const char* kEllipses =
-      "a load case that converged, and contacts that come from the threads";
+  constexpr const char* kEllipses = "a load case that converged, and contacts that come from the threads";
   const auto draw = [&c, &r](Figures (*make)(const Case&, const Result&, const FigureOptions&)) {
     return [&c, &r, make](const FigureOptions& options) { return make(c, r, options); };
   };

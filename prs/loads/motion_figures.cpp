@@ -10,23 +10,15 @@ constexpr Colour kColours[] = {Colour::blue,   Colour::vermillion, Colour::green
                                Colour::purple, Colour::orange,     Colour::sky};
 Style line_number(std::size_t k) { return line_of(kColours[k % std::size(kColours)]); }
 
-bool has_travel(const LoadCaseResult& r) {
-  return r.full && r.full->travel && r.full->travel->converged();
-}
-bool has_modes(const LoadCaseResult& r) {
-  return r.full && r.full->modes && !r.full->modes->modes.empty();
-}
-bool has_modes_along_travel(const LoadCaseResult& r) {
-  return has_modes(r) && r.full->modes->along_travel;
-}
+bool has_travel(const LoadCaseResult& r) { return r.full && r.full->travel && r.full->travel->converged(); }
+bool has_modes(const LoadCaseResult& r) { return r.full && r.full->modes && !r.full->modes->modes.empty(); }
+bool has_modes_along_travel(const LoadCaseResult& r) { return has_modes(r) && r.full->modes->along_travel; }
 
 Figure figure_of(std::string name, std::string_view what, const LoadCaseResult& shown) {
   return {std::move(name), fmt::format("{}, {}", what, shown_name(shown.load_case.name))};
 }
 
-double turns_at(const TravelResult& t, std::size_t k) {
-  return t.angle[k] / (2.0 * std::numbers::pi);
-}
+double turns_at(const TravelResult& t, std::size_t k) { return t.angle[k] / (2.0 * std::numbers::pi); }
 
 Figures travel_deviation(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_travel);
@@ -68,9 +60,7 @@ std::string combination(double order, double resolution, const std::vector<Motio
     for (int a = -3; a <= 3; ++a)
       for (int b = 0; b <= 3; ++b) {
         const int size = std::abs(a) + b + std::abs(c);
-        if (size == 0 || size >= least ||
-            std::abs(c + a * carrier + b * spin - order) > 0.5 * resolution)
-          continue;
+        if (size == 0 || size >= least || std::abs(c + a * carrier + b * spin - order) > 0.5 * resolution) continue;
         least = size;
         best.clear();
         for (const auto& [times, name] : {std::pair{b, "spin"}, {a, "carrier"}, {c, "turn"}})
@@ -79,8 +69,7 @@ std::string combination(double order, double resolution, const std::vector<Motio
                                 times < 0      ? "-"
                                 : best.empty() ? ""
                                                : "+",
-                                std::abs(times) == 1 ? "" : std::to_string(std::abs(times)) + " ",
-                                name);
+                                std::abs(times) == 1 ? "" : std::to_string(std::abs(times)) + " ", name);
       }
   const double past_screw = base[5].order, past_nut = base[4].order;
   for (const auto& [at, name] : {std::pair{past_screw, "past screw"}, {past_nut, "past nut"}})
@@ -106,8 +95,8 @@ Figures travel_orders(const Result& result, const FigureOptions& options) {
   const auto base = motion_orders(result.contacts.mechanism, t.slip_ratio);
   for (const OrderAmplitude* o : largest)
     if (o->amplitude > 0.02 * largest.front()->amplitude)
-      panel.labels.push_back({combination(o->order, 1.0 / std::abs(t.travel.turns), base), o->order,
-                              o->amplitude * per_si::micrometre});
+      panel.labels.push_back(
+          {combination(o->order, 1.0 / std::abs(t.travel.turns), base), o->order, o->amplitude * per_si::micrometre});
   figure.x = {"Periods in a turn"};
   figure.y = {"Amplitude", "µm", 0.0};
   figure.panels.push_back(std::move(panel));
@@ -127,11 +116,10 @@ Figures travel_thread_loads(const Result& result, const FigureOptions& options) 
     const std::size_t threads = loads.of_roller.front().size();
     for (const std::size_t k : {std::size_t{0}, threads / 2, threads - 1}) {
       Polyline line;
-      for (std::size_t p = 0; p < t.angle.size(); ++p)
-        line.push_back({turns_at(t, p), loads.of_roller[p][k]});
-      const std::size_t style = i == Interface::screw ? figure.add(fmt::format("thread {}", k + 1),
-                                                                   line_number(panel.series.size()))
-                                                      : panel.series.size();
+      for (std::size_t p = 0; p < t.angle.size(); ++p) line.push_back({turns_at(t, p), loads.of_roller[p][k]});
+      const std::size_t style = i == Interface::screw
+                                    ? figure.add(fmt::format("thread {}", k + 1), line_number(panel.series.size()))
+                                    : panel.series.size();
       panel.series.push_back({style, {std::move(line)}});
     }
     figure.panels.push_back(std::move(panel));
@@ -184,8 +172,7 @@ Figures mode_shapes(const Result& result, const FigureOptions& options) {
 }
 
 /// Frequencies, each a line over x of the columns.
-Figure frequency_lines(Figure figure,
-                       const std::vector<std::pair<double, std::vector<double>>>& at) {
+Figure frequency_lines(Figure figure, const std::vector<std::pair<double, std::vector<double>>>& at) {
   constexpr std::size_t kMost = 12;
   Panel panel;
   for (std::size_t k = 0; k < std::min(at.front().second.size(), kMost); ++k) {
@@ -241,8 +228,7 @@ Figures campbell(const Result& result, const FigureOptions& options) {
     panel.series.push_back({figure.add(std::string(m.orders[k].name), line_number(k)),
                             {{{0.0, 0.0}, {end, m.orders[k].order * end / 60.0}}}});
   }
-  const std::size_t style =
-      figure.add("natural frequency", line_of(Colour::ink, Dash::dashed, Weight::thin));
+  const std::size_t style = figure.add("natural frequency", line_of(Colour::ink, Dash::dashed, Weight::thin));
   for (std::size_t k = 0; k < modes; ++k) panel.references.push_back({style, m.modes[k].frequency});
   figure.x = {"Speed of screw against nut", "rpm", 0.0, speed};
   figure.y = {"Frequency", "Hz", 0.0, highest};
@@ -256,17 +242,15 @@ std::vector<Headline> frequencies(const Result& result) {
   std::vector<Headline> headlines;
   const LoadCaseResult* lowest = nullptr;
   for (const LoadCaseResult& r : result.load_cases)
-    if (has_modes(r) &&
-        (!lowest || r.full->modes->modes[0].frequency < lowest->full->modes->modes[0].frequency))
+    if (has_modes(r) && (!lowest || r.full->modes->modes[0].frequency < lowest->full->modes->modes[0].frequency))
       lowest = &r;
   if (!lowest) return headlines;
   const double frequency = lowest->full->modes->modes[0].frequency;
-  headlines.push_back(
-      {"Lowest natural frequency", "frequency_Hz", frequency, lowest->load_case.name});
+  headlines.push_back({"Lowest natural frequency", "frequency_Hz", frequency, lowest->load_case.name});
   double most = 0.0;
   for (const MotionOrder& o : lowest->full->modes->orders) most = std::max(most, o.order);
-  headlines.push_back({"Lowest speed at which an order meets it", "critical_speed_rpm",
-                       60.0 * frequency / most, lowest->load_case.name});
+  headlines.push_back({"Lowest speed at which an order meets it", "critical_speed_rpm", 60.0 * frequency / most,
+                       lowest->load_case.name});
   return headlines;
 }
 
@@ -278,8 +262,7 @@ Pictures motion_pictures(const Result& r) {
           {"travel_loads", kTravel, of_result(r, travel_thread_loads)},
           {"travel_path", kTravel, of_result(r, travel_path)},
           {"mode_shapes", kModes, of_result(r, mode_shapes)},
-          {"mode_frequencies", "`modes` with `positions`, or of three loads",
-           of_result(r, mode_frequencies)},
+          {"mode_frequencies", "`modes` with `positions`, or of three loads", of_result(r, mode_frequencies)},
           {"campbell", kModes, of_result(r, campbell)}};
 }
 

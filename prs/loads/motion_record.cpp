@@ -21,21 +21,16 @@ struct TravelNut {
 
 constexpr Quantity<TravelNut> kTravelNut[] = {
     {"force_N", of<[](const TravelNut& s) {
-       return each(s.force, [](const Eigen::Vector3d& f) {
-         return std::vector<double>{f[0], f[1], f[2]};
-       });
+       return each(s.force, [](const Eigen::Vector3d& f) { return std::vector<double>{f[0], f[1], f[2]}; });
      }>,
      "x, y, z, of the housing on the nut, at each position"},
-    {"moment_Nm", of<[](const TravelNut& s) { return rows_of_lateral(s.moment); }>,
-     "about y and z, at each position"},
+    {"moment_Nm", of<[](const TravelNut& s) { return rows_of_lateral(s.moment); }>, "about y and z, at each position"},
 };
 
 constexpr Quantity<TravelSupport> kTravelBearing[] = {
     {"at_mm", of<&TravelSupport::position>, "x", "", "position"},
     {"force_N", of<[](const TravelSupport& s) {
-       return each(s.force, [](const Eigen::Vector3d& f) {
-         return std::vector<double>{f[1], f[2]};
-       });
+       return each(s.force, [](const Eigen::Vector3d& f) { return std::vector<double>{f[1], f[2]}; });
      }>,
      "y, z, of the bearing on the screw, at each position"},
     {"moment_Nm", of<[](const TravelSupport& s) { return rows_of_lateral(s.moment); }>,
@@ -55,8 +50,7 @@ constexpr Quantity<TravelEnd> kTravelEnd[] = {
        return rows;
      }>,
      "x: the deviation; y, z as at rest, at each position"},
-    {"rotation_mrad",
-     of<[](const TravelEnd& e) { return rows_of_lateral(e.travel->end_rotation); }>,
+    {"rotation_mrad", of<[](const TravelEnd& e) { return rows_of_lateral(e.travel->end_rotation); }>,
      "about y and z, at each position"},
 };
 
@@ -67,8 +61,7 @@ constexpr Quantity<TravelLoads> kTravelLoads[] = {
     {"largest_thread", of<&TravelLoads::thread>, "where it acts, from 1"},
     {"least_normal_load_N", of<&TravelLoads::least>, "of all rollers, threads and positions"},
     {"mean_normal_load_N", of<&TravelLoads::mean>, "over the positions, by roller and thread"},
-    {"ripple_normal_load_N", of<&TravelLoads::ripple>,
-     "largest less least over the positions, by roller and thread"},
+    {"ripple_normal_load_N", of<&TravelLoads::ripple>, "largest less least over the positions, by roller and thread"},
 };
 
 struct Spectrum {
@@ -96,28 +89,21 @@ std::optional<double> ripple_of(const std::vector<double>& k) {
 }
 
 template <Interface i>
-constexpr auto travel_loads =
-    travelled<[](const TravelResult& r) -> const TravelLoads& { return r.loads[i]; }>;
+constexpr auto travel_loads = travelled<[](const TravelResult& r) -> const TravelLoads& { return r.loads[i]; }>;
 
 constexpr Quantity<TravelResult> kTravel[] = {
     {"converged", of<&TravelResult::converged>, "whether every position has an equilibrium"},
-    {"status", of<[](const TravelResult& r) {
-       return r.failure ? r.failure->status : fe::NewtonStatus::converged;
-     }>,
+    {"status", of<[](const TravelResult& r) { return r.failure ? r.failure->status : fe::NewtonStatus::converged; }>,
      "how the first position without equilibrium ended"},
-    {"at_angle_deg", of<[](const TravelResult& r) {
-       return r.failure ? std::optional(r.failure->angle) : std::nullopt;
-     }>,
+    {"at_angle_deg",
+     of<[](const TravelResult& r) { return r.failure ? std::optional(r.failure->angle) : std::nullopt; }>,
      "turn of the first position without equilibrium"},
-    {"turns", travelled<[](const TravelResult& r) { return r.travel.turns; }>,
-     "of the screw against the nut"},
+    {"turns", travelled<[](const TravelResult& r) { return r.travel.turns; }>, "of the screw against the nut"},
     {"steps", travelled<[](const TravelResult& r) { return r.travel.steps; }>, "in a turn"},
     {"positions", travelled<&TravelResult::positions>, "both ends included"},
-    {"slip_ratio", travelled<&TravelResult::slip_ratio>,
-     "turn of the carrier against the nut over that of the screw"},
+    {"slip_ratio", travelled<&TravelResult::slip_ratio>, "turn of the carrier against the nut over that of the screw"},
     {"angle_deg", travelled<&TravelResult::angle>, "turn of the screw against the nut"},
-    {"deviation_um", travelled<&TravelResult::deviation>,
-     "of the loaded section along x, less its mean"},
+    {"deviation_um", travelled<&TravelResult::deviation>, "of the loaded section along x, less its mean"},
     {"peak_to_peak_um", travelled<[](const TravelResult& r) {
        const auto [least, most] = std::ranges::minmax(r.displacement);
        return most - least;
@@ -127,27 +113,21 @@ constexpr Quantity<TravelResult> kTravel[] = {
      "e_0a: rise of the least-squares line over the travel; > 0 goes too far", kIso},
     {"variation_um", travelled<[](const TravelResult& r) { return r.bands.variation; }>,
      "v_ua: width of the band along that line", kIso},
-    {"variation_300_mm_um",
-     travelled<[](const TravelResult& r) { return r.bands.variation_300_mm; }>,
+    {"variation_300_mm_um", travelled<[](const TravelResult& r) { return r.bands.variation_300_mm; }>,
      "v_300a: largest over 300 mm; absent of a shorter travel", kIso},
-    {"variation_one_turn_um",
-     travelled<[](const TravelResult& r) { return r.bands.variation_one_turn; }>,
+    {"variation_one_turn_um", travelled<[](const TravelResult& r) { return r.bands.variation_one_turn; }>,
      "v_2pia: largest over a turn", kIso},
     {"spectrum", travelled<[](const TravelResult& r) {
-       return Spectrum{each(r.spectrum, &OrderAmplitude::order),
-                       each(r.spectrum, &OrderAmplitude::amplitude)};
+       return Spectrum{each(r.spectrum, &OrderAmplitude::order), each(r.spectrum, &OrderAmplitude::amplitude)};
      }>,
      "of the deviation"},
     {"orders", travelled<&TravelResult::orders>, "amplitudes of the orders of the parts"},
-    {"tangent_stiffness_N_per_um", travelled<[](const TravelResult& r) {
-       return r.tangent_stiffness.empty() ? nullptr : &r.tangent_stiffness;
-     }>,
+    {"tangent_stiffness_N_per_um",
+     travelled<[](const TravelResult& r) { return r.tangent_stiffness.empty() ? nullptr : &r.tangent_stiffness; }>,
      "derivative of the force by the displacement, at each position"},
-    {"stiffness_ripple_percent",
-     travelled<[](const TravelResult& r) { return ripple_of(r.tangent_stiffness); }>,
+    {"stiffness_ripple_percent", travelled<[](const TravelResult& r) { return ripple_of(r.tangent_stiffness); }>,
      "largest less least stiffness over the mean"},
-    {"screw_end", travelled<[](const TravelResult& r) { return TravelEnd{&r}; }>,
-     "the loaded section of the screw"},
+    {"screw_end", travelled<[](const TravelResult& r) { return TravelEnd{&r}; }>, "the loaded section of the screw"},
     {"nut_reaction", travelled<[](const TravelResult& r) {
        return TravelNut{r.nut.force, r.nut.moment};
      }>,
@@ -188,8 +168,7 @@ constexpr Quantity<KineticOf> kKinetic[] = {
     {"nut", of<[](const ModeOf& m) { return m.mode->kinetic.nut; }>, "of the nut"},
     {"rollers", of<[](const ModeOf& m) { return m.mode->kinetic.roller; }>,
      "of the rollers, also as they orbit and spin"},
-    {"masses", of<[](const ModeOf& m) { return m.mode->kinetic_of_masses; }>,
-     "of masses and drive"},
+    {"masses", of<[](const ModeOf& m) { return m.mode->kinetic_of_masses; }>, "of masses and drive"},
 };
 
 constexpr Quantity<StrainOf> kStrain[] = {
@@ -198,13 +177,10 @@ constexpr Quantity<StrainOf> kStrain[] = {
     {"rollers", of<[](const ModeOf& m) { return m.mode->strain.roller; }>, "of the rollers"},
     {"screw_contacts", of<[](const ModeOf& m) { return m.mode->contact_strain.screw; }>,
      "of the contacts at the screw"},
-    {"nut_contacts", of<[](const ModeOf& m) { return m.mode->contact_strain.nut; }>,
-     "of the contacts at the nut"},
-    {"supports", of<[](const ModeOf& m) { return m.mode->support_strain; }>,
-     "of springs of supports, rings and drive"},
-    {"prestress", of<[](const ModeOf& m) {
-       return m.all->prestressed ? std::optional(m.mode->prestress) : std::nullopt;
-     }>,
+    {"nut_contacts", of<[](const ModeOf& m) { return m.mode->contact_strain.nut; }>, "of the contacts at the nut"},
+    {"supports", of<[](const ModeOf& m) { return m.mode->support_strain; }>, "of springs of supports, rings and drive"},
+    {"prestress",
+     of<[](const ModeOf& m) { return m.all->prestressed ? std::optional(m.mode->prestress) : std::nullopt; }>,
      "of axial forces in bending; < 0 in compression"},
 };
 
@@ -238,16 +214,13 @@ constexpr Quantity<ModeOf> kMode[] = {
     {"frequency_Hz", of<[](const ModeOf& m) { return m.mode->frequency; }>, "natural frequency"},
     {"effective_mass_kg", of<[](const ModeOf& m) { return axes_of(m.mode->effective_mass); }>,
      "what takes part along each axis"},
-    {"kinetic_energy_percent", of<[](const ModeOf& m) { return KineticOf{m}; }>,
-     "shares of the parts"},
+    {"kinetic_energy_percent", of<[](const ModeOf& m) { return KineticOf{m}; }>, "shares of the parts"},
     {"strain_energy_percent", of<[](const ModeOf& m) { return StrainOf{m}; }>,
      "shares of parts, contacts and supports"},
-    {"shape", of<[](const ModeOf& m) { return ShapeOf{m}; }>,
-     "scaled so that its largest number is 1"},
+    {"shape", of<[](const ModeOf& m) { return ShapeOf{m}; }>, "scaled so that its largest number is 1"},
     {"critical_speed_rpm", of<[](const ModeOf& m) {
-       return each(m.all->orders, [&](const MotionOrder& o) {
-         return 2.0 * std::numbers::pi * m.mode->frequency / o.order;
-       });
+       return each(m.all->orders,
+                   [&](const MotionOrder& o) { return 2.0 * std::numbers::pi * m.mode->frequency / o.order; });
      }>,
      "of screw against nut, at which each of `orders` meets the frequency"},
 };
@@ -265,15 +238,14 @@ constexpr Quantity<AlongTravel> kAlongTravel[] = {
 };
 
 constexpr Quantity<ModesResult> kModes[] = {
-    {"mass_kg", of<[](const ModesResult& m) { return axes_of(m.mass); }>,
-     "that moves along each axis"},
-    {"dofs", of<&ModesResult::freedoms>, "freedoms of the model", "",
-     "degrees of freedom of the model"},
+    {"mass_kg", of<[](const ModesResult& m) { return axes_of(m.mass); }>, "that moves along each axis"},
+    {"dofs", of<&ModesResult::freedoms>, "freedoms of the model", "", "degrees of freedom of the model"},
     {"idle_rollers", of<&ModesResult::idle_rollers>, "that have no part in it, from 1"},
     {"orders", of<&ModesResult::orders>, "of the parts"},
-    {"mode", of<[](const ModesResult& m) {
-       return each(m.modes, [&](const Mode& mode) { return ModeOf{&m, &mode}; });
-     }>,
+    {"mode",
+     of<[](const ModesResult& m) { return each(m.modes, [&](const Mode& mode) {
+                                     return ModeOf{&m, &mode};
+                                   }); }>,
      "from the lowest frequency"},
     {"along_travel", of<&ModesResult::along_travel>, "frequencies at positions of the travel"},
 };
@@ -290,21 +262,16 @@ Record<OrderAmplitude> record_of(Type<OrderAmplitude>) {
   return {"TravelOrder", "Amplitude of the travel deviation at an order of a part.", kOrder};
 }
 Record<TravelResult> record_of(Type<TravelResult>) {
-  return {"Travel", "Positions of the turning mechanism, whose parts carry their errors along.",
-          kTravel};
+  return {"Travel", "Positions of the turning mechanism, whose parts carry their errors along.", kTravel};
 }
-Record<TravelNut> record_of(Type<TravelNut>) {
-  return {"TravelNut", "The nut's seat over a travel.", kTravelNut};
-}
+Record<TravelNut> record_of(Type<TravelNut>) { return {"TravelNut", "The nut's seat over a travel.", kTravelNut}; }
 Record<TravelSupport> record_of(Type<TravelSupport>) {
   return {"TravelBearing", "A bearing over a travel.", kTravelBearing};
 }
 Record<TravelEnd> record_of(Type<TravelEnd>) {
   return {"TravelEnd", "The loaded section of the screw over a travel.", kTravelEnd};
 }
-Record<AlongAxes> record_of(Type<AlongAxes>) {
-  return {"AlongAxes", "A number for each axis.", kAlongAxes};
-}
+Record<AlongAxes> record_of(Type<AlongAxes>) { return {"AlongAxes", "A number for each axis.", kAlongAxes}; }
 Record<KineticOf> record_of(Type<KineticOf>) {
   return {"KineticEnergy", "Where the kinetic energy of a mode is.", kKinetic};
 }

@@ -82,9 +82,9 @@ struct HeatCycle {
   PerPart<std::vector<double>> temperature;  ///< At these times [K].
   PerPart<double> peak, mean;                ///< [K]
   double period = 0.0;                       ///< [s]
-  double energy_in = 0.0;    ///< That shaft and load bring in while they drive, per cycle [J].
-  double energy_lost = 0.0;  ///< By friction, per cycle [J].
-  std::optional<double> efficiency;  ///< What comes out over what goes in; none where nothing does.
+  double energy_in = 0.0;                    ///< That shaft and load bring in while they drive, per cycle [J].
+  double energy_lost = 0.0;                  ///< By friction, per cycle [J].
+  std::optional<double> efficiency;          ///< What comes out over what goes in; none where nothing does.
 
   bool converged() const { return status == HeatStatus::converged; }
 };
@@ -154,15 +154,13 @@ struct LoadCaseResult {
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
   std::optional<OtherFlank> other_flank;                ///< With preload.
-  std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see load_case_result.h.
-  std::optional<RunningLoads> running;    ///< Where these are loads of the running screw.
-  std::optional<SlipResult> slip;         ///< Where it was asked for and the loads are known.
-  std::optional<HeatResult> heat;         ///< With `heat` the slip is that at its temperatures.
+  std::shared_ptr<const FullLoads> full;                ///< Of the full mechanism, see load_case_result.h.
+  std::optional<RunningLoads> running;                  ///< Where these are loads of the running screw.
+  std::optional<SlipResult> slip;                       ///< Where it was asked for and the loads are known.
+  std::optional<HeatResult> heat;                       ///< With `heat` the slip is that at its temperatures.
   std::vector<Warning> warnings;
 
-  bool converged() const {
-    return (!solve || solve->converged()) && (!running || running->converged());
-  }
+  bool converged() const { return (!solve || solve->converged()) && (!running || running->converged()); }
 };
 
 /// Everything that `analyze` computes from a case.

@@ -23,9 +23,9 @@ struct InterfaceSlip {
   std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
   std::vector<double> boundary_share;        ///< Of the load on flanks that touch; with film_ratio.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
-  std::vector<double> flash_temperature;  ///< `contact::flash_temperature` [K]; empty without data.
-  double along_major = 0.0;  ///< Share of the squared rolling speed along the major axis.
-  std::vector<double> wear;  ///< Volume of both bodies over travel [m^3/m]; empty without `wear`.
+  std::vector<double> flash_temperature;     ///< `contact::flash_temperature` [K]; empty without data.
+  double along_major = 0.0;                  ///< Share of the squared rolling speed along the major axis.
+  std::vector<double> wear;                  ///< Volume of both bodies over travel [m^3/m]; empty without `wear`.
 };
 
 /// Power that the whole mechanism loses to each source of friction, >= 0 [W].
@@ -58,15 +58,15 @@ struct RollerForcesOf {
   Number contacts_x{}, contacts_y{};  ///< N_C F_c/R, all threads (3.27)
   Number gears_x{}, gears_y{};        ///< F_E/R (3.28), (3.29)
   Number carrier_x{}, carrier_y{};    ///< F_R/P, by the roller on the carrier (3.26), (3.32)
-  Number centrifugal{};  ///< F_cf (3.33), by the orbit against the frame; 0 without density.
+  Number centrifugal{};               ///< F_cf (3.33), by the orbit against the frame; 0 without density.
 };
 using RollerForces = RollerForcesOf<double>;
 
 /// A head of a roller in the carrier.
 struct RollerHead {
-  double guide_force = 0.0;      ///< R_h, of the guides on the roller, > 0 outwards [N].
-  double bearing_force = 0.0;    ///< F_h, of the bearing, that of the gears included [N].
-  std::optional<double> torque;  ///< M_h >= 0; with `bearing` [N m].
+  double guide_force = 0.0;                  ///< R_h, of the guides on the roller, > 0 outwards [N].
+  double bearing_force = 0.0;                ///< F_h, of the bearing, that of the gears included [N].
+  std::optional<double> torque;              ///< M_h >= 0; with `bearing` [N m].
   std::optional<double> eccentricity_ratio;  ///< e/c; with a film.
 };
 
@@ -141,9 +141,7 @@ struct SlipResult {
   /// above are of both nuts, all else is of the first one.
   std::shared_ptr<const SecondNut> second_nut;
 
-  bool converged() const {
-    return status == SlipStatus::converged || status == SlipStatus::imposed;
-  }
+  bool converged() const { return status == SlipStatus::converged || status == SlipStatus::imposed; }
 };
 
 /// It has none after it.

@@ -11,9 +11,7 @@
 namespace prs {
 namespace {
 
-std::string life_line(const std::string& what, const std::string& value) {
-  return hanging("  " + what, 41, value);
-}
+std::string life_line(const std::string& what, const std::string& value) { return hanging("  " + what, 41, value); }
 
 /// Four digits with the unit of tables.
 std::string in_unit(std::optional<double> si, std::string_view unit) {
@@ -40,16 +38,14 @@ std::string life_row(const LifeResult& r, const std::string& what, double revolu
 /// Whether the rated life is another than L10.
 bool is_rated(const LifeResult& r) { return r.rated_over_l10() != 1.0; }
 
-std::string reliability(const LifeResult& r) {
-  return fmt::format("{:.4g} %", 100.0 * r.life.reliability);
-}
+std::string reliability(const LifeResult& r) { return fmt::format("{:.4g} %", 100.0 * r.life.reliability); }
 
 /// `thread 3.1 at the screw, tension` where it is one of roller 3.
 std::string weakest_thread(const WeakestThread& w) {
   const std::string number =
       w.roller ? fmt::format("{}.{}", *w.roller + 1, w.thread + 1) : fmt::to_string(w.thread + 1);
-  return fmt::format("thread {} {} the {}, {}", number, w.part && !w.roller ? "of" : "at",
-                     name(w.interface), name(w.direction));
+  return fmt::format("thread {} {} the {}, {}", number, w.part && !w.roller ? "of" : "at", name(w.interface),
+                     name(w.direction));
 }
 
 /// The headline is the life with the real thread loads or, with a maker's capacity, that of the
@@ -61,16 +57,13 @@ std::string lives(const LifeResult& r, bool all) {
   std::vector<std::string> heads{"million rev.", "hours", with_table_unit("km")};
   if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
   std::string text = kLifeRows("  Life L10", heads);
-  const std::string_view system =
-      solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
+  const std::string_view system = solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
   text += life_row(r, given ? "stated C_a, (C_a/F_m)^3" : std::string(system), headline);
   if (is_rated(r))
-    text += life_row(r, fmt::format("  rated, {} reach it", reliability(r)),
-                     r.rated_over_l10() * headline);
+    text += life_row(r, fmt::format("  rated, {} reach it", reliability(r)), r.rated_over_l10() * headline);
   if (given) text += life_row(r, fmt::format("  {}", system), r.system_life);
   for (const Direction d : kDirections)
-    if (r.flanks[d])
-      text += life_row(r, fmt::format("  {} flanks alone", name(d)), r.flanks[d]->life);
+    if (r.flanks[d]) text += life_row(r, fmt::format("  {} flanks alone", name(d)), r.flanks[d]->life);
   if (all && solved) text += life_row(r, "estimate: equal thread loads", r.equal_shares_life);
   if (all && !given) text += life_row(r, "estimate: (C_a/F_m)^3", r.catalogue_life);
   if (given && solved) text += wrapped(kStatedCapacityNote, "  ", kTableWidth);
@@ -82,38 +75,32 @@ std::string by_direction(const LifeResult& r, std::optional<double> FlankLife::*
   std::string text;
   for (const Direction d : kDirections)
     if (r.flanks[d])
-      text += fmt::format("{}{} in {}", text.empty() ? "" : ", ",
-                          kilonewtons((*r.flanks[d]).*force), name(d));
+      text += fmt::format("{}{} in {}", text.empty() ? "" : ", ", kilonewtons((*r.flanks[d]).*force), name(d));
   return text;
 }
 
 std::string capacities(const LifeResult& r, bool all) {
   std::string text;
   const Interval& range = r.dynamic_capacity_range;
-  text += life_line(
-      "dynamic capacity C_a",
-      r.lemor ? fmt::format("{} ({} to {} by which diameters f_c takes)",
-                            kilonewtons(r.dynamic_capacity), significant(shown(range.least, "kN")),
-                            kilonewtons(range.greatest))
-              : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
+  text += life_line("dynamic capacity C_a",
+                    r.lemor ? fmt::format("{} ({} to {} by which diameters f_c takes)", kilonewtons(r.dynamic_capacity),
+                                          significant(shown(range.least, "kN")), kilonewtons(range.greatest))
+                            : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
   if (r.lemor && r.contacts.mechanism.type == Mechanism::Type::standard)
-    text += life_line(
-        "  by a maker's 23 standard screws",
-        fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
-                    significant(shown(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN")),
-                    kilonewtons(r.dynamic_capacity / kCapacityOverMakers.least),
-                    kCapacityOverMakers.least, kCapacityOverMakers.greatest));
+    text += life_line("  by a maker's 23 standard screws",
+                      fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
+                                  significant(shown(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN")),
+                                  kilonewtons(r.dynamic_capacity / kCapacityOverMakers.least),
+                                  kCapacityOverMakers.least, kCapacityOverMakers.greatest));
   if (r.lemor && std::isfinite(r.system_life)) {
     const auto [least, greatest] = in_use(r, r.system_life).revolutions_range;
-    text += life_line(
-        "life of the mechanism in that range",
-        fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
+    text += life_line("life of the mechanism in that range",
+                      fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
   }
   if (is_rated(r))
-    text += life_line(
-        "rated life over L10",
-        fmt::format("{:.4g} (a1 {:.4g} at {}, modification factor {:.4g})", r.rated_over_l10(),
-                    r.reliability_factor, reliability(r), r.life.modification_factor));
+    text += life_line("rated life over L10",
+                      fmt::format("{:.4g} (a1 {:.4g} at {}, modification factor {:.4g})", r.rated_over_l10(),
+                                  r.reliability_factor, reliability(r), r.life.modification_factor));
   text += life_line("mean load F_m", kilonewtons(r.mean_load));
   text += life_line("largest force", kilonewtons(r.largest_force));
   if (r.life.static_capacity)
@@ -121,42 +108,34 @@ std::string capacities(const LifeResult& r, bool all) {
   if (r.equal_shares_static_capacity) {
     text += life_line("force that gives " + in_unit(kStaticPressureLimit, "GPa"),
                       by_direction(r, &FlankLife::static_capacity));
-    if (all)
-      text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
-    text += life_line("force with ellipses at a flank's edge",
-                      by_direction(r, &FlankLife::flank_edge_load));
-    if (all)
-      text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
+    if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
+    text += life_line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
+    if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
   }
-  text +=
-      life_line("static safety",
-                r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
-                                                in_table_units(describe(*r.static_safety_limit())))
-                                  : std::string(kAbsent));
+  text += life_line("static safety", r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
+                                                                     in_table_units(describe(*r.static_safety_limit())))
+                                                       : std::string(kAbsent));
   return text;
 }
 
 std::string loads(const LifeResult& r) {
   std::string text;
   if (r.revolutions_known)
-    text +=
-        life_line("revolutions, travel",
-                  fmt::format("{}, {}", cell(r.revolutions),
-                              in_unit(r.revolutions * std::abs(r.contacts.mechanism.lead), "m")));
-  if (r.duration)
-    text += life_line("duration", fmt::format("{} h", cell(*r.duration, 1.0 / 3600.0)));
+    text += life_line(
+        "revolutions, travel",
+        fmt::format("{}, {}", cell(r.revolutions), in_unit(r.revolutions * std::abs(r.contacts.mechanism.lead), "m")));
+  if (r.duration) text += life_line("duration", fmt::format("{} h", cell(*r.duration, 1.0 / 3600.0)));
   for (const Direction d : kDirections)
     if (const auto& f = r.flanks[d])
-      text += life_line(
-          fmt::format("{}", name(d)),
-          fmt::format("{:.1f} % of the revolutions, up to {} and {}",
-                      100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
-                      in_unit(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "GPa")));
+      text += life_line(fmt::format("{}", name(d)),
+                        fmt::format("{:.1f} % of the revolutions, up to {} and {}",
+                                    100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
+                                    in_unit(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "GPa")));
   if (r.cycles)
     text += life_line("load cycles (rainflow)",
-                      fmt::format("{:.1f}, equivalent range {} at slope {:g}, up to {}",
-                                  count(r.cycles->cycles), kilonewtons(r.cycles->equivalent_range),
-                                  r.life.fatigue_slope, kilonewtons(r.cycles->matrix.range_to)));
+                      fmt::format("{:.1f}, equivalent range {} at slope {:g}, up to {}", count(r.cycles->cycles),
+                                  kilonewtons(r.cycles->equivalent_range), r.life.fatigue_slope,
+                                  kilonewtons(r.cycles->matrix.range_to)));
   return text;
 }
 
@@ -165,8 +144,7 @@ std::string table_with(const LifeResult& r, bool all) {
   if (r.converged())
     text += lives(r, all) + '\n' + capacities(r, all) + '\n' +
             (r.history ? fmt::format("History of {} samples\n", r.steps.size())
-                       : fmt::format("Spectrum of {} load{}\n", r.steps.size(),
-                                     r.steps.size() == 1 ? "" : "s")) +
+                       : fmt::format("Spectrum of {} load{}\n", r.steps.size(), r.steps.size() == 1 ? "" : "s")) +
             loads(r);
   else
     text += fmt::format("NOT CONVERGED: {}\n", *r.failure);
@@ -175,8 +153,7 @@ std::string table_with(const LifeResult& r, bool all) {
 
 /// One row per thread of one roller or, where `Lives` has them, of all rollers.
 template <class Lives>
-std::string lives_csv(const LifeResult& r, const CsvStyle& style,
-                      const Lives& (*lives_of)(const ThreadLives&)) {
+std::string lives_csv(const LifeResult& r, const CsvStyle& style, const Lives& (*lives_of)(const ThreadLives&)) {
   constexpr bool all_rollers = std::is_same_v<Lives, RollerLives>;
   CsvWriter csv(style);
   csv.fields("direction", "interface");
@@ -208,20 +185,17 @@ std::string full_life_table(const LifeResult& r) { return table_with(r, true); }
 
 std::string life_table(const LifeResult& r) { return table_with(r, false); }
 std::string life_threads_csv(const LifeResult& r, const CsvStyle& style) {
-  return lives_csv<ThreadLives>(r, style,
-                                [](const ThreadLives& t) -> const ThreadLives& { return t; });
+  return lives_csv<ThreadLives>(r, style, [](const ThreadLives& t) -> const ThreadLives& { return t; });
 }
 
 std::string life_rollers_csv(const LifeResult& r, const CsvStyle& style) {
-  return lives_csv<RollerLives>(
-      r, style, [](const ThreadLives& t) -> const RollerLives& { return *t.rollers; });
+  return lives_csv<RollerLives>(r, style, [](const ThreadLives& t) -> const RollerLives& { return *t.rollers; });
 }
 
 std::string cycles_csv(const LoadCycles& cycles, const CsvStyle& style) {
   CsvWriter csv(style);
   csv.row("range_N", "mean_N", "count", "start_sample", "end_sample");
-  for (const Cycle& c : cycles.cycles)
-    csv.row(c.range(), c.mean(), c.count, c.start.index + 1, c.end.index + 1);
+  for (const Cycle& c : cycles.cycles) csv.row(c.range(), c.mean(), c.count, c.start.index + 1, c.end.index + 1);
   return csv.take();
 }
 
@@ -277,12 +251,11 @@ Panel course_panel(const LoadHistory& h) {
   for (std::size_t c = 0; c < columns; ++c) {
     const std::size_t first = c * count / columns;
     const std::size_t last = std::min((c + 1) * count / columns, count - 1);
-    const auto [low, high] =
-        std::minmax_element(h.force.begin() + static_cast<std::ptrdiff_t>(first),
-                            h.force.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    const auto [low, high] = std::minmax_element(h.force.begin() + static_cast<std::ptrdiff_t>(first),
+                                                 h.force.begin() + static_cast<std::ptrdiff_t>(last) + 1);
     const double from = time(first), to = time(last);
-    envelope.parts.push_back(bar(0.5 * (from + to), *low * per_si::kilonewton,
-                                 *high * per_si::kilonewton, 0.5 * (to - from)));
+    envelope.parts.push_back(
+        bar(0.5 * (from + to), *low * per_si::kilonewton, *high * per_si::kilonewton, 0.5 * (to - from)));
     least = std::min(least, *low * per_si::kilonewton);
     greatest = std::max(greatest, *high * per_si::kilonewton);
   }
@@ -306,8 +279,8 @@ Panel travel_panel(const LifeResult& r) {
   std::vector<double> share(kBins, 0.0), damage(kBins, 0.0);
   double all_damage = 0.0;
   for (const LoadStep& s : r.steps) {
-    const auto bin = static_cast<std::size_t>(
-        std::clamp(static_cast<int>((s.axial_force - least) / width), 0, kBins - 1));
+    const auto bin =
+        static_cast<std::size_t>(std::clamp(static_cast<int>((s.axial_force - least) / width), 0, kBins - 1));
     const double done = std::pow(std::abs(s.axial_force), kLifeExponent) * s.revolutions;
     share[bin] += s.revolutions / r.revolutions;
     damage[bin] += done;
@@ -318,14 +291,12 @@ Panel travel_panel(const LifeResult& r) {
   for (std::size_t k = 0; k < share.size(); ++k) {
     const double x = (least + width * (static_cast<double>(k) + 0.5)) * per_si::kilonewton;
     const double part = all_damage > 0.0 ? damage[k] / all_damage : 0.0;
-    shares.parts.push_back(
-        bar(x, 0.0, per_si::percent * share[k], 0.46 * width * per_si::kilonewton));
+    shares.parts.push_back(bar(x, 0.0, per_si::percent * share[k], 0.46 * width * per_si::kilonewton));
     damages.parts[0].push_back({x, per_si::percent * part});
     top = std::max({top, share[k], part});
   }
   panel.series = {std::move(shares), std::move(damages)};
-  panel.x = Axis{std::string(kSignedForce), "kN", least * per_si::kilonewton,
-                 greatest * per_si::kilonewton};
+  panel.x = Axis{std::string(kSignedForce), "kN", least * per_si::kilonewton, greatest * per_si::kilonewton};
   panel.y = Axis{"Share", "%", 0.0, 1.08 * top * per_si::percent};
   return panel;
 }
@@ -384,8 +355,7 @@ Figures load_history(const LifeResult& r) {
   Figure figure{"loads", r.history ? "Load history" : "Load spectrum"};
   figure.columns = r.history ? 2 : 1;
   figure.add(r.history ? "load, revolutions" : "revolutions", area_of(Colour::sky));
-  figure.add("damage, |F|³ times revolutions",
-             {Colour::vermillion, Dash::solid, Mark::circle, Weight::thin});
+  figure.add("damage, |F|³ times revolutions", {Colour::vermillion, Dash::solid, Mark::circle, Weight::thin});
   if (r.history) figure.panels.push_back(course_panel(*r.history));
   figure.panels.push_back(travel_panel(r));
   return {std::move(figure)};
@@ -397,8 +367,7 @@ Figures rainflow(const LifeResult& r) {
   const CycleMatrix& m = r.cycles->matrix;
   if (!(m.range_to > 0.0 && m.mean_to > m.mean_from)) return {};
   Figure figure{"rainflow", fmt::format("Load cycles, rainflow: {:.0f}", count(r.cycles->cycles))};
-  figure.x = {"Mean, tension >\u00a00", "kN", m.mean_from * per_si::kilonewton,
-              m.mean_to * per_si::kilonewton};
+  figure.x = {"Mean, tension >\u00a00", "kN", m.mean_from * per_si::kilonewton, m.mean_to * per_si::kilonewton};
   figure.y = {"Range", "kN", 0.0, m.range_to * per_si::kilonewton};
   Panel panel;
   panel.map.cells = true;
@@ -425,9 +394,8 @@ Figures rainflow(const LifeResult& r) {
 
 std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& style) {
   std::vector<OutputFile> files = {{"life_threads.csv", life_threads_csv(result, style)}};
-  const bool of_rollers = std::ranges::any_of(kDirections, [&](Direction d) {
-    return result.flanks[d] && result.flanks[d]->threads.screw.rollers;
-  });
+  const bool of_rollers = std::ranges::any_of(
+      kDirections, [&](Direction d) { return result.flanks[d] && result.flanks[d]->threads.screw.rollers; });
   if (of_rollers) files.push_back({"life_rollers.csv", life_rollers_csv(result, style)});
   if (result.cycles) {
     files.push_back({"cycles.csv", cycles_csv(*result.cycles, style)});
@@ -444,34 +412,30 @@ PageSection life_section(const LifeResult& r) {
   const std::vector<std::string> lives =
       r.rated_over_l10() == 1.0
           ? std::vector<std::string>{"l10_revolutions", "l10_hours", "l10_travel_km", "l10_passes"}
-          : std::vector<std::string>{"rated_revolutions", "rated_hours", "rated_travel_km",
-                                     "rated_passes"};
+          : std::vector<std::string>{"rated_revolutions", "rated_hours", "rated_travel_km", "rated_passes"};
   PageSection page{.in_document = {{"life",
-                                    {"status", "share", "reliability_factor", "modification_factor",
-                                     "static_safety", "static_safety_limit"}}},
+                                    {"status", "share", "reliability_factor", "modification_factor", "static_safety",
+                                     "static_safety_limit"}}},
                    .folded = {"thread_lives"}};
   if (stated) page.in_document.push_back({"life.catalogue", lives});
   page.in_document.push_back({"life.system", lives});
   page.in_document.push_back(
-      {"life.weakest_thread",
-       {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}});
+      {"life.weakest_thread", {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}});
   if (solved) page.estimates = {"equal_shares"};
   if (solved && !stated) page.estimates.emplace_back("catalogue");
   if (solved && stated) page.note = kStatedCapacityNote;
   return page;
 }
 
-constexpr std::string_view kLifeResponses[] = {
-    "life.system.l10_revolutions", "life.catalogue.l10_revolutions",
-    "life.weakest_thread.equivalent_load_N", "life.capacity.dynamic_capacity_N",
-    "life.static_safety"};
+constexpr std::string_view kLifeResponses[] = {"life.system.l10_revolutions", "life.catalogue.l10_revolutions",
+                                               "life.weakest_thread.equivalent_load_N",
+                                               "life.capacity.dynamic_capacity_N", "life.static_safety"};
 
 }  // namespace
 
 LifeResult life_of(const input::Source& source, const input::CaseInput& in) {
   std::optional<LoadHistory> history;
-  if (in.values.life->history)
-    history = input::read_force_history(*in.values.life->history, source);
+  if (in.values.life->history) history = input::read_force_history(*in.values.life->history, source);
   return analyze_warm_life(in.values, std::move(history));
 }
 
@@ -481,8 +445,7 @@ const Analysis<LifeResult>& life_analysis() {
       .command = Command::life,
       .help = "Life under a load history or spectrum, static safety",
       .file = "life.json",
-      .run = [](const input::Source& source,
-                const input::CaseInput& in) { return life_of(source, in); },
+      .run = [](const input::Source& source, const input::CaseInput& in) { return life_of(source, in); },
       .places = places,
       .put =
           [](Json& document, const LifeResult& r) {

@@ -32,9 +32,9 @@ Panel curve_panel(const PreloadResult& r, std::string title, Axis axis, const au
 Panel side_panel(const PreloadResult& r) {
   Panel panel{"Load of each side"};
   for (const Direction d : kDirections)
-    panel.series.push_back(curve_of(
-        d == Direction::tension ? kTensionSide : kCompressionSide, r.curve,
-        [d](const PreloadPoint& p) { return p.sides[d].axial_load.screw * per_si::kilonewton; }));
+    panel.series.push_back(
+        curve_of(d == Direction::tension ? kTensionSide : kCompressionSide, r.curve,
+                 [d](const PreloadPoint& p) { return p.sides[d].axial_load.screw * per_si::kilonewton; }));
   panel.y = fitted({"Axial load", "kN"}, range_of_y(panel.series));
   for (const Direction d : kDirections) {
     if (!r.opening_force[d]) continue;
@@ -56,8 +56,7 @@ Figures preload_curves(const PreloadResult& r) {
   figure.aspect = 1.1;
   figure.add(line_of(Colour::grey, Dash::dashed));
   if (r.without_preload) figure.legend.push_back({"without preload", kWithout});
-  figure.add(r.preload.backlash ? "with play" : "with preload",
-             line_of(Colour::blue, Dash::solid, Weight::strong));
+  figure.add(r.preload.backlash ? "with play" : "with preload", line_of(Colour::blue, Dash::solid, Weight::strong));
   const bool single = r.preload.arrangement == Preload::Arrangement::single_nut;
   figure.add(single ? "tension flanks" : "second nut", line_of(Colour::vermillion));
   figure.add(single ? "compression flanks" : "first nut", line_of(Colour::orange, Dash::dashed));
@@ -79,13 +78,10 @@ Figures preload_curves(const PreloadResult& r) {
 constexpr std::size_t kMostRows = 24;
 constexpr double kSmallLoad = 1.0;  ///< Shown in newtons below it [N].
 
-std::string preload_line(const std::string& what, const std::string& value) {
-  return hanging("  " + what, 49, value);
-}
+std::string preload_line(const std::string& what, const std::string& value) { return hanging("  " + what, 49, value); }
 
 /// One value, or one for each sense of the load.
-std::string both(const PerDirection<std::optional<double>>& values, std::string_view unit,
-                 int decimals) {
+std::string both(const PerDirection<std::optional<double>>& values, std::string_view unit, int decimals) {
   const std::string tension = fixed_with_unit(values.tension, unit, decimals);
   const std::string compression = fixed_with_unit(values.compression, unit, decimals);
   if (tension == compression) return tension;
@@ -101,23 +97,19 @@ std::string summary(const PreloadResult& r) {
   else
     text +=
         preload_line("preload", fixed_with_unit(r.reference_force, "kN", 3)) +
-        (r.temperature
-             ? preload_line("at the temperatures of the parts", fixed_with_unit(r.force(), "kN", 3))
-             : "") +
+        (r.temperature ? preload_line("at the temperatures of the parts", fixed_with_unit(r.force(), "kN", 3)) : "") +
         preload_line(single ? "oversize of the rollers' pitch diameter" : "oversize of the spacer",
                      fixed_with_unit(r.interference, "µm", 3)) +
         preload_line("a side opens at", both(r.opening_force, "kN", 3)) +
         preload_line("stiffness at zero load", both(r.curve.stiffness_at_zero, "N/µm", 1));
-  const std::string load =
-      r.lost_motion_load < kSmallLoad
-          ? fmt::format("{:.3g} {}", shown(r.lost_motion_load, "N"), table_unit("N").text)
-          : fixed_with_unit(r.lost_motion_load, "kN", 3);
-  text += preload_line(
-      fmt::format("lost motion between -{} and +{}", load, load),
-      fixed_with_unit(r.curve.lost_motion, "µm", 3) +
-          (r.without_preload ? fmt::format(" (without preload {})",
-                                           fixed_with_unit(r.without_preload->lost_motion, "µm", 3))
-                             : ""));
+  const std::string load = r.lost_motion_load < kSmallLoad
+                               ? fmt::format("{:.3g} {}", shown(r.lost_motion_load, "N"), table_unit("N").text)
+                               : fixed_with_unit(r.lost_motion_load, "kN", 3);
+  text += preload_line(fmt::format("lost motion between -{} and +{}", load, load),
+                       fixed_with_unit(r.curve.lost_motion, "µm", 3) +
+                           (r.without_preload ? fmt::format(" (without preload {})",
+                                                            fixed_with_unit(r.without_preload->lost_motion, "µm", 3))
+                                              : ""));
   return text;
 }
 
@@ -131,8 +123,7 @@ std::vector<std::string> cells(const PreloadPoint& point, const PreloadPoint* lo
   };
   double normal = 0.0;
   for (const Direction d : kDirections)
-    for (const Interface i : kInterfaces)
-      normal = std::max(normal, point.sides[d].max_normal_load[i]);
+    for (const Interface i : kInterfaces) normal = std::max(normal, point.sides[d].max_normal_load[i]);
   const bool known = loose && loose->solve.converged();
   return {fixed(point.axial_displacement, "µm", 3),
           fixed(point.tangent_stiffness, "N/µm", 1),
@@ -144,27 +135,23 @@ std::vector<std::string> cells(const PreloadPoint& point, const PreloadPoint* lo
 
 std::string row(const PreloadResult& r, std::size_t k) {
   const PreloadPoint& point = r.curve.points[k];
-  const std::string force =
-      padded(fixed(point.axial_force, "kN", force_decimals(point.axial_force)), 14, false);
+  const std::string force = padded(fixed(point.axial_force, "kN", force_decimals(point.axial_force)), 14, false);
   if (!point.solve.converged())
-    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", force,
-                       fe::name(point.solve.status), point.solve.relative_residual);
-  return kCurveRows(force,
-                    cells(point, r.without_preload ? &r.without_preload->points[k] : nullptr));
+    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", force, fe::name(point.solve.status),
+                       point.solve.relative_residual);
+  return kCurveRows(force, cells(point, r.without_preload ? &r.without_preload->points[k] : nullptr));
 }
 
 /// The preload and the curve through zero, within 100 columns. Of many loads, an evenly spaced few
 /// are shown.
 std::string preload_table(const PreloadResult& r) {
   if (!r.at_rest.solve.converged())
-    return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n",
-                       fe::name(r.at_rest.solve.status), r.at_rest.solve.relative_residual);
+    return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n", fe::name(r.at_rest.solve.status),
+                       r.at_rest.solve.relative_residual);
   std::string text = summary(r) + '\n';
-  text += kCurveRows("", {"force", "displacement", "tangent", "tension side", "compr. side",
-                          "max. normal", "without"});
+  text += kCurveRows("", {"force", "displacement", "tangent", "tension side", "compr. side", "max. normal", "without"});
   std::vector<std::string> units;
-  for (const char* unit : {"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"})
-    units.push_back(with_table_unit(unit));
+  for (const char* unit : {"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"}) units.push_back(with_table_unit(unit));
   text += kCurveRows("", units);
   const std::size_t count = r.curve.points.size();
   const std::size_t step = (count + kMostRows - 1) / kMostRows;
@@ -181,20 +168,18 @@ namespace {
 /// Empty fields where the solve failed.
 void curve_fields(CsvWriter& csv, const PreloadPoint* point) {
   const bool solved = point && point->solve.converged();
-  csv.fields(
-      point ? fe::name(point->solve.status) : "",
-      solved ? std::optional(point->axial_displacement * per_si::micrometre) : std::nullopt,
-      solved ? scaled(point->tangent_stiffness, per_si::newton_per_micrometre) : std::nullopt);
+  csv.fields(point ? fe::name(point->solve.status) : "",
+             solved ? std::optional(point->axial_displacement * per_si::micrometre) : std::nullopt,
+             solved ? scaled(point->tangent_stiffness, per_si::newton_per_micrometre) : std::nullopt);
 }
 
 }  // namespace
 
 std::string preload_csv(const PreloadResult& result, const CsvStyle& style) {
   CsvWriter csv(style);
-  csv.row("axial_force_N", "status", "axial_displacement_um", "tangent_stiffness_N_per_um",
-          "tension_side_load_N", "tension_side_max_normal_load_N", "compression_side_load_N",
-          "compression_side_max_normal_load_N", "without_preload_status",
-          "without_preload_displacement_um", "without_preload_tangent_stiffness_N_per_um");
+  csv.row("axial_force_N", "status", "axial_displacement_um", "tangent_stiffness_N_per_um", "tension_side_load_N",
+          "tension_side_max_normal_load_N", "compression_side_load_N", "compression_side_max_normal_load_N",
+          "without_preload_status", "without_preload_displacement_um", "without_preload_tangent_stiffness_N_per_um");
   for (std::size_t k = 0; k < result.curve.points.size(); ++k) {
     const PreloadPoint& point = result.curve.points[k];
     csv.number(point.axial_force);
@@ -202,8 +187,7 @@ std::string preload_csv(const PreloadResult& result, const CsvStyle& style) {
     for (const Direction d : kDirections) {
       const SideLoads& side = point.sides[d];
       if (point.solve.converged())
-        csv.fields(side.axial_load.screw,
-                   std::max(side.max_normal_load.screw, side.max_normal_load.nut));
+        csv.fields(side.axial_load.screw, std::max(side.max_normal_load.screw, side.max_normal_load.nut));
       else
         csv.fields("", "");
     }
@@ -228,8 +212,7 @@ const Analysis<PreloadResult>& preload_analysis() {
       .command = Command::preload,
       .help = "Preload: curve through zero, lost motion, opening loads",
       .file = "preload.json",
-      .run = [](const input::Source&,
-                const input::CaseInput& in) { return analyze_warm_preload(in.values); },
+      .run = [](const input::Source&, const input::CaseInput& in) { return analyze_warm_preload(in.values); },
       .places = places,
       .put =
           [](Json& document, const PreloadResult& r) {

@@ -9,8 +9,7 @@ namespace {
 
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
-  if (!has_both_flanks(in.values, LoadCase::Share::solved))
-    add_preload_note(in.values, result.warnings);
+  if (!has_both_flanks(in.values, LoadCase::Share::solved)) add_preload_note(in.values, result.warnings);
   if (in.values.friction->of_film())
     if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
       result.warnings.push_back(std::move(*estimated));
@@ -44,8 +43,7 @@ std::vector<OutputFile> slip_files(const Result& result, const CsvStyle& style) 
   std::vector<OutputFile> files = load_files(result, style);
   files.push_back({"slip.csv", slip_csv(result, style)});
   files.push_back({"slip_threads.csv", slip_threads_csv(result, style)});
-  if (std::ranges::any_of(result.load_cases,
-                          [](const LoadCaseResult& r) { return r.heat.has_value(); }))
+  if (std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.heat.has_value(); }))
     files.push_back({"heat.csv", heat_csv(result, style)});
   if (result.heat_cycle && result.heat_cycle->converged())
     files.push_back({"heat_cycle.csv", heat_cycle_csv(*result.heat_cycle, style)});
@@ -79,17 +77,16 @@ std::vector<Headline> losses(const Result& r) {
 
 PageSection slip_section(const Result& r) {
   constexpr const char* kOfSteadyStates = "Steady: each load case running without pause";
-  const bool steady = std::ranges::any_of(
-      r.load_cases, [](const LoadCaseResult& load) { return load.heat.has_value(); });
+  const bool steady =
+      std::ranges::any_of(r.load_cases, [](const LoadCaseResult& load) { return load.heat.has_value(); });
   return {.in_cases = {{"slip",
-                        {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W",
-                         "torque_screw_Nm", "torque_nut_Nm", "self_locking", "holding_torque_Nm",
-                         "slip_ratio", "viscosity_mPas"},
+                        {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W", "torque_screw_Nm",
+                         "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"},
                         steady ? kOfSteadyStates : ""},
                        {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
           .in_document = {{"heat_cycle",
-                           {"status", "reason", "period_s", "peak_degC", "mean_degC", "energy_in_J",
-                            "energy_lost_J", "efficiency"},
+                           {"status", "reason", "period_s", "peak_degC", "mean_degC", "energy_in_J", "energy_lost_J",
+                            "efficiency"},
                            "Over the duty cycle"}},
           .folded = {"slip_patches", "slip_residue", "roller_friction"},
           .estimates = {"equal_shares", "efficiency_fit"}};
@@ -108,17 +105,13 @@ constexpr std::string_view kResponses[] = {"slip.efficiency",
                                            "slip.share_percent.carrier_nut"};
 
 constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
-    {"power_W", of<&InterfaceSlip::power>, "power that friction takes at the thread",
-     "Sandu 2018, (3.51)"},
-    {"power_density_W_per_mm2", of<&InterfaceSlip::power_density>,
-     "power over the contact ellipse pi a b"},
-    {"friction_coefficient", of<&InterfaceSlip::friction_coefficient>,
-     "mean over the points of the ellipse", "Sandu 2018, (2.40)"},
-    {"spin_torque_Nmm", of<&InterfaceSlip::spin_torque>, "about the roller's outward normal",
-     "Sandu 2018, (3.10)"},
+    {"power_W", of<&InterfaceSlip::power>, "power that friction takes at the thread", "Sandu 2018, (3.51)"},
+    {"power_density_W_per_mm2", of<&InterfaceSlip::power_density>, "power over the contact ellipse pi a b"},
+    {"friction_coefficient", of<&InterfaceSlip::friction_coefficient>, "mean over the points of the ellipse",
+     "Sandu 2018, (2.40)"},
+    {"spin_torque_Nmm", of<&InterfaceSlip::spin_torque>, "about the roller's outward normal", "Sandu 2018, (3.10)"},
     {"sliding_speed_mm_per_s", of<&InterfaceSlip::sliding_speed>, "at the centre of the ellipse"},
-    {"max_sliding_speed_mm_per_s", of<&InterfaceSlip::max_sliding_speed>,
-     "largest over the points of the ellipse"},
+    {"max_sliding_speed_mm_per_s", of<&InterfaceSlip::max_sliding_speed>, "largest over the points of the ellipse"},
     {"film_thickness_nm", filled<&InterfaceSlip::film_thickness>, "central film; needs a lubricant",
      "Sandu 2018, (2.39)"},
     {"central_film_nm", filled<&InterfaceSlip::central_film>, "central film; needs a lubricant",
@@ -135,11 +128,9 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
      "none; that of friction only if mixed",
      "Olver and Spikes 1998"},
     {"dynamic_normal_load_N", of<&InterfaceSlip::dynamic_normal_load>,
-     "normal load that keeps the axial load in balance with friction",
-     "Sandu 2018, (3.11), (3.12)"},
+     "normal load that keeps the axial load in balance with friction", "Sandu 2018, (3.11), (3.12)"},
     {"wear_mm3_per_km", filled<&InterfaceSlip::wear>,
-     "volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear",
-     "Archard 1953"},
+     "volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear", "Archard 1953"},
     {"flash_temperature_K", filled<&InterfaceSlip::flash_temperature>,
      "largest rise of the surfaces above their parts while they pass the contact; needs "
      "conductivity, density and specific_heat of the materials",
@@ -147,12 +138,12 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
 };
 
 template <std::size_t source>
-constexpr Quantity<PowerBySource> kPowerShare = {
-    kPowerSources[source].key, of<kPowerSources[source].value>,
-    "share of the power that is lost there", "Sandu 2018, (3.51)", kPowerSources[source].title};
+constexpr Quantity<PowerBySource> kPowerShare = {kPowerSources[source].key, of<kPowerSources[source].value>,
+                                                 "share of the power that is lost there", "Sandu 2018, (3.51)",
+                                                 kPowerSources[source].title};
 
-constexpr Quantity<PowerBySource> kPowerShares[] = {kPowerShare<0>, kPowerShare<1>, kPowerShare<2>,
-                                                    kPowerShare<3>, kPowerShare<4>};
+constexpr Quantity<PowerBySource> kPowerShares[] = {kPowerShare<0>, kPowerShare<1>, kPowerShare<2>, kPowerShare<3>,
+                                                    kPowerShare<4>};
 static_assert(std::size(kPowerShares) == std::size(kPowerSources));
 
 /// Absent where nothing is lost.
@@ -160,8 +151,7 @@ std::optional<PowerBySource> shares(const SlipResult& slip) {
   const double total = slip.power.total();
   if (!(total > 0.0)) return std::nullopt;
   PowerBySource shares;
-  for (const PowerSource& source : kPowerSources)
-    shares.*source.value = slip.power.*source.value / total;
+  for (const PowerSource& source : kPowerSources) shares.*source.value = slip.power.*source.value / total;
   return shares;
 }
 
@@ -177,12 +167,9 @@ constexpr Quantity<RollerForces> kRollerForces[] = {
     {"contacts_y", of<&RollerForces::contacts_y>, "of all threads", "Sandu 2018, (3.27)"},
     {"gears_x", of<&RollerForces::gears_x>, "of the gears", "Sandu 2018, (3.28), (3.29)"},
     {"gears_y", of<&RollerForces::gears_y>, "of the gears", "Sandu 2018, (3.28), (3.29)"},
-    {"carrier_x", of<&RollerForces::carrier_x>, "by the roller on the carrier",
-     "Sandu 2018, (3.26), (3.32)"},
-    {"carrier_y", of<&RollerForces::carrier_y>, "by the roller on the carrier",
-     "Sandu 2018, (3.26), (3.32)"},
-    {"centrifugal",
-     of<&RollerForces::centrifugal, [](const RollerForces& f) { return f.centrifugal != 0.0; }>,
+    {"carrier_x", of<&RollerForces::carrier_x>, "by the roller on the carrier", "Sandu 2018, (3.26), (3.32)"},
+    {"carrier_y", of<&RollerForces::carrier_y>, "by the roller on the carrier", "Sandu 2018, (3.26), (3.32)"},
+    {"centrifugal", of<&RollerForces::centrifugal, [](const RollerForces& f) { return f.centrifugal != 0.0; }>,
      "needs the rollers' density", "Sandu 2018, (3.33)"},
 };
 
@@ -196,8 +183,7 @@ std::optional<RollerHeads> heads_of(const SlipResult& slip) {
   if (slip.heads.empty()) return std::nullopt;
   RollerHeads all{slip.threads.screw.threads_per_roller > 0 ? 2 : 0, {}, {}, {}, {}};
   const auto has = [&](auto member) {
-    return std::ranges::any_of(slip.heads,
-                               [&](const auto& ends) { return (ends[0].*member).has_value(); });
+    return std::ranges::any_of(slip.heads, [&](const auto& ends) { return (ends[0].*member).has_value(); });
   };
   const bool torques = has(&RollerHead::torque), films = has(&RollerHead::eccentricity_ratio);
   for (const std::array<RollerHead, 2>& ends : slip.heads)
@@ -211,20 +197,18 @@ std::optional<RollerHeads> heads_of(const SlipResult& slip) {
 }
 
 constexpr Quantity<RollerHeads> kRollerHeads[] = {
-    {"guide_force_N", of<&RollerHeads::guide_force>,
-     "of the guides on the roller, near and far end; > 0 outwards"},
+    {"guide_force_N", of<&RollerHeads::guide_force>, "of the guides on the roller, near and far end; > 0 outwards"},
     {"bearing_force_N", of<&RollerHeads::bearing_force>,
      "of the bearing, that of the gears and the carrier's drive included"},
     {"torque_Nmm", filled<&RollerHeads::torque>, "that resists; needs carrier.bearing"},
-    {"eccentricity_ratio", filled<&RollerHeads::eccentricity_ratio>,
-     "e/c; needs a carrier.bearing with a film"},
+    {"eccentricity_ratio", filled<&RollerHeads::eccentricity_ratio>, "e/c; needs a carrier.bearing with a film"},
 };
 
 constexpr Quantity<SlipEstimates> kSlipEstimates[] = {
     {"simple", of<&SlipEstimates::simple>, "contacts at the pitch points", "Sandu 2018, (2.21)",
      "slip ratio, estimate by contacts at the pitch points"},
-    {"jones", of<&SlipEstimates::jones>, "standard mechanisms only",
-     "Jones et al., in Sandu 2018, (2.20)", "slip ratio, estimate by the formula of Jones et al."},
+    {"jones", of<&SlipEstimates::jones>, "standard mechanisms only", "Jones et al., in Sandu 2018, (2.20)",
+     "slip ratio, estimate by the formula of Jones et al."},
 };
 
 constexpr Quantity<HottestThread> kHottestThread[] = {
@@ -239,12 +223,10 @@ constexpr Quantity<EqualShareSlip> kEqualShares[] = {
     {"slip_ratio", of<&EqualShareSlip::slip_ratio>, "carrier over screw, against the nut"},
     {"power_loss_W", of<&EqualShareSlip::power_loss>, "of the whole mechanism"},
     {"efficiency", of<&EqualShareSlip::efficiency>, "power out over power in"},
-    {"max_thread_power_W", of<[](const EqualShareSlip& equal) {
-       return std::max(equal.thread_power.screw, equal.thread_power.nut);
-     }>,
+    {"max_thread_power_W",
+     of<[](const EqualShareSlip& equal) { return std::max(equal.thread_power.screw, equal.thread_power.nut); }>,
      "larger of both interfaces"},
-    {"max_power_density_W_per_mm2", of<&EqualShareSlip::max_power_density>,
-     "power of a thread over its ellipse"},
+    {"max_power_density_W_per_mm2", of<&EqualShareSlip::max_power_density>, "power of a thread over its ellipse"},
 };
 
 /// Where the search for the slip ratio converged.
@@ -252,48 +234,42 @@ template <auto get>
 constexpr auto found = of<get, &SlipResult::converged>;
 
 template <Interface i>
-constexpr auto threads =
-    found<[](const SlipResult& slip) -> const InterfaceSlip& { return slip.threads[i]; }>;
+constexpr auto threads = found<[](const SlipResult& slip) -> const InterfaceSlip& { return slip.threads[i]; }>;
 
 /// Of one nut.
 template <class Owner>
 constexpr Quantity<Owner> kSlipOf[] = {
     {"converged", of<&SlipResult::converged>, "whether there is an answer"},
     {"status", of<&SlipResult::status>, "how the search for the slip ratio ended"},
-    {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance", "", "", "", "",
-     Reach::document},
-    {"relative_residue", of<&SlipResult::relative_residue>,
-     "moment on a roller over radius and normal load", "Sandu 2018, (3.38)", "", "", "",
-     Reach::document},
+    {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance", "", "", "", "", Reach::document},
+    {"relative_residue", of<&SlipResult::relative_residue>, "moment on a roller over radius and normal load",
+     "Sandu 2018, (3.38)", "", "", "", Reach::document},
     {"speed_rpm", found<&SlipResult::speed>, "screw against nut"},
     {"gear_ratio", found<&SlipResult::gear_ratio>, "Gamma = |l_R/l_S|", "Sandu 2018, (2.1)"},
-    {"slip_ratio", found<&SlipResult::slip_ratio>,
-     "epsilon, carrier against nut over screw against nut", "Sandu 2018, (2.2)"},
+    {"slip_ratio", found<&SlipResult::slip_ratio>, "epsilon, carrier against nut over screw against nut",
+     "Sandu 2018, (2.2)"},
     {"ideal_slip_ratio", found<&SlipResult::ideal_slip_ratio>, "epsilon* of least sliding",
      "Sandu 2018, (2.16), (2.17)"},
-    {"optimality_percent", found<&SlipResult::optimality>, "100 % at the ideal slip ratio",
-     "Sandu 2018, (2.19)", "nearness to the slip ratio of least sliding"},
+    {"optimality_percent", found<&SlipResult::optimality>, "100 % at the ideal slip ratio", "Sandu 2018, (2.19)",
+     "nearness to the slip ratio of least sliding"},
     {"driven_by", found<&SlipResult::driven_by>, "screw | load: force x speed x lead > 0 or < 0"},
     {"efficiency", found<&SlipResult::efficiency>,
      "power out over power in: of the load over the shaft, or of the shaft over the load that "
      "drives; absent where self-locking",
      "Sandu 2018, (3.52)"},
-    {"self_locking", found<&SlipResult::self_locking>,
-     "whether no power comes out; where the load drives"},
+    {"self_locking", found<&SlipResult::self_locking>, "whether no power comes out; where the load drives"},
     {"holding_torque_Nm", found<&SlipResult::holding_torque>,
      "by the drive on the screw in the sense of the motion, where the load drives: > 0 turns a "
      "self-locking screw, < 0 holds back the load"},
-    {"efficiency_fit", found<&SlipResult::efficiency_fit>,
-     "fit near a reference example; absent with Coulomb friction", "Sandu 2018, (3.55)"},
+    {"efficiency_fit", found<&SlipResult::efficiency_fit>, "fit near a reference example; absent with Coulomb friction",
+     "Sandu 2018, (3.55)"},
     {"power_loss_W", found<[](const SlipResult& slip) { return slip.power.total(); }>,
      "lost to all sources of friction", "Sandu 2018, (3.51)", "power lost"},
-    {"power_loss_input_output_W", found<&SlipResult::power_loss_input_output>,
-     "the same as power in less power out", "Sandu 2018, (3.53)",
-     "power lost, as power in less power out"},
-    {"torque_screw_Nm", found<&SlipResult::torque_screw>, "by the drive on the screw",
-     "Sandu 2018, (3.30)", "torque on the screw"},
-    {"torque_nut_Nm", found<&SlipResult::torque_nut>, "on the nut", "Sandu 2018, (3.31)",
-     "torque on the nut"},
+    {"power_loss_input_output_W", found<&SlipResult::power_loss_input_output>, "the same as power in less power out",
+     "Sandu 2018, (3.53)", "power lost, as power in less power out"},
+    {"torque_screw_Nm", found<&SlipResult::torque_screw>, "by the drive on the screw", "Sandu 2018, (3.30)",
+     "torque on the screw"},
+    {"torque_nut_Nm", found<&SlipResult::torque_nut>, "on the nut", "Sandu 2018, (3.31)", "torque on the nut"},
     {"viscosity_mPas", found<&SlipResult::viscosity>, "dynamic, in operation; needs a lubricant"},
     {"bearing_eccentricity_ratio", found<&SlipResult::bearing_eccentricity>,
      "e/c of the roller heads in the carrier, the larger one"},
@@ -305,8 +281,7 @@ constexpr Quantity<Owner> kSlipOf[] = {
      "on one roller across its axis, by source; the mean of all in a full mechanism"},
     {"heads", found<heads_of>, "of the rollers in the carrier, near and far end"},
     {"hottest_thread", found<hottest_thread>, "of the largest power density"},
-    {"equal_shares", found<&SlipResult::equal_shares>,
-     "what slip would be if all threads carried the same load"},
+    {"equal_shares", found<&SlipResult::equal_shares>, "what slip would be if all threads carried the same load"},
     {"screw", threads<Interface::screw>, "threads at the screw, of one roller or of all"},
     {"nut", threads<Interface::nut>, "threads at the nut, of one roller or of all"},
 };
@@ -314,31 +289,29 @@ constexpr Quantity<Owner> kSlipOf[] = {
 }  // namespace
 
 const Analysis<Result>& slip_analysis() {
-  static const std::vector<Place> places =
-      with_loads({{"load_cases[].heat", describe<HeatResult>, false,
-                   "with `heat`: loads and slip are those at its temperatures"},
-                  {"load_cases[].slip", describe<SlipResult>, false, "of `prs slip`"},
-                  {"heat_cycle", describe<HeatCycle>, false}});
-  static const Analysis<Result> analysis{
-      .command = Command::slip,
-      .help = "Slip, friction, dissipated power, efficiency and torques",
-      .file = "slip.json",
-      .run = slips_of,
-      .places = places,
-      .put = put_slips,
-      .load_case = slip_case_json,
-      .table = slip_text<false>,
-      .full_table = slip_text<true>,
-      .notes = summary_of_warnings,
-      .files = slip_files,
-      .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
-      .converged = have_slip,
-      .headlines = losses,
-      .all_warnings = all_warnings,
-      .place = {"Slip and losses", 2},
-      .section = slip_section,
-      .responses = kResponses,
-      .takes_load_cases_apart = true};
+  static const std::vector<Place> places = with_loads(
+      {{"load_cases[].heat", describe<HeatResult>, false, "with `heat`: loads and slip are those at its temperatures"},
+       {"load_cases[].slip", describe<SlipResult>, false, "of `prs slip`"},
+       {"heat_cycle", describe<HeatCycle>, false}});
+  static const Analysis<Result> analysis{.command = Command::slip,
+                                         .help = "Slip, friction, dissipated power, efficiency and torques",
+                                         .file = "slip.json",
+                                         .run = slips_of,
+                                         .places = places,
+                                         .put = put_slips,
+                                         .load_case = slip_case_json,
+                                         .table = slip_text<false>,
+                                         .full_table = slip_text<true>,
+                                         .notes = summary_of_warnings,
+                                         .files = slip_files,
+                                         .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
+                                         .converged = have_slip,
+                                         .headlines = losses,
+                                         .all_warnings = all_warnings,
+                                         .place = {"Slip and losses", 2},
+                                         .section = slip_section,
+                                         .responses = kResponses,
+                                         .takes_load_cases_apart = true};
   return analysis;
 }
 
@@ -349,8 +322,7 @@ std::optional<HottestThread> hottest_thread(const SlipResult& slip) {
   if (!density) return std::nullopt;
   const auto row = static_cast<std::size_t>(threads.threads_per_roller);
   return HottestThread{slip.hottest.interface, (row ? thread % row : thread) + 1,
-                       row ? std::optional(thread / row + 1) : std::nullopt,
-                       entry(threads.power, thread), *density};
+                       row ? std::optional(thread / row + 1) : std::nullopt, entry(threads.power, thread), *density};
 }
 
 PRS_RECORD(InterfaceSlip, "InterfaceSlip",
@@ -363,26 +335,20 @@ PRS_RECORD(RollerMoments, "RollerMoments",
            "(3.39) to (3.42).",
            kRollerMoments);
 PRS_RECORD(RollerForces, "RollerForces",
-           "Forces on one roller across its axis, x away from the screw's axis, y along the orbit.",
-           kRollerForces);
-PRS_RECORD(RollerHeads, "RollerHeads", "The heads of a roller in the carrier, or of each roller.",
-           kRollerHeads);
-PRS_RECORD(SlipEstimates, "SlipRatioEstimates", "Slip ratios by formulas of geometry alone.",
-           kSlipEstimates);
-PRS_RECORD(HottestThread, "HottestThread", "The thread of the largest power density.",
-           kHottestThread);
-PRS_RECORD(EqualShareSlip, "EqualShareSlip", "Slip if all threads carried the same load.",
-           kEqualShares);
+           "Forces on one roller across its axis, x away from the screw's axis, y along the orbit.", kRollerForces);
+PRS_RECORD(RollerHeads, "RollerHeads", "The heads of a roller in the carrier, or of each roller.", kRollerHeads);
+PRS_RECORD(SlipEstimates, "SlipRatioEstimates", "Slip ratios by formulas of geometry alone.", kSlipEstimates);
+PRS_RECORD(HottestThread, "HottestThread", "The thread of the largest power density.", kHottestThread);
+PRS_RECORD(EqualShareSlip, "EqualShareSlip", "Slip if all threads carried the same load.", kEqualShares);
 PRS_RECORD(SecondNut, "SecondNut", "Slip of the rollers of a second nut.", kSlipOf<SecondNut>);
 
 Record<SlipResult> record_of(Type<SlipResult>) {
   static const std::vector<Quantity<SlipResult>> all = [] {
     const auto& of_one_nut = kSlipOf<SlipResult>;
     std::vector<Quantity<SlipResult>> quantities(std::begin(of_one_nut), std::end(of_one_nut));
-    quantities.push_back(
-        {"second_nut", found<[](const SlipResult& slip) { return slip.second_nut.get(); }>,
-         "rollers of the second nut of a double nut; powers, torques and efficiency here are of "
-         "both nuts, all else of the first"});
+    quantities.push_back({"second_nut", found<[](const SlipResult& slip) { return slip.second_nut.get(); }>,
+                          "rollers of the second nut of a double nut; powers, torques and efficiency here are of "
+                          "both nuts, all else of the first"});
     return quantities;
   }();
   return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", all};

@@ -34,8 +34,7 @@ const Analysis<Result>& slip_analysis();
 
 Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures);
 /// That of one thread of all rollers, from 0.
-Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
-                              std::size_t thread);
+Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields, std::size_t thread);
 /// Friction, power, efficiency and film over the speed (Stribeck's curve).
 Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve);
 Figure slip_residue_figure(const LoadCaseResult& result, const SlipPictures& pictures);
@@ -60,8 +59,7 @@ struct PowerFigureOptions {
 
 /// Power of each source, stacked, and efficiency over a swept quantity `x`, given as it is shown
 /// (Sandu 2018, fig. 3.9). Results without an answer interrupt the areas; at least one has one.
-Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis,
-                              const std::vector<SlipResult>& results,
+Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis, const std::vector<SlipResult>& results,
                               const PowerFigureOptions& options);
 
 /// Power of each source and efficiency over the load of each range, at most four; else a bar for
@@ -109,9 +107,7 @@ inline constexpr PowerSource kPowerSources[] = {
 };
 
 /// Whether a load case has an answer to slip.
-inline bool has_slip(const LoadCaseResult& result) {
-  return result.slip && result.slip->converged();
-}
+inline bool has_slip(const LoadCaseResult& result) { return result.slip && result.slip->converged(); }
 
 /// How the search for the slip ratio ended or, where the loads are not known, their solve.
 inline std::string_view slip_status_name(const LoadCaseResult& result) {

@@ -11,38 +11,30 @@ const std::vector<double>& slip_of(const LoadCaseResult& result, Interface i) {
   return result.slip->threads[i].*values;
 }
 
-bool has_thread_slip(const LoadCaseResult& result) {
-  return has_slip(result) && has_shares(result);
-}
+bool has_thread_slip(const LoadCaseResult& result) { return has_slip(result) && has_shares(result); }
 
 std::optional<double> with_equal_shares(const LoadCaseResult& result, Interface i) {
   const std::optional<EqualShareSlip>& equal = result.slip->equal_shares;
   return equal ? std::optional(equal->thread_power[i]) : std::nullopt;
 }
 
-bool has_power_of_rollers(const LoadCaseResult& result) {
-  return has_rollers(result) && has_slip(result);
-}
+bool has_power_of_rollers(const LoadCaseResult& result) { return has_rollers(result) && has_slip(result); }
 
-bool has_slip_of_threads(const LoadCaseResult& result) {
-  return result.threads && has_slip(result);
-}
+bool has_slip_of_threads(const LoadCaseResult& result) { return result.threads && has_slip(result); }
 
 Figures thread_power(const Result& result, const FigureOptions& options) {
   FigureOptions one = options;
   if (options.load_case) one.load_cases = {*options.load_case};
-  return from_zero(
-      thread_figure({"thread_power", "Power lost at each thread of a roller", "Power", "W",
-                     slip_of<&InterfaceSlip::power>, 1.0, has_thread_slip, with_equal_shares},
-                    result, one));
+  return from_zero(thread_figure({"thread_power", "Power lost at each thread of a roller", "Power", "W",
+                                  slip_of<&InterfaceSlip::power>, 1.0, has_thread_slip, with_equal_shares},
+                                 result, one));
 }
 
 /// Friction coefficient and sliding speed of each thread, a panel each.
 Figures friction(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_thread_slip);
   if (!shown) return {};
-  Figure figure{"friction",
-                "Friction and sliding of each thread, " + shown_name(shown->load_case.name)};
+  Figure figure{"friction", "Friction and sliding of each thread, " + shown_name(shown->load_case.name)};
   figure.columns = 2;
   struct Shown {
     const char* title;
@@ -50,16 +42,13 @@ Figures friction(const Result& result, const FigureOptions& options) {
     std::vector<double> InterfaceSlip::*values;
     double factor;
   };
-  constexpr Shown kShown[] = {
-      {"Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0},
-      {"Sliding speed", "mm/s", &InterfaceSlip::sliding_speed, per_si::millimetre}};
-  for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
-    figure.add(interface_title(kInterfaces[k]), marked_line(k));
+  constexpr Shown kShown[] = {{"Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0},
+                              {"Sliding speed", "mm/s", &InterfaceSlip::sliding_speed, per_si::millimetre}};
+  for (std::size_t k = 0; k < std::size(kInterfaces); ++k) figure.add(interface_title(kInterfaces[k]), marked_line(k));
   for (const Shown& s : kShown) {
     Panel& panel = figure.panels.emplace_back(Panel{s.title});
     for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
-      panel.series.push_back(
-          {k, {over_threads(shown->slip->threads[kInterfaces[k]].*s.values, s.factor)}});
+      panel.series.push_back({k, {over_threads(shown->slip->threads[kInterfaces[k]].*s.values, s.factor)}});
     panel.y = fitted({s.title, s.unit}, range_of_y(panel.series), true);
   }
   figure.x = thread_axis(shown->threads->screw.axial_load.size());
@@ -68,15 +57,13 @@ Figures friction(const Result& result, const FigureOptions& options) {
 
 /// Power lost at every thread of every roller, at both interfaces.
 Figures roller_power(const Result& result, const FigureOptions& options) {
-  return map_of_rollers({"roller_power", "Power lost at all rollers"}, result, options,
-                        {"Power lost", "W"},
+  return map_of_rollers({"roller_power", "Power lost at all rollers"}, result, options, {"Power lost", "W"},
                         {has_power_of_rollers, slip_of<&InterfaceSlip::power>});
 }
 
 /// Friction coefficient at every thread of every roller, at both interfaces.
 Figures roller_friction(const Result& result, const FigureOptions& options) {
-  return map_of_rollers({"roller_friction", "Friction at all rollers"}, result, options,
-                        {"Friction coefficient"},
+  return map_of_rollers({"roller_friction", "Friction at all rollers"}, result, options, {"Friction coefficient"},
                         {has_power_of_rollers, slip_of<&InterfaceSlip::friction_coefficient>});
 }
 
@@ -103,19 +90,17 @@ Map friction_map(const PatchField& field) {
   const auto middles = [&](double semi_axis) {
     std::vector<double> at;
     for (std::size_t k = 0; k < count; ++k)
-      at.push_back(semi_axis * (2.0 * static_cast<double>(k) + 1.0 - field.points) / field.points *
-                   per_si::millimetre);
+      at.push_back(semi_axis * (2.0 * static_cast<double>(k) + 1.0 - field.points) / field.points * per_si::millimetre);
     return at;
   };
-  map.grid = {middles(field.semi_major), middles(field.semi_minor),
-              std::vector<double>(count * count, kFree)};
+  map.grid = {middles(field.semi_major), middles(field.semi_minor), std::vector<double>(count * count, kFree)};
   const auto place = [&](double position, double semi_axis) {
-    return static_cast<std::size_t>(
-        std::lround((position / semi_axis * field.points + field.points - 1.0) / 2.0));
+    return static_cast<std::size_t>(std::lround((position / semi_axis * field.points + field.points - 1.0) / 2.0));
   };
   for (std::size_t k = 0; k < field.friction_coefficient.size(); ++k)
-    map.grid.values[place(field.along_major[k], field.semi_major) * count +
-                    place(field.along_minor[k], field.semi_minor)] = field.friction_coefficient[k];
+    map.grid
+        .values[place(field.along_major[k], field.semi_major) * count + place(field.along_minor[k], field.semi_minor)] =
+        field.friction_coefficient[k];
   return map;
 }
 
@@ -132,8 +117,7 @@ int arrow_step(const PatchField& field) { return (field.points + kMostArrows - 1
 /// Whether the point in a column or row of the grid is one that has an arrow; the middle one has.
 bool has_arrow(double position, double semi_axis, const PatchField& field) {
   const double cell = 2.0 * semi_axis / field.points;
-  return std::lround((position + semi_axis) / cell - 0.5) % arrow_step(field) ==
-         (field.points / 2) % arrow_step(field);
+  return std::lround((position + semi_axis) / cell - 0.5) % arrow_step(field) == (field.points / 2) % arrow_step(field);
 }
 
 /// Sliding velocities, the middle of each arrow at its point.
@@ -157,8 +141,7 @@ Series arrows(const PatchField& field) {
 
 /// Thread and normal load, where the case has loads: of the most loaded thread unless another is
 /// meant.
-std::string thread_title(const LoadCaseResult& result, Interface i,
-                         std::optional<std::size_t> thread) {
+std::string thread_title(const LoadCaseResult& result, Interface i, std::optional<std::size_t> thread) {
   if (!result.threads) return interface_title(i);
   const std::vector<double>& loads = (*result.threads)[i].normal_load;
   if (!thread) thread = index_of_largest(loads);
@@ -170,13 +153,12 @@ Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interfa
                   std::optional<std::size_t> thread) {
   Panel panel{thread_title(result, i, thread)};
   panel.map = friction_map(field);
-  panel.series = {{kOutline,
-                   {ellipse(0.0, 0.0, field.semi_major * per_si::millimetre,
-                            field.semi_minor * per_si::millimetre, 0.0)}},
-                  arrows(field)};
+  panel.series = {
+      {kOutline,
+       {ellipse(0.0, 0.0, field.semi_major * per_si::millimetre, field.semi_minor * per_si::millimetre, 0.0)}},
+      arrows(field)};
   panel.labels.push_back(
-      {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * per_si::millimetre), 0.03,
-       0.05, true});
+      {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * per_si::millimetre), 0.03, 0.05, true});
   return panel;
 }
 
@@ -192,10 +174,10 @@ ColourScale friction_scale(const PerInterface<PatchField>& fields) {
   return {"Friction coefficient", "", is_even ? least : 0.0, largest > 0.0 ? largest : 1.0};
 }
 
-Figure patch_figure(std::string name, const LoadCaseResult& result,
-                    const PerInterface<PatchField>& fields, std::optional<std::size_t> thread) {
-  Figure figure{std::move(name), "Friction and sliding at the contacts, load case " +
-                                     shown_name(result.load_case.name)};
+Figure patch_figure(std::string name, const LoadCaseResult& result, const PerInterface<PatchField>& fields,
+                    std::optional<std::size_t> thread) {
+  Figure figure{std::move(name),
+                "Friction and sliding at the contacts, load case " + shown_name(result.load_case.name)};
   figure.columns = std::size(kInterfaces);
   figure.aspect = 0.9;
   figure.to_scale = true;
@@ -222,12 +204,9 @@ struct MomentCurve {
 constexpr MomentCurve kCurves[] = {
     {"carrier", line_of(Colour::orange), [](const RollerMoments& m) { return m.carrier; }},
     {"gears", line_of(Colour::green, Dash::dotted), [](const RollerMoments& m) { return m.gears; }},
-    {"spin", line_of(Colour::vermillion, Dash::dashed),
-     [](const RollerMoments& m) { return m.spin; }},
-    {"contacts", line_of(Colour::blue, Dash::dash_dotted),
-     [](const RollerMoments& m) { return m.contacts; }},
-    {"sum", line_of(Colour::ink, Dash::solid, Weight::strong),
-     [](const RollerMoments& m) { return m.residue(); }},
+    {"spin", line_of(Colour::vermillion, Dash::dashed), [](const RollerMoments& m) { return m.spin; }},
+    {"contacts", line_of(Colour::blue, Dash::dash_dotted), [](const RollerMoments& m) { return m.contacts; }},
+    {"sum", line_of(Colour::ink, Dash::solid, Weight::strong), [](const RollerMoments& m) { return m.residue(); }},
 };
 /// Of the styles after those of the curves.
 constexpr std::size_t kIdeal = std::size(kCurves), kRoot = kIdeal + 1, kZero = kIdeal + 2;
@@ -245,8 +224,7 @@ struct SlipAxis {
 /// The distance from the ideal slip ratio, in the power of a thousand that needs few digits.
 SlipAxis around_ideal(const ResidueCurve& residue, double ideal) {
   double largest = 0.0;
-  for (const double slip_ratio : residue.slip_ratio)
-    largest = std::max(largest, std::abs(slip_ratio - ideal));
+  for (const double slip_ratio : residue.slip_ratio) largest = std::max(largest, std::abs(slip_ratio - ideal));
   constexpr std::string_view kPowers[] = {"", "10⁻³", "10⁻⁶", "10⁻⁹", "10⁻¹²"};
   const double thousands = largest > 0.0 ? std::ceil(-std::log10(largest) / 3.0) : 0.0;
   const auto power = static_cast<std::size_t>(std::clamp(thousands, 0.0, 4.0));
@@ -257,8 +235,7 @@ SlipAxis around_ideal(const ResidueCurve& residue, double ideal) {
 Polyline curve(const ResidueCurve& residue, const MomentCurve& of, const SlipAxis& axis) {
   Polyline points;
   for (std::size_t k = 0; k < residue.slip_ratio.size(); ++k)
-    points.push_back(
-        {axis(residue.slip_ratio[k]), of.value(residue.moments[k]) * per_si::newton_millimetre});
+    points.push_back({axis(residue.slip_ratio[k]), of.value(residue.moments[k]) * per_si::newton_millimetre});
   return points;
 }
 
@@ -273,8 +250,7 @@ Axis moment_axis(const std::vector<Series>& curves) {
 Axis slip_ratio_axis(const ResidueCurve& residue, const SlipAxis& shown, double margin) {
   Axis axis{shown.label, shown.unit};
   if (residue.slip_ratio.empty()) return axis;
-  const auto [least, largest] =
-      std::minmax({shown(residue.slip_ratio.front()), shown(residue.slip_ratio.back())});
+  const auto [least, largest] = std::minmax({shown(residue.slip_ratio.front()), shown(residue.slip_ratio.back())});
   axis.from = least;
   axis.to = largest;
   const double widened = axis.to > axis.from ? margin * (axis.to - axis.from) : 1e-3 * shown.factor;
@@ -283,14 +259,12 @@ Axis slip_ratio_axis(const ResidueCurve& residue, const SlipAxis& shown, double 
   return axis;
 }
 
-Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipResult& slip,
-                    const SlipAxis& shown, double margin) {
+Panel residue_panel(std::string title, const ResidueCurve& residue, const SlipResult& slip, const SlipAxis& shown,
+                    double margin) {
   Panel panel{std::move(title)};
-  for (std::size_t k = 0; k < std::size(kCurves); ++k)
-    panel.series.push_back({k, {curve(residue, kCurves[k], shown)}});
-  panel.references = {{kZero, 0.0},
-                      {kIdeal, shown(slip.ideal_slip_ratio), true},
-                      {kRoot, shown(slip.slip_ratio), true}};
+  for (std::size_t k = 0; k < std::size(kCurves); ++k) panel.series.push_back({k, {curve(residue, kCurves[k], shown)}});
+  panel.references = {
+      {kZero, 0.0}, {kIdeal, shown(slip.ideal_slip_ratio), true}, {kRoot, shown(slip.slip_ratio), true}};
   panel.x = slip_ratio_axis(residue, shown, margin);
   panel.y = moment_axis(panel.series);
   return panel;
@@ -316,21 +290,19 @@ Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<P
 /// 2018, fig. 3.6).
 Figure slip_residue_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
   const SlipResult& slip = *result.slip;
-  Figure figure{"slip_residue", "Moment on a roller about its axis, load case " +
-                                    shown_name(result.load_case.name)};
+  Figure figure{"slip_residue", "Moment on a roller about its axis, load case " + shown_name(result.load_case.name)};
   figure.columns = 2;
   for (const MomentCurve& c : kCurves) figure.add(std::string(c.title), c.style);
   std::ranges::reverse(figure.legend);
   figure.add(fmt::format("ideal slip ratio {:.6f}", slip.ideal_slip_ratio), line_of(Colour::sky));
-  figure.add(fmt::format("{} {:.6f}",
-                         slip.status == SlipStatus::imposed ? "imposed slip ratio" : "slip ratio",
+  figure.add(fmt::format("{} {:.6f}", slip.status == SlipStatus::imposed ? "imposed slip ratio" : "slip ratio",
                          slip.slip_ratio),
              line_of(Colour::muted));
   figure.add(kZeroStyle);
   const ResidueCurve& near_root = pictures.residue_near_root;
-  figure.panels = {residue_panel("Whole range", pictures.residue, slip, SlipAxis{}, 0.04),
-                   residue_panel("Around the slip ratio", near_root, slip,
-                                 around_ideal(near_root, slip.ideal_slip_ratio), 0.08)};
+  figure.panels = {
+      residue_panel("Whole range", pictures.residue, slip, SlipAxis{}, 0.04),
+      residue_panel("Around the slip ratio", near_root, slip, around_ideal(near_root, slip.ideal_slip_ratio), 0.08)};
   return figure;
 }
 
@@ -339,8 +311,7 @@ namespace {
 using enum Picture::Drawn;
 
 constexpr const char* kConvergedSlip = "a load case whose slip converged";
-constexpr const char* kSlipOfRollers =
-    "a load case of `model: {mechanism: full}` whose slip converged";
+constexpr const char* kSlipOfRollers = "a load case of `model: {mechanism: full}` whose slip converged";
 
 /// Fields of the load cases, by their index: integrated once for all pictures of them.
 using SlipFields = std::map<std::size_t, SlipPictures>;
@@ -351,8 +322,7 @@ auto of_slip(const Result& result, std::function<Figure(std::size_t)> make) {
     constexpr std::size_t kMost = 4;
     std::vector<std::size_t> cases;
     for (std::size_t k = 0; k < result.load_cases.size() && cases.size() < kMost; ++k)
-      if (has_slip(result.load_cases[k]) && (!options.load_case || k == *options.load_case))
-        cases.push_back(k);
+      if (has_slip(result.load_cases[k]) && (!options.load_case || k == *options.load_case)) cases.push_back(k);
     Figures figures;
     for (std::size_t k = 0; k < cases.size(); ++k) {
       figures.push_back(make(cases[k]));
@@ -381,10 +351,7 @@ Pictures slip_pictures(const Case& c, const Result& r) {
        {"roller_power", kSlipOfRollers, of_result(r, roller_power)},
        {"roller_friction", kSlipOfRollers, of_result(r, roller_friction)},
        {"stribeck", kConvergedSlip,
-        of_slip(r,
-                [&c, &r](std::size_t k) {
-                  return stribeck_figure(r.load_cases[k], stribeck_curve(c, r, k));
-                }),
+        of_slip(r, [&c, &r](std::size_t k) { return stribeck_figure(r.load_cases[k], stribeck_curve(c, r, k)); }),
         drawn_if(mixed)},
        {"slip_patches", kConvergedSlip, of_fields(slip_patch_figure)},
        {"slip_residue", kConvergedSlip, of_fields(slip_residue_figure)},
@@ -398,8 +365,7 @@ namespace {
 
 constexpr std::size_t kMostFigures = 4;
 
-constexpr Colour kSourceColours[] = {Colour::blue, Colour::vermillion, Colour::green, Colour::sky,
-                                     Colour::orange};
+constexpr Colour kSourceColours[] = {Colour::blue, Colour::vermillion, Colour::green, Colour::sky, Colour::orange};
 static_assert(std::size(kSourceColours) == std::size(kPowerSources));
 
 /// A result and where it stands on the axis.
@@ -409,11 +375,9 @@ struct SweepPoint {
 };
 
 /// By ascending x.
-std::vector<SweepPoint> sweep(const std::vector<double>& x,
-                              const std::vector<SlipResult>& results) {
+std::vector<SweepPoint> sweep(const std::vector<double>& x, const std::vector<SlipResult>& results) {
   std::vector<SweepPoint> points;
-  for (std::size_t k = 0; k < std::min(x.size(), results.size()); ++k)
-    points.push_back({x[k], &results[k]});
+  for (std::size_t k = 0; k < std::min(x.size(), results.size()); ++k) points.push_back({x[k], &results[k]});
   std::ranges::stable_sort(points, {}, &SweepPoint::x);
   return points;
 }
@@ -469,23 +433,19 @@ bool has_power(const std::vector<std::vector<SweepPoint>>& runs, const PowerSour
 void add_references(Figure& figure, const PowerFigureOptions& options, double factor) {
   for (std::size_t k = 0; k < options.references.size(); ++k) {
     const ReferencePoint& point = options.references[k];
-    const std::size_t style = figure.add(
-        point.title, points_of(palette(1 + k), static_cast<Mark>(1 + k % 8), Weight::strong));
-    if (point.power_loss)
-      figure.panels[0].series.push_back({style, {{{point.x, *point.power_loss * factor}}}});
+    const std::size_t style =
+        figure.add(point.title, points_of(palette(1 + k), static_cast<Mark>(1 + k % 8), Weight::strong));
+    if (point.power_loss) figure.panels[0].series.push_back({style, {{{point.x, *point.power_loss * factor}}}});
     if (point.efficiency)
-      figure.panels[1].series.push_back(
-          {style, {{{point.x, *point.efficiency * per_si::percent}}}});
+      figure.panels[1].series.push_back({style, {{{point.x, *point.efficiency * per_si::percent}}}});
   }
 }
 
 void add_comparison(Figure& figure, const PowerFigureOptions& options) {
   if (options.comparison.empty()) return;
   Polyline line;
-  for (const auto& [x, efficiency] : options.comparison)
-    line.push_back({x, efficiency * per_si::percent});
-  const std::size_t style =
-      figure.add(options.comparison_title, line_of(Colour::reference, Dash::dashed));
+  for (const auto& [x, efficiency] : options.comparison) line.push_back({x, efficiency * per_si::percent});
+  const std::size_t style = figure.add(options.comparison_title, line_of(Colour::reference, Dash::dashed));
   figure.panels[1].series.push_back({style, {std::move(line)}});
 }
 
@@ -518,16 +478,14 @@ Figure power_bars(std::vector<const LoadCaseResult*> cases) {
     panel.series.push_back(std::move(bars));
   }
   for (const LoadCaseResult* c : cases)
-    figure.x.ticks.push_back(
-        {static_cast<double>(figure.x.ticks.size() + 1), shown_name(c->load_case.name)});
+    figure.x.ticks.push_back({static_cast<double>(figure.x.ticks.size() + 1), shown_name(c->load_case.name)});
   fit_y_range(figure);
   return figure;
 }
 
 }  // namespace
 
-Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis,
-                              const std::vector<SlipResult>& results,
+Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis, const std::vector<SlipResult>& results,
                               const PowerFigureOptions& options) {
   const auto runs = unbroken(sweep(x, results));
   const double factor = options.relative_to ? per_si::percent / *options.relative_to : 1.0;
@@ -538,25 +496,21 @@ Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis,
   power.title = "Power lost";
   for (std::size_t k = 0; k < std::size(kPowerSources); ++k) {
     if (!has_power(runs, kPowerSources[k])) continue;
-    const std::size_t style =
-        figure.add(std::string(kPowerSources[k].title), area_of(kSourceColours[k]));
-    power.series.push_back(
-        series_of(style, runs, [&](const auto& r) { return area(r, k, factor); }));
+    const std::size_t style = figure.add(std::string(kPowerSources[k].title), area_of(kSourceColours[k]));
+    power.series.push_back(series_of(style, runs, [&](const auto& r) { return area(r, k, factor); }));
   }
-  power.series.push_back(series_of(figure.add(line_of(Colour::ink, Dash::solid, Weight::thin)),
-                                   runs, [&](const auto& r) { return total_line(r, factor); }));
+  power.series.push_back(series_of(figure.add(line_of(Colour::ink, Dash::solid, Weight::thin)), runs,
+                                   [&](const auto& r) { return total_line(r, factor); }));
   Panel& efficiency = figure.panels[1];
   efficiency.title = "Efficiency";
-  const std::size_t style =
-      figure.add("efficiency", line_of(Colour::ink, Dash::solid, Weight::strong));
+  const std::size_t style = figure.add("efficiency", line_of(Colour::ink, Dash::solid, Weight::strong));
   efficiency.series.push_back(series_of(style, runs, efficiency_line));
   add_comparison(figure, options);
   add_references(figure, options, factor);
   figure.x = axis;
   figure.x.from = runs.front().front().x;
   figure.x.to = runs.back().back().x;
-  power.y = fitted({"Power lost", options.relative_to ? "% of the file's" : "W"},
-                   range_of_y(power.series), true);
+  power.y = fitted({"Power lost", options.relative_to ? "% of the file's" : "W"}, range_of_y(power.series), true);
   efficiency.y = fitted({"Efficiency", "%"}, range_of_y(efficiency.series));
   return figure;
 }
@@ -570,8 +524,8 @@ Figures power_by_source(const Result& result, const FigureOptions& options) {
   std::vector<LoadCaseResult> kept;
   if (!options.load_cases.empty())
     for (const LoadCaseResult* load_case : cases) kept.push_back(*load_case);
-  const auto sweeps = loaded_configurations(options.load_cases.empty() ? result.load_cases : kept,
-                                            kMinSweepPoints, has_slip);
+  const auto sweeps =
+      loaded_configurations(options.load_cases.empty() ? result.load_cases : kept, kMinSweepPoints, has_slip);
   for (const LoadedConfiguration& configuration : sweeps)
     for (const CaseGroup& group : configuration.groups) {
       if (figures.size() == kMostFigures) return figures;
@@ -609,47 +563,42 @@ Axis decades(std::string label, std::string unit) {
 }  // namespace
 
 Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve) {
-  Figure figure{"stribeck",
-                "Friction over the speed, load case " + shown_name(result.load_case.name)};
+  Figure figure{"stribeck", "Friction over the speed, load case " + shown_name(result.load_case.name)};
   figure.columns = 2;
   PerInterface<std::size_t> style;
   for (const Interface i : kInterfaces)
-    style[i] = figure.add(
-        interface_title(i),
-        line_of(colour_of(body_of(i)), i == Interface::nut ? Dash::dashed : Dash::solid));
+    style[i] = figure.add(interface_title(i),
+                          line_of(colour_of(body_of(i)), i == Interface::nut ? Dash::dashed : Dash::solid));
   const std::size_t whole = figure.add("whole mechanism", line_of(Colour::ink));
   const std::size_t speed = figure.add("speed of the case", line_of(Colour::muted));
 
   Panel& friction = figure.panels.emplace_back(Panel{"Friction, most loaded threads"});
   for (const Interface i : kInterfaces)
-    friction.series.push_back(over_speed(
-        style[i], curve, [&](std::size_t k) { return std::optional(curve.friction[i][k]); }));
+    friction.series.push_back(
+        over_speed(style[i], curve, [&](std::size_t k) { return std::optional(curve.friction[i][k]); }));
   friction.y = fitted({"Friction coefficient"}, range_of_y(friction.series), true);
 
   Panel& efficiency = figure.panels.emplace_back(Panel{"Efficiency"});
   efficiency.series.push_back(over_speed(whole, curve, [&](std::size_t k) {
-    return curve.efficiency[k] ? std::optional(*curve.efficiency[k] * per_si::percent)
-                               : std::nullopt;
+    return curve.efficiency[k] ? std::optional(*curve.efficiency[k] * per_si::percent) : std::nullopt;
   }));
   efficiency.y = fitted({"Efficiency", "%"}, range_of_y(efficiency.series));
 
   Panel& power = figure.panels.emplace_back(Panel{"Power lost"});
-  power.series.push_back(
-      over_speed(whole, curve, [&](std::size_t k) { return std::optional(curve.power[k]); }));
+  power.series.push_back(over_speed(whole, curve, [&](std::size_t k) { return std::optional(curve.power[k]); }));
   power.y = decades("Power lost", "W");
 
   if (!curve.film_ratio.screw.empty()) {
     Panel& film = figure.panels.emplace_back(Panel{"Film over roughness"});
     for (const Interface i : kInterfaces)
-      film.series.push_back(over_speed(
-          style[i], curve, [&](std::size_t k) { return std::optional(curve.film_ratio[i][k]); }));
+      film.series.push_back(
+          over_speed(style[i], curve, [&](std::size_t k) { return std::optional(curve.film_ratio[i][k]); }));
     film.y = decades("Film over roughness", "");
     const std::size_t bounds = figure.add("boundary, mixed, full film", kMeanStyle);
     film.references = {{bounds, kTouchingFlanks}, {bounds, kFullFilm}};
   }
   for (Panel& panel : figure.panels)
-    panel.references.push_back(
-        {speed, std::abs(result.slip->speed) * per_si::revolution_per_minute, true});
+    panel.references.push_back({speed, std::abs(result.slip->speed) * per_si::revolution_per_minute, true});
   figure.x = decades("Speed", "rpm");
   return figure;
 }
@@ -667,13 +616,11 @@ Figures heat_cycle(const Result& result) {
   figure.x = Axis{"Time", hours ? "h" : "s", 0.0, cycle.period * per_second};
   figure.y = Axis{"Temperature", "°C"};
   Panel panel;
-  const auto add = [&](Part part, std::string name, const std::vector<double>& values,
-                       double average) {
+  const auto add = [&](Part part, std::string name, const std::vector<double>& values, double average) {
     Series line{figure.add(std::move(name), line_of(colour_of(part)))};
     for (std::size_t k = 0; k < values.size(); ++k) line.add(cycle.time[k] * per_second, values[k]);
     panel.series.push_back(std::move(line));
-    panel.references.push_back(
-        {figure.add(line_of(colour_of(part), Dash::dashed, Weight::thin)), average});
+    panel.references.push_back({figure.add(line_of(colour_of(part), Dash::dashed, Weight::thin)), average});
   };
   add(Part::screw, "screw", temperature.screw, mean.screw);
   add(Part::roller, "rollers", temperature.rollers, mean.rollers);

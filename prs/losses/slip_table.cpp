@@ -27,13 +27,11 @@ std::string four_digits(double value) { return fixed(value, 1.0, decimals_of(std
 
 // A case at length.
 
-std::string block_line(std::string_view label, const std::string& value,
-                       const std::string& remark = {}) {
+std::string block_line(std::string_view label, const std::string& value, const std::string& remark = {}) {
   return kRows("  " + with_table_unit(label), {value}, "   " + remark);
 }
 
-std::string number_line(std::string_view label, double si, std::string_view unit,
-                        const std::string& remark = {}) {
+std::string number_line(std::string_view label, double si, std::string_view unit, const std::string& remark = {}) {
   return block_line(fmt::format("{}, {}", label, unit), four_digits(shown(si, unit)), remark);
 }
 
@@ -45,15 +43,13 @@ std::string beside(const std::vector<std::string>& cells) {
 }
 
 std::string title_line(const LoadCaseResult& result) {
-  std::string load = fixed_with_unit(result.load_case.axial_force, "kN",
-                                     force_decimals(result.load_case.axial_force));
+  std::string load = fixed_with_unit(result.load_case.axial_force, "kN", force_decimals(result.load_case.axial_force));
   if (result.load_case.direction) load += fmt::format(", {}", name(*result.load_case.direction));
   if (result.load_case.share == LoadCase::Share::equal)
     load += ", equal shares";
   else
     load += fmt::format(", {} loads", name(result.loads));
-  if (has_slip(result))
-    load += fmt::format(", {:.6g} rpm", result.slip->speed * per_si::revolution_per_minute);
+  if (has_slip(result)) load += fmt::format(", {:.6g} rpm", result.slip->speed * per_si::revolution_per_minute);
   constexpr std::size_t kSeparator = 2;
   const std::size_t room = kTableWidth - kSeparator - width(load);
   return fmt::format("{}: {}\n", shortened(case_name_cell(result), room), load);
@@ -62,10 +58,9 @@ std::string title_line(const LoadCaseResult& result) {
 std::string slip_ratio_lines(const SlipResult& slip) {
   const std::string origin =
       slip.status == SlipStatus::imposed
-          ? fmt::format("imposed; moment left on a roller {} {}",
-                        four_digits(shown(slip.moments.residue(), "N mm")), table_unit("N mm").text)
-          : fmt::format("{:.4g} % of the way from pure sliding to the ideal",
-                        slip.optimality * per_si::percent);
+          ? fmt::format("imposed; moment left on a roller {} {}", four_digits(shown(slip.moments.residue(), "N mm")),
+                        table_unit("N mm").text)
+          : fmt::format("{:.4g} % of the way from pure sliding to the ideal", slip.optimality * per_si::percent);
   return block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
          block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
          block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));
@@ -75,9 +70,8 @@ std::string efficiency_lines(const SlipResult& slip, bool all) {
   const bool by_screw = slip.driven_by == DrivenBy::screw;
   std::string remark = slip.efficiency ? "the load drives" : "the load helps, self-locking";
   if (by_screw)
-    remark = all && slip.efficiency_fit
-                 ? fmt::format("Sandu's fit {:.2f} %", *slip.efficiency_fit * per_si::percent)
-                 : "";
+    remark =
+        all && slip.efficiency_fit ? fmt::format("Sandu's fit {:.2f} %", *slip.efficiency_fit * per_si::percent) : "";
   return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), remark) +
          (by_screw ? ""
                    : number_line("holding torque", *slip.holding_torque, "N m",
@@ -89,9 +83,8 @@ std::string efficiency_lines(const SlipResult& slip, bool all) {
 std::string power_lines(const SlipResult& slip) {
   const double total = slip.power.total();
   const int decimals = decimals_of(total);
-  std::string lines = block_line(
-      "power lost, W", fixed(total, 1.0, decimals),
-      fmt::format("input less output {:.{}f} W", slip.power_loss_input_output, decimals));
+  std::string lines = block_line("power lost, W", fixed(total, 1.0, decimals),
+                                 fmt::format("input less output {:.{}f} W", slip.power_loss_input_output, decimals));
   for (const PowerSource& source : kPowerSources) {
     const double power = slip.power.*source.value;
     if (power == 0.0) continue;
@@ -141,8 +134,7 @@ std::string range(const InterfaceSlip& slip, const RangeLine& line) {
     if (entry(slip.dynamic_normal_load, k).value_or(0.0) > 0.0)
       least = std::min(least, values[k]), largest = std::max(largest, values[k]);
   if (least > largest) return std::string(kAbsent);
-  return range(fixed(least, q.unit.text, line.decimals),
-               fixed(largest, q.unit.text, line.decimals));
+  return range(fixed(least, q.unit.text, line.decimals), fixed(largest, q.unit.text, line.decimals));
 }
 
 std::string range_lines(const SlipResult& slip) {
@@ -152,19 +144,15 @@ std::string range_lines(const SlipResult& slip) {
   lines += block_line("over the threads", "screw", beside({"nut"}));
   for (const RangeLine& line : kRangeLines)
     if (!quantity<InterfaceSlip>(line.key).value.series(screw).empty())
-      lines += block_line(fmt::format("  {}", line.label), range(screw, line),
-                          beside({range(nut, line)}));
-  if (!screw.film_ratio.empty())
-    lines += block_line("  lubrication", regimes(screw), beside({regimes(nut)}));
+      lines += block_line(fmt::format("  {}", line.label), range(screw, line), beside({range(nut, line)}));
+  if (!screw.film_ratio.empty()) lines += block_line("  lubrication", regimes(screw), beside({regimes(nut)}));
   return lines;
 }
 
 /// A line with a number for screw, rollers and nut; rollers may have none.
-std::string parts_line(std::string_view label, double screw, std::optional<double> rollers,
-                       double nut, int decimals) {
-  return block_line(
-      label, fixed(screw, 1.0, decimals),
-      beside({rollers ? fixed(rollers, 1.0, decimals) : "", fixed(nut, 1.0, decimals)}));
+std::string parts_line(std::string_view label, double screw, std::optional<double> rollers, double nut, int decimals) {
+  return block_line(label, fixed(screw, 1.0, decimals),
+                    beside({rollers ? fixed(rollers, 1.0, decimals) : "", fixed(nut, 1.0, decimals)}));
 }
 
 std::string parts_line(std::string_view label, const PerPart<double>& kelvin) {
@@ -174,23 +162,21 @@ std::string parts_line(std::string_view label, const PerPart<double>& kelvin) {
 
 std::string heat_lines(const std::optional<HeatResult>& heat) {
   if (!heat) return {};
-  std::string lines = block_line("heat balance", "screw", beside({"rollers", "nut"})) +
-                      parts_line("temperature", heat->temperature);
+  std::string lines =
+      block_line("heat balance", "screw", beside({"rollers", "nut"})) + parts_line("temperature", heat->temperature);
   if (heat->oil) {
     const InterfaceNumbers oil = celsius_of(*heat->oil);
     lines += parts_line("  oil at the contacts, °C", oil.screw, std::nullopt, oil.nut, 2);
   }
   const auto& [screw, roller, nut] = heat->heat;
-  return lines + parts_line("  heat from friction, W", screw, roller, nut,
-                            decimals_of(screw + roller + nut));
+  return lines + parts_line("  heat from friction, W", screw, roller, nut, decimals_of(screw + roller + nut));
 }
 
 std::string cycle_block(const HeatCycle& cycle) {
   const std::string title = fmt::format("duty cycle: {:.7g} s\n", cycle.period);
   if (!cycle.converged()) return title + fmt::format("  NOT CONVERGED ({})\n", name(cycle.status));
-  return title + block_line("temperature", "screw", beside({"rollers", "nut"})) +
-         parts_line("peak", cycle.peak) + parts_line("mean", cycle.mean) +
-         number_line("energy in", cycle.energy_in, "J") +
+  return title + block_line("temperature", "screw", beside({"rollers", "nut"})) + parts_line("peak", cycle.peak) +
+         parts_line("mean", cycle.mean) + number_line("energy in", cycle.energy_in, "J") +
          number_line("energy lost", cycle.energy_lost, "J") +
          block_line("efficiency, %", fixed(cycle.efficiency, per_si::percent, 2));
 }
@@ -198,12 +184,11 @@ std::string cycle_block(const HeatCycle& cycle) {
 std::string hottest_line(const SlipResult& slip) {
   const std::optional<HottestThread> hottest = hottest_thread(slip);
   if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
-  return block_line(
-      "hottest thread",
-      fmt::format("{} {}{}", name(hottest->interface), hottest->thread,
-                  hottest->roller ? fmt::format(", roller {}", *hottest->roller) : ""),
-      fmt::format("{} W, {} {}", four_digits(*hottest->power),
-                  four_digits(shown(hottest->power_density, "W/mm²")), table_unit("W/mm²").text));
+  return block_line("hottest thread",
+                    fmt::format("{} {}{}", name(hottest->interface), hottest->thread,
+                                hottest->roller ? fmt::format(", roller {}", *hottest->roller) : ""),
+                    fmt::format("{} W, {} {}", four_digits(*hottest->power),
+                                four_digits(shown(hottest->power_density, "W/mm²")), table_unit("W/mm²").text));
 }
 
 double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*values) {
@@ -221,10 +206,9 @@ std::string change_line(std::string_view label, const std::string& equal, const 
 
 /// How much the loads of the case change it, in percent.
 std::string ratio_line(std::string_view label, double equal, double solved, std::string_view unit) {
-  return change_line(
-      fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
-      four_digits(shown(solved, unit)),
-      equal > 0.0 ? fixed_change((solved / equal - 1.0) * per_si::percent, 2) + " %" : "");
+  return change_line(fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
+                     four_digits(shown(solved, unit)),
+                     equal > 0.0 ? fixed_change((solved / equal - 1.0) * per_si::percent, 2) + " %" : "");
 }
 
 std::string difference_line(std::string_view label, double equal, double solved, int decimals) {
@@ -239,22 +223,20 @@ std::string equal_share_lines(const SlipResult& slip) {
                       difference_line("  slip ratio", equal.slip_ratio, slip.slip_ratio, 6) +
                       ratio_line("  power lost", equal.power_loss, slip.power.total(), "W");
   if (equal.efficiency && slip.efficiency)
-    lines += difference_line("  efficiency, %", *equal.efficiency * per_si::percent,
-                             *slip.efficiency * per_si::percent, 2);
+    lines +=
+        difference_line("  efficiency, %", *equal.efficiency * per_si::percent, *slip.efficiency * per_si::percent, 2);
   return lines +
-         ratio_line("  most at a thread",
-                    std::max(equal.thread_power.screw, equal.thread_power.nut),
+         ratio_line("  most at a thread", std::max(equal.thread_power.screw, equal.thread_power.nut),
                     largest(slip, &InterfaceSlip::power), "W") +
-         ratio_line("  most at a thread", equal.max_power_density,
-                    largest(slip, &InterfaceSlip::power_density), "W/mm²");
+         ratio_line("  most at a thread", equal.max_power_density, largest(slip, &InterfaceSlip::power_density),
+                    "W/mm²");
 }
 
 std::string block(const LoadCaseResult& result, bool all) {
   if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
   const SlipResult& slip = *result.slip;
-  return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip, all) +
-         power_lines(slip) + heat_lines(result.heat) + range_lines(slip) + hottest_line(slip) +
-         (all ? equal_share_lines(slip) : "");
+  return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip, all) + power_lines(slip) +
+         heat_lines(result.heat) + range_lines(slip) + hottest_line(slip) + (all ? equal_share_lines(slip) : "");
 }
 
 // A case in a row.
@@ -278,17 +260,11 @@ constexpr CaseColumn kColumns[] = {
     {"force", "kN", false, force_cell},
     {"", "direction", true, direction_cell},
     {"speed", "rpm", false,
-     [](const LoadCaseResult& r) {
-       return fmt::format("{:.5g}", r.slip->speed * per_si::revolution_per_minute);
-     }},
-    {"slip", "ratio", false,
-     [](const LoadCaseResult& r) { return fixed(r.slip->slip_ratio, 1.0, 6); }},
-    {"effic.", "%", false,
-     [](const LoadCaseResult& r) { return fixed(r.slip->efficiency, per_si::percent, 2); }},
-    {"torque", "N m", false,
-     [](const LoadCaseResult& r) { return fixed(r.slip->torque_screw, "N m", 3); }},
-    {"lost", "W", false,
-     [](const LoadCaseResult& r) { return fixed(r.slip->power.total(), 1.0, 2); }},
+     [](const LoadCaseResult& r) { return fmt::format("{:.5g}", r.slip->speed * per_si::revolution_per_minute); }},
+    {"slip", "ratio", false, [](const LoadCaseResult& r) { return fixed(r.slip->slip_ratio, 1.0, 6); }},
+    {"effic.", "%", false, [](const LoadCaseResult& r) { return fixed(r.slip->efficiency, per_si::percent, 2); }},
+    {"torque", "N m", false, [](const LoadCaseResult& r) { return fixed(r.slip->torque_screw, "N m", 3); }},
+    {"lost", "W", false, [](const LoadCaseResult& r) { return fixed(r.slip->power.total(), 1.0, 2); }},
     {"screw", "%", false, share<&PowerBySource::screw>},
     {"nut", "%", false, share<&PowerBySource::nut>},
     {"hottest", "thread: W/mm²", true, hottest_cell},
@@ -316,18 +292,14 @@ std::string slip_table(const Result& result, bool all) {
 
 std::string slip_chart(const LoadCaseResult& result) {
   const std::string title = case_name_cell(result);
-  if (!has_slip(result))
-    return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
+  if (!has_slip(result)) return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
 
   const PerInterface<InterfaceSlip>& threads = result.slip->threads;
   const bool rollers = threads.screw.threads_per_roller > 0;
-  const auto power_of = [&](const InterfaceSlip& slip) {
-    return rollers ? power_of_rollers(slip) : slip.power;
-  };
+  const auto power_of = [&](const InterfaceSlip& slip) { return rollers ? power_of_rollers(slip) : slip.power; };
   const PerInterface<std::vector<double>> power = {power_of(threads.screw), power_of(threads.nut)};
   const double most = std::max(std::ranges::max(power.screw), std::ranges::max(power.nut));
-  return fmt::format("{}: power lost at each {}\n", title,
-                     rollers ? "roller" : "thread of a roller") +
+  return fmt::format("{}: power lost at each {}\n", title, rollers ? "roller" : "thread of a roller") +
          bar_chart(power, decimals_of(most), "W");
 }
 
@@ -359,8 +331,8 @@ std::string slip_csv(const Result& result, const CsvStyle& style) {
   scalar_header<SlipResult>(csv);
   scalar_header<SlipEstimates>(csv, "slip_ratio_");
   for (const PowerSource& source : kPowerSources) csv.text(fmt::format("{}_power_W", source.key));
-  csv.fields("hottest_interface", "hottest_thread", "hottest_thread_power_W",
-             "hottest_thread_power_density_W_per_mm2", "hottest_roller");
+  csv.fields("hottest_interface", "hottest_thread", "hottest_thread_power_W", "hottest_thread_power_density_W_per_mm2",
+             "hottest_roller");
   scalar_header<EqualShareSlip>(csv, "equal_shares_");
   csv.end_row();
 
@@ -375,8 +347,8 @@ std::string slip_csv(const Result& result, const CsvStyle& style) {
 std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
   CsvWriter csv(style);
   load_header(csv);
-  const bool all_rollers = std::ranges::any_of(
-      result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
+  const bool all_rollers =
+      std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
   if (all_rollers) csv.text("roller");
   csv.fields("interface", "thread", "axial_load_N");
   series_header<InterfaceSlip>(csv);
@@ -390,8 +362,7 @@ std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
         const auto row = static_cast<std::size_t>(slip.threads_per_roller);
         load_fields(csv, load_case.load_case);
         if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
-        csv.fields(name(i), row ? k % row + 1 : k + 1,
-                   entry((*load_case.threads)[i].axial_load, k));
+        csv.fields(name(i), row ? k % row + 1 : k + 1, entry((*load_case.threads)[i].axial_load, k));
         series_fields(csv, slip, k);
         csv.end_row();
       }
@@ -410,8 +381,7 @@ std::string part_column(std::string_view key, std::string_view part) {
 
 template <class Numbers>
 void part_header(CsvWriter& csv, std::string_view key) {
-  for (const Quantity<Numbers>& q : record_of<Numbers>().quantities)
-    csv.text(part_column(key, q.key));
+  for (const Quantity<Numbers>& q : record_of<Numbers>().quantities) csv.text(part_column(key, q.key));
 }
 
 }  // namespace
@@ -429,14 +399,11 @@ std::string heat_csv(const Result& result, const CsvStyle& style) {
     load_fields(csv, load_case.load_case);
     scalar_fields<HeatResult>(csv, &*load_case.heat);
     const HeatResult* heat = load_case.heat->converged() ? &*load_case.heat : nullptr;
-    const auto put = [&](const std::optional<PartNumbers>& n) {
-      scalar_fields<PartNumbers>(csv, n ? &*n : nullptr);
-    };
+    const auto put = [&](const std::optional<PartNumbers>& n) { scalar_fields<PartNumbers>(csv, n ? &*n : nullptr); };
     put(heat ? std::optional(celsius_of(heat->temperature)) : std::nullopt);
     const auto oil = heat && heat->oil ? std::optional(celsius_of(*heat->oil)) : std::nullopt;
     scalar_fields<InterfaceNumbers>(csv, oil ? &*oil : nullptr);
-    put(heat ? std::optional(PartNumbers{heat->heat.screw, heat->heat.roller, heat->heat.nut})
-             : std::nullopt);
+    put(heat ? std::optional(PartNumbers{heat->heat.screw, heat->heat.roller, heat->heat.nut}) : std::nullopt);
     csv.end_row();
   }
   return csv.take();

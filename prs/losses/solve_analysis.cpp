@@ -19,8 +19,7 @@ std::string motion_lines(const Result& result) {
     const std::string name = case_name_cell(r);
     if (const auto& t = r.full->travel; t && t->converged())
       text += fmt::format("\n{}: travel deviation e_0a {}, v_ua {}, v_2pia {}", name,
-                          fixed_with_unit(t->bands.mean, "µm", 3),
-                          fixed_with_unit(t->bands.variation, "µm", 3),
+                          fixed_with_unit(t->bands.mean, "µm", 3), fixed_with_unit(t->bands.variation, "µm", 3),
                           fixed_with_unit(t->bands.variation_one_turn, "µm", 3));
     if (const auto& m = r.full->modes; m && !m->modes.empty()) {
       text += fmt::format("\n{}: natural frequencies", name);
@@ -35,8 +34,7 @@ std::string motion_lines(const Result& result) {
 std::string solve_text(const Result& result) {
   std::string text = load_case_table(result) + motion_lines(result);
   if (result.load_cases.size() <= kMostCharts)
-    for (const LoadCaseResult& r : result.load_cases)
-      text.append("\n").append(load_distribution_chart(r));
+    for (const LoadCaseResult& r : result.load_cases) text.append("\n").append(load_distribution_chart(r));
   return text;
 }
 
@@ -46,8 +44,7 @@ std::string full_solve_text(const Result& result) {
     if (const auto name = factorization(r)) cases[*name].push_back(printable(r.load_case.name));
   std::string text = solve_text(result) + "\n";
   for (const auto& [name, names] : cases)
-    text += fmt::format("factorized by {}{}\n", name,
-                        cases.size() > 1 ? " in " + folded_names(names) : "");
+    text += fmt::format("factorized by {}{}\n", name, cases.size() > 1 ? " in " + folded_names(names) : "");
   return text;
 }
 
@@ -60,16 +57,15 @@ std::vector<Headline> overloads(const Result& result) {
     for (const LoadCaseResult& load : result.load_cases)
       if (const auto* rollers = load.threads ? &(*load.threads)[i].rollers : nullptr;
           rollers && *rollers && (*rollers)->overload_factor > worst.value)
-        worst = {std::move(worst.title), worst.key, (*rollers)->overload_factor,
-                 load.load_case.name};
+        worst = {std::move(worst.title), worst.key, (*rollers)->overload_factor, load.load_case.name};
     if (!worst.where.empty()) headlines.push_back(std::move(worst));
   }
   return headlines;
 }
 
-constexpr std::string_view kSolveResponses[] = {
-    "axial_displacement_um",     "axial_stiffness_N_per_um",    "screw.load_rate_percent.max",
-    "nut.load_rate_percent.max", "screw.peak_pressure_MPa.max", "nut.peak_pressure_MPa.max"};
+constexpr std::string_view kSolveResponses[] = {"axial_displacement_um",       "axial_stiffness_N_per_um",
+                                                "screw.load_rate_percent.max", "nut.load_rate_percent.max",
+                                                "screw.peak_pressure_MPa.max", "nut.peak_pressure_MPa.max"};
 
 }  // namespace
 
@@ -94,8 +90,7 @@ const Analysis<Result>& solve_analysis() {
       .full_table = full_solve_text,
       .notes = summary_of_warnings,
       .files = load_files,
-      .pictures = [](const Result& r,
-                     const Case& c) { return with_drawings(solve_pictures(r), c, r); },
+      .pictures = [](const Result& r, const Case& c) { return with_drawings(solve_pictures(r), c, r); },
       .converged = all_converged,
       .headlines =
           [](const Result& r) {

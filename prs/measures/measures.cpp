@@ -19,12 +19,10 @@ std::optional<double> normal_angle(const Conditions& c, const Contacts& contacts
   return contact.geometry.ok() ? std::optional(contact.normal_angle()) : std::nullopt;
 }
 
-std::optional<double> axial_hertz_coefficient(const Conditions& c, const Contacts& contacts,
-                                              Interface i) {
+std::optional<double> axial_hertz_coefficient(const Conditions& c, const Contacts& contacts, Interface i) {
   const std::optional<double> angle = normal_angle(c, contacts, i);
   if (!angle) return std::nullopt;
-  if (c.contact.hertz_constant[i])
-    return prs::axial_hertz_coefficient(*c.contact.hertz_constant[i], *angle);
+  if (c.contact.hertz_constant[i]) return prs::axial_hertz_coefficient(*c.contact.hertz_constant[i], *angle);
   const InterfaceContact& contact = contacts.interfaces[i];
   if (!contact.has_hertz()) return std::nullopt;
   return prs::axial_hertz_coefficient(contact.hertz.hertz_constant, *angle);
@@ -55,8 +53,7 @@ std::optional<double> smallest(std::initializer_list<std::optional<double>> valu
 }
 
 std::optional<double> largest(const std::vector<double>& values) {
-  return values.empty() ? std::nullopt
-                        : std::optional(*std::max_element(values.begin(), values.end()));
+  return values.empty() ? std::nullopt : std::optional(*std::max_element(values.begin(), values.end()));
 }
 
 /// Speed of the screw against the nut [rad/s], >= 0.
@@ -66,9 +63,7 @@ std::optional<double> speed_of(const Conditions& c, const LoadCase& load_case) {
   return speed ? std::optional(std::abs(*speed)) : std::nullopt;
 }
 
-bool runs(const Conditions& c, const LoadCase& load_case) {
-  return speed_of(c, load_case).value_or(0.0) > 0.0;
-}
+bool runs(const Conditions& c, const LoadCase& load_case) { return speed_of(c, load_case).value_or(0.0) > 0.0; }
 
 double gear_ratio(const Contacts& contacts) {
   return std::abs(contacts.threads.roller.lead / contacts.threads.screw.lead);
@@ -95,9 +90,7 @@ void find_stiffness(const Conditions& c, const Contacts& contacts, Measures& m) 
   const std::optional<double> width = options_of(c).loaded_width;
   for (const Part p : kParts) {
     m.section_stiffness[p] = section[p];
-    if (width)
-      m.tooth_stiffness[p] =
-          tooth_stiffness(contacts.mechanism, *c.structure, *c.materials, p, *width);
+    if (width) m.tooth_stiffness[p] = tooth_stiffness(contacts.mechanism, *c.structure, *c.materials, p, *width);
   }
 }
 
@@ -115,8 +108,7 @@ void find_dynamic_capacity(const Conditions& c, const Contacts& contacts, Measur
     }
   }
   if (c.life && c.life->dynamic_capacity)
-    m.dynamic_capacity = m.dynamic_capacity_low = m.dynamic_capacity_high =
-        c.life->dynamic_capacity;
+    m.dynamic_capacity = m.dynamic_capacity_low = m.dynamic_capacity_high = c.life->dynamic_capacity;
 }
 
 std::optional<double> stated_static_capacity(const Conditions& c) {
@@ -133,33 +125,29 @@ void find_static_capacity(const Conditions& c, const Contacts& contacts, Measure
     m.deformation_capacity[i] = product(limits.deformation, per_normal_load);
     m.interface_flank_edge_load[i] = product(limits.flank_edge, per_normal_load);
   }
-  m.flank_edge_load =
-      smallest({m.interface_flank_edge_load.screw, m.interface_flank_edge_load.nut});
+  m.flank_edge_load = smallest({m.interface_flank_edge_load.screw, m.interface_flank_edge_load.nut});
   m.static_capacity = stated_static_capacity(c);
   if (!m.static_capacity)
-    m.static_capacity = smallest({m.deformation_capacity.screw, m.deformation_capacity.nut,
-                                  m.pressure_capacity.screw, m.pressure_capacity.nut});
+    m.static_capacity = smallest(
+        {m.deformation_capacity.screw, m.deformation_capacity.nut, m.pressure_capacity.screw, m.pressure_capacity.nut});
 }
 
 /// Static rating of one interface with equal shares.
-std::optional<StaticRating> interface_static_rating(const Conditions& c, const Measures& m,
-                                                    Interface i) {
-  return static_rating(
-      {m.pressure_capacity[i], m.deformation_capacity[i], m.interface_flank_edge_load[i]},
-      stated_static_capacity(c));
+std::optional<StaticRating> interface_static_rating(const Conditions& c, const Measures& m, Interface i) {
+  return static_rating({m.pressure_capacity[i], m.deformation_capacity[i], m.interface_flank_edge_load[i]},
+                       stated_static_capacity(c));
 }
 
 /// Static rating of the mechanism with equal shares.
 std::optional<StaticRating> equal_shares_static_rating(const Conditions& c, const Measures& m) {
-  return smaller(interface_static_rating(c, m, Interface::screw),
-                 interface_static_rating(c, m, Interface::nut));
+  return smaller(interface_static_rating(c, m, Interface::screw), interface_static_rating(c, m, Interface::nut));
 }
 
 /// Inertias as seen at the part that turns, from the masses of the parts.
 void find_inertia(const Conditions& c, const Contacts& contacts, Measures& m) {
   const Mechanism& mechanism = contacts.mechanism;
-  const PerPart<std::optional<double>> density = {
-      c.materials->screw.density, c.materials->roller.density, c.materials->nut.density};
+  const PerPart<std::optional<double>> density = {c.materials->screw.density, c.materials->roller.density,
+                                                  c.materials->nut.density};
   m.nut_inertia = product(density.nut, nut_body(mechanism, c.structure->nut).polar_moment);
   std::optional<double> screw_weight;
   if (const auto shaft = options_of(c).shaft) {
@@ -172,13 +160,11 @@ void find_inertia(const Conditions& c, const Contacts& contacts, Measures& m) {
     m.travel_inertia = travel_inertia(*mass, mechanism.lead);
   if (density.roller && m.roller_ratio) {
     const RoundBody roller = roller_body(mechanism, c.structure->roller);
-    m.roller_inertia =
-        roller_inertia(mechanism.rollers, *density.roller * roller.volume,
-                       *density.roller * roller.polar_moment, *mechanism.centre_distance,
-                       ratios_to_frame(mechanism.type, {*m.roller_ratio, *m.carrier_ratio}));
+    m.roller_inertia = roller_inertia(mechanism.rollers, *density.roller * roller.volume,
+                                      *density.roller * roller.polar_moment, *mechanism.centre_distance,
+                                      ratios_to_frame(mechanism.type, {*m.roller_ratio, *m.carrier_ratio}));
   }
-  m.equivalent_inertia =
-      sum(m.roller_inertia, m.travel_inertia, standard ? m.screw_inertia : m.nut_inertia);
+  m.equivalent_inertia = sum(m.roller_inertia, m.travel_inertia, standard ? m.screw_inertia : m.nut_inertia);
 }
 
 void find_bodies(const Conditions& c, const Contacts& contacts, Measures& m) {
@@ -206,21 +192,18 @@ void find_shaft(const Conditions& c, const Contacts& contacts, Measures& m) {
   m.shaft_stiffness = section_stiffness(contacts.mechanism, *c.structure, *c.materials).screw *
                       axial_pitch(contacts.mechanism) / options.shaft->length;
   if (!(core.diameter > core.bore)) return;
-  m.buckling_load =
-      buckling_load(core, material.youngs_modulus, *options.shaft, options.yield_strength);
+  m.buckling_load = buckling_load(core, material.youngs_modulus, *options.shaft, options.yield_strength);
   if (material.density && contacts.mechanism.type == Mechanism::Type::standard)
-    m.critical_speed =
-        critical_speed(core, material.youngs_modulus, *material.density, *options.shaft);
+    m.critical_speed = critical_speed(core, material.youngs_modulus, *material.density, *options.shaft);
 }
 
-void find_load_stiffness(const Conditions& c, const Contacts& contacts, const Measures& measures,
-                         double force, LoadMeasures& m) {
+void find_load_stiffness(const Conditions& c, const Contacts& contacts, const Measures& measures, double force,
+                         LoadMeasures& m) {
   const int threads = contact_count(contacts.mechanism);
   PerInterface<std::optional<double>> coefficient;
   for (const Interface i : kInterfaces) {
     coefficient[i] = axial_hertz_coefficient(c, contacts, i);
-    if (coefficient[i])
-      m.hertz_stiffness[i] = thread_stiffness(force, threads, *coefficient[i], 0.0);
+    if (coefficient[i]) m.hertz_stiffness[i] = thread_stiffness(force, threads, *coefficient[i], 0.0);
   }
   const std::optional<double> both = sum(coefficient.screw, coefficient.nut);
   if (!both) return;
@@ -231,19 +214,18 @@ void find_load_stiffness(const Conditions& c, const Contacts& contacts, const Me
   m.thread_stiffness = thread_stiffness(force, threads, *both, teeth);
 }
 
-void find_yang_distribution(const Conditions& c, const Contacts& contacts,
-                            const LoadCase& load_case, LoadMeasures& m) {
+void find_yang_distribution(const Conditions& c, const Contacts& contacts, const LoadCase& load_case, LoadMeasures& m) {
   if (!c.structure || !c.materials || !load_case.direction || !load_case.position) return;
   const Structure::Thrust& sections = c.structure->nut.thrust;
   const std::optional<double>& thrust =
       *load_case.direction == Direction::tension ? sections.tension : sections.compression;
-  const auto coefficient = sum(axial_hertz_coefficient(c, contacts, Interface::screw),
-                               axial_hertz_coefficient(c, contacts, Interface::nut));
+  const auto coefficient =
+      sum(axial_hertz_coefficient(c, contacts, Interface::screw), axial_hertz_coefficient(c, contacts, Interface::nut));
   if (!thrust || !coefficient) return;
   const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
-  m.yang_load_rate = yang_distribution(
-      roller_force, *coefficient,
-      thread_gaps(contacts.mechanism, *c.structure, *c.materials, *thrust, *load_case.position));
+  m.yang_load_rate =
+      yang_distribution(roller_force, *coefficient,
+                        thread_gaps(contacts.mechanism, *c.structure, *c.materials, *thrust, *load_case.position));
   for (double& load : m.yang_load_rate) load /= roller_force;
   m.yang_largest_load_rate = largest(m.yang_load_rate);
 }
@@ -278,8 +260,7 @@ void find_most_loaded(const Conditions& c, const Contacts& contacts, const Measu
   }
   const std::optional<double> width = options_of(c).loaded_width;
   if (!width || !axial_load.screw || !axial_load.nut) return;
-  const PerPart<double> load = {*axial_load.screw, std::max(*axial_load.screw, *axial_load.nut),
-                                *axial_load.nut};
+  const PerPart<double> load = {*axial_load.screw, std::max(*axial_load.screw, *axial_load.nut), *axial_load.nut};
   for (const Part p : kParts) {
     ToothSection tooth = tooth_section(contacts.mechanism, p);
     if (const auto widths = thread_widths(thread_of(contacts.threads, p)))
@@ -300,9 +281,7 @@ class StaticRatings {
         load.share != LoadCase::Share::solved || !(load.axial_force > 0.0))
       return;
     const auto [known, is_new] = ratings_.try_emplace({*load.direction, *load.position});
-    if (is_new)
-      known->second =
-          solved_static_rating(c_, contacts_, *load.direction, *load.position, load.axial_force);
+    if (is_new) known->second = solved_static_rating(c_, contacts_, *load.direction, *load.position, load.axial_force);
     if (!known->second) return;
     m.solved_static_safety = known->second->force / load.axial_force;
     m.solved_static_safety_limit = known->second->limit;
@@ -316,8 +295,7 @@ class StaticRatings {
 
 }  // namespace
 
-std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& contacts,
-                                      const Measures& m) {
+std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& contacts, const Measures& m) {
   std::vector<Warning> warnings;
   const auto add = [&](const char* path, std::optional<Warning> warning) {
     if (!warning) return;
@@ -337,8 +315,7 @@ std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& conta
   return warnings;
 }
 
-std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& m,
-                                           const LoadMeasures& load_measures,
+std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& m, const LoadMeasures& load_measures,
                                            const LoadCaseResult& result) {
   std::vector<Warning> warnings;
   const std::string path = path_in(result.load_case, "axial_force");
@@ -361,8 +338,8 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& 
   }
   for (const Interface i : kInterfaces)
     if (!solved && m.interface_flank_edge_load[i] && m.static_capacity)
-      add(flank_edge_near(fmt::format("with equal shares, the {} ellipse", label(i)),
-                          *m.interface_flank_edge_load[i], *m.static_capacity, force),
+      add(flank_edge_near(fmt::format("with equal shares, the {} ellipse", label(i)), *m.interface_flank_edge_load[i],
+                          *m.static_capacity, force),
           fmt::format("{}_", name(i)));
   if (runs(c, result.load_case))
     for (const Interface i : kInterfaces)
@@ -370,13 +347,12 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& 
         add(running_pressure_warning(path, i, *load_measures.largest_peak_pressure[i]));
   if (load_measures.thread_stiffness && result.axial_stiffness &&
       *load_measures.thread_stiffness < *result.axial_stiffness)
-    warnings.push_back(
-        Warning{"measures.loaded_width", "soft_threads",
-                "the threads alone ({value}) come out softer than the whole screw of the model "
-                "({limit}), which has no such teeth: Yamamoto's count twice what Hertz has",
-                "leave out measures.loaded_width"}
-            .with(*load_measures.thread_stiffness, *result.axial_stiffness,
-                  text_unit::newton_per_micrometre, Warning::Worse::smaller));
+    warnings.push_back(Warning{"measures.loaded_width", "soft_threads",
+                               "the threads alone ({value}) come out softer than the whole screw of the model "
+                               "({limit}), which has no such teeth: Yamamoto's count twice what Hertz has",
+                               "leave out measures.loaded_width"}
+                           .with(*load_measures.thread_stiffness, *result.axial_stiffness,
+                                 text_unit::newton_per_micrometre, Warning::Worse::smaller));
   return warnings;
 }
 
@@ -391,9 +367,8 @@ Measures measures_of(const Conditions& c, const Contacts& contacts) {
   return m;
 }
 
-LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
-                              const Measures& measures, const LoadCaseResult& result,
-                              Detail detail) {
+LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts, const Measures& measures,
+                              const LoadCaseResult& result, Detail detail) {
   LoadMeasures m;
   const LoadCase& load_case = result.load_case;
   const double force = std::abs(load_case.axial_force), lead = contacts.mechanism.lead;
@@ -402,8 +377,7 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
   if (options_of(c).system && result.axial_stiffness)
     m.system_stiffness =
         system_stiffness(*result.axial_stiffness, *options_of(c).system,
-                         {*contacts.mechanism.pitch_diameter.screw, c.structure->screw.bore},
-                         c.materials->screw, lead);
+                         {*contacts.mechanism.pitch_diameter.screw, c.structure->screw.bore}, c.materials->screw, lead);
   if (detail == Detail::complete) find_yang_distribution(c, contacts, load_case, m);
   find_pressures(c, contacts, force, m);
   find_most_loaded(c, contacts, measures, result, m);
@@ -411,8 +385,7 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
     m.static_safety = rating->force / force;
     m.static_safety_limit = rating->limit;
   }
-  if (axial_force_on_nut(load_case) < 0.0)
-    m.buckling_safety = product(measures.buckling_load, 1.0 / force);
+  if (axial_force_on_nut(load_case) < 0.0) m.buckling_safety = product(measures.buckling_load, 1.0 / force);
 
   const std::optional<double> speed = speed_of(c, load_case);
   if (measures.dynamic_capacity) {
@@ -421,8 +394,7 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
     if (speed && *speed > 0.0) m.life_hours = *m.life * 2.0 * std::numbers::pi / *speed / 3600.0;
   }
   if (measures.efficiency) m.drive_torque = drive_torque(force, lead, *measures.efficiency);
-  if (detail == Detail::complete)
-    m.back_driving_efficiency = prs::back_driving_efficiency(c, contacts, result);
+  if (detail == Detail::complete) m.back_driving_efficiency = prs::back_driving_efficiency(c, contacts, result);
   if (speed && *speed > 0.0) m.speed_safety = ratio(measures.critical_speed, speed);
   const std::optional<ModesResult> none;
   const std::optional<ModesResult>& modes = result.full ? result.full->modes : none;
@@ -449,8 +421,8 @@ MeasuresResult measured(const Conditions& c, Result analysis, Detail detail) {
       result.load_measures.push_back(std::nullopt);
       continue;
     }
-    LoadMeasures& measures = *result.load_measures.emplace_back(
-        load_measures_of(c, contacts, result.measures, load_case, detail));
+    LoadMeasures& measures =
+        *result.load_measures.emplace_back(load_measures_of(c, contacts, result.measures, load_case, detail));
     if (detail != Detail::complete) continue;
     ratings.rate(load_case.load_case, measures);
     for (Warning& note : unusual_load_measures(c, result.measures, measures, load_case))
@@ -483,17 +455,15 @@ PlanetaryRatios planetary_ratios(Mechanism::Type type, double gear_ratio) {
   KinematicGeometry g;
   g.type = type;
   g.gear_ratio = gear_ratio;
-  const double slip_ratio = type == Mechanism::Type::standard
-                                ? (1.0 - 2.0 * gear_ratio) / (2.0 * (1.0 - gear_ratio))
-                                : 1.0 / (2.0 * (1.0 + gear_ratio));
+  const double slip_ratio = type == Mechanism::Type::standard ? (1.0 - 2.0 * gear_ratio) / (2.0 * (1.0 - gear_ratio))
+                                                              : 1.0 / (2.0 * (1.0 + gear_ratio));
   // With the nut at rest the carrier turns by the slip ratio.
   return {kinematics(g, 1.0, slip_ratio).roller_to_carrier + slip_ratio, slip_ratio};
 }
 
 PlanetaryRatios ratios_to_frame(Mechanism::Type type, const PlanetaryRatios& nut_at_rest) {
   const auto of = [&](double against_nut) {
-    return against_frame(type == Mechanism::Type::standard, against_nut, 1.0) /
-           turning_speed(type, 1.0);
+    return against_frame(type == Mechanism::Type::standard, against_nut, 1.0) / turning_speed(type, 1.0);
   };
   return {of(nut_at_rest.roller), of(nut_at_rest.carrier)};
 }
@@ -507,9 +477,7 @@ std::optional<double> back_driving_efficiency(double lead, double diameter, doub
   return efficiency > 0.0 ? std::optional(efficiency) : std::nullopt;
 }
 
-double drive_torque(double force, double lead, double efficiency) {
-  return force * velocity_ratio(lead) / efficiency;
-}
+double drive_torque(double force, double lead, double efficiency) { return force * velocity_ratio(lead) / efficiency; }
 
 double roller_inertia(int rollers, double mass, double inertia, double centre_distance,
                       const PlanetaryRatios& to_frame) {

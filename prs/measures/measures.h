@@ -31,10 +31,10 @@ inline RootStress root_stress(const ToothSection& tooth, double axial_load, doub
 /// documents show them, see prs/measures/measures.yaml.
 struct Measures {
   // Transmission
-  std::optional<double> velocity_ratio;  ///< Travel per angle of the screw against the nut [m/rad].
-  std::optional<double> roller_ratio;    ///< omega_R/omega_S, nut at rest, < 0.
-  std::optional<double> carrier_ratio;   ///< omega_C/omega_S, nut at rest.
-  std::optional<double> efficiency;      ///< Estimate, rotation into travel.
+  std::optional<double> velocity_ratio;           ///< Travel per angle of the screw against the nut [m/rad].
+  std::optional<double> roller_ratio;             ///< omega_R/omega_S, nut at rest, < 0.
+  std::optional<double> carrier_ratio;            ///< omega_C/omega_S, nut at rest.
+  std::optional<double> efficiency;               ///< Estimate, rotation into travel.
   std::optional<double> back_driving_efficiency;  ///< Estimate, travel into rotation; absent where
                                                   ///< self-locking.
   // Stiffness of the parts between two threads, all rollers together, and of a tooth at one contact
@@ -42,7 +42,7 @@ struct Measures {
   PerPart<std::optional<double>> section_stiffness;
   PerPart<std::optional<double>> tooth_stiffness;
   // Capacity of all contacts under equal shares
-  std::optional<double> geometry_factor, element_diameter;  ///< f_c; D_c [m].
+  std::optional<double> geometry_factor, element_diameter;                              ///< f_c; D_c [m].
   std::optional<double> dynamic_capacity, dynamic_capacity_low, dynamic_capacity_high;  ///< [N]
   /// Catalogue value where the case states one, else the least of the next four [N].
   std::optional<double> static_capacity;
@@ -55,8 +55,8 @@ struct Measures {
   std::optional<double> roller_weight, nut_weight, weight;  ///< All rollers; nut; both [kg].
   std::optional<double> screw_weight_per_length;            ///< [kg/m]
   std::optional<double> material_volume;                    ///< Material of rollers and nut [m^3].
-  std::optional<double> envelope_volume;  ///< Volume of the cylinder around the nut [m^3].
-  std::optional<double> force_density;    ///< C_a over the weight of rollers and nut [N/kg].
+  std::optional<double> envelope_volume;                    ///< Volume of the cylinder around the nut [m^3].
+  std::optional<double> force_density;                      ///< C_a over the weight of rollers and nut [N/kg].
   // Inertia as seen at the part that turns, the screw of a standard mechanism and the nut of an
   // inverted one, whose other part travels [kg m^2]
   std::optional<double> roller_inertia;      ///< Rollers: spin and orbit.
@@ -115,17 +115,14 @@ struct LoadMeasures {
 Measures measures_of(const Conditions& c, const Contacts& contacts);
 
 /// Warnings on measures that lie outside the range the formulas were made for.
-std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& contacts,
-                                      const Measures& measures);
+std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& contacts, const Measures& measures);
 /// What is unusual about a load case that converged and its measures.
 std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& measures,
-                                           const LoadMeasures& load_measures,
-                                           const LoadCaseResult& result);
+                                           const LoadMeasures& load_measures, const LoadCaseResult& result);
 
 /// Measures under the solved or equal loads of one load case.
-LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
-                              const Measures& measures, const LoadCaseResult& result,
-                              Detail detail = Detail::complete);
+LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts, const Measures& measures,
+                              const LoadCaseResult& result, Detail detail = Detail::complete);
 
 /// Everything that `analyze_measures` computes.
 struct MeasuresResult {
@@ -186,8 +183,7 @@ double efficiency(double lead, double screw_diameter, double friction_coefficien
 /// itself drives at 0.77 to 0.89, it misses a maker's values by -0.07 to +0.01 and those of slip by
 /// -0.06 to -0.03, as rolling and spinning contacts lose about the same share of the power both
 /// ways.
-std::optional<double> back_driving_efficiency(double lead, double screw_diameter,
-                                              double friction_coefficient);
+std::optional<double> back_driving_efficiency(double lead, double screw_diameter, double friction_coefficient);
 
 /// Torque [N m] that moves a load F [N] against its direction: F |l|/(2 pi eta).
 double drive_torque(double force, double lead, double efficiency);

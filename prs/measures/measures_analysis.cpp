@@ -21,17 +21,14 @@ ShownUnit row_unit(const ShownUnit& unit) {
 
 /// A number or a text; none where the measure is absent.
 template <class Owner>
-std::optional<std::string> measure_cell(const Quantity<Owner>& q,
-                                        const std::optional<Owner>& measures) {
+std::optional<std::string> measure_cell(const Quantity<Owner>& q, const std::optional<Owner>& measures) {
   if (!measures) return std::nullopt;
   if (q.value.number) {
     const std::optional<double> shown = shown_number(q, *measures);
-    return shown ? std::optional(significant(*shown * row_unit(q.unit).factor / q.unit.factor))
-                 : std::nullopt;
+    return shown ? std::optional(significant(*shown * row_unit(q.unit).factor / q.unit.factor)) : std::nullopt;
   }
   const auto json = q.value.json(*measures, q.unit);
-  return json.is_null() ? std::nullopt
-                        : std::optional(words_of_text(json.template get<std::string>()));
+  return json.is_null() ? std::nullopt : std::optional(words_of_text(json.template get<std::string>()));
 }
 
 /// The headings in the order of the table.
@@ -63,8 +60,7 @@ std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys&
         cells.push_back(shown.value_or(std::string(kAbsent)));
       }
       const std::string_view unit = row_unit(q.unit).text;
-      if (any)
-        rows += kRows(fmt::format("  {}{}{}", q.title, unit.empty() ? "" : ", ", unit), cells);
+      if (any) rows += kRows(fmt::format("  {}{}{}", q.title, unit.empty() ? "" : ", ", unit), cells);
     }
     if (!rows.empty()) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", group) + rows;
   }
@@ -72,15 +68,13 @@ std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys&
 }
 
 /// The parts of an axis that a case has, with their keys.
-std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> parts_of_axis(
-    const SystemStiffness& axis) {
+std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> parts_of_axis(const SystemStiffness& axis) {
   const SystemStiffness::Contributions& c = axis.contributions;
-  const std::optional<SystemStiffness::Contribution>* parts[] = {&c.mechanism, &c.shaft, &c.wind_up,
-                                                                 &c.support_bearing, &c.housing};
+  const std::optional<SystemStiffness::Contribution>* parts[] = {&c.mechanism, &c.shaft, &c.wind_up, &c.support_bearing,
+                                                                 &c.housing};
   std::vector<std::pair<std::string_view, SystemStiffness::Contribution>> all;
   for (std::size_t k = 0; k < std::size(parts); ++k)
-    if (*parts[k])
-      all.emplace_back(record_of<SystemStiffness::Contributions>().quantities[k].key, **parts[k]);
+    if (*parts[k]) all.emplace_back(record_of<SystemStiffness::Contributions>().quantities[k].key, **parts[k]);
   return all;
 }
 
@@ -90,37 +84,31 @@ std::string axis_rows(std::span<const std::optional<LoadMeasures>> owners) {
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;
   for (std::size_t k = 0; k < owners.size(); ++k) {
     const bool known = owners[k] && owners[k]->system_stiffness;
-    total.push_back(known ? significant(shown(owners[k]->system_stiffness->total, "N/µm"))
-                          : std::string(kAbsent));
+    total.push_back(known ? significant(shown(owners[k]->system_stiffness->total, "N/µm")) : std::string(kAbsent));
     if (!known) continue;
     for (const auto& [key, part] : parts_of_axis(*owners[k]->system_stiffness)) {
       const auto row = std::ranges::find(rows, key, [](const auto& r) { return r.first; });
       auto& cells = row == rows.end()
-                        ? rows.emplace_back(key, std::vector<std::string>(owners.size(),
-                                                                          std::string(kAbsent)))
-                              .second
+                        ? rows.emplace_back(key, std::vector<std::string>(owners.size(), std::string(kAbsent))).second
                         : row->second;
       cells[k] = significant(part.share * per_si::percent);
     }
   }
   if (rows.empty()) return {};
   std::string text = "\nThe axis\n" + kRows(with_table_unit("  all parts in series, N/µm"), total);
-  for (const auto& [key, cells] : rows)
-    text += kRows(fmt::format("  {}, % of the compliance", words_of(key)), cells);
+  for (const auto& [key, cells] : rows) text += kRows(fmt::format("  {}, % of the compliance", words_of(key)), cells);
   return text;
 }
 
 /// The load cases [first, last) side by side.
-std::string load_table(const MeasuresResult& result, std::size_t first, std::size_t last,
-                       const Keys& hidden) {
+std::string load_table(const MeasuresResult& result, std::size_t first, std::size_t last, const Keys& hidden) {
   std::vector<std::string> names, forces;
   for (std::size_t k = first; k < last; ++k) {
     const LoadCase& load = result.analysis.load_cases[k].load_case;
     names.push_back(shortened(printable(load.name), kRows.cell_width - 1));
     forces.push_back(significant(shown(load.axial_force, "kN")));
   }
-  const std::string text =
-      kRows("Load case", names) + kRows(with_table_unit("  force, kN"), forces);
+  const std::string text = kRows("Load case", names) + kRows(with_table_unit("  force, kN"), forces);
   const auto measures = std::span(result.load_measures).subspan(first, last - first);
   const std::string rows = group_rows(measures, hidden);
   return text + (rows.empty() ? "" : '\n' + rows) + axis_rows(measures);
@@ -135,9 +123,8 @@ template <class Owner>
 std::string explanations() {
   std::string text;
   for (const Quantity<Owner>& q : record_of<Owner>().quantities)
-    text += fmt::format("{}\n", q.key) + paragraph("", q.title) +
-            paragraph("formula: ", q.meaning) + paragraph("valid: ", q.validity) +
-            paragraph("source: ", q.source);
+    text += fmt::format("{}\n", q.key) + paragraph("", q.title) + paragraph("formula: ", q.meaning) +
+            paragraph("valid: ", q.validity) + paragraph("source: ", q.source);
   return text;
 }
 
@@ -167,14 +154,13 @@ std::string table_without(const MeasuresResult& result, const Keys& hidden) {
 /// Keys of estimates of what the result or another command computes.
 std::vector<std::string> estimates_in(const MeasuresResult& result) {
   const auto known = [&](auto member) {
-    return std::ranges::any_of(result.load_measures,
-                               [&](const auto& m) { return m && (*m).*member; });
+    return std::ranges::any_of(result.load_measures, [&](const auto& m) { return m && (*m).*member; });
   };
   const bool solved = known(&LoadMeasures::solved_static_safety);
-  const bool loaded = std::ranges::any_of(
-      result.analysis.load_cases, [](const LoadCaseResult& r) { return r.threads.has_value(); });
-  return estimates_beside({result.slips, result.lives, solved,
-                           solved || known(&LoadMeasures::thread_static_safety), loaded});
+  const bool loaded =
+      std::ranges::any_of(result.analysis.load_cases, [](const LoadCaseResult& r) { return r.threads.has_value(); });
+  return estimates_beside(
+      {result.slips, result.lives, solved, solved || known(&LoadMeasures::thread_static_safety), loaded});
 }
 
 /// With the estimates of what is computed.
@@ -182,14 +168,11 @@ std::string full_measures_table(const MeasuresResult& result) { return table_wit
 
 }  // namespace
 
-std::string measures_table(const MeasuresResult& result) {
-  return table_without(result, estimates_in(result));
-}
+std::string measures_table(const MeasuresResult& result) { return table_without(result, estimates_in(result)); }
 
 std::string measure_explanations() {
   return "Measures of the mechanism: `measures` in documents\n\n" + explanations<Measures>() +
-         "\nMeasures of a load case: `load_cases[].measures` in documents\n\n" +
-         explanations<LoadMeasures>();
+         "\nMeasures of a load case: `load_cases[].measures` in documents\n\n" + explanations<LoadMeasures>();
 }
 
 std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
@@ -202,8 +185,7 @@ std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
       const LoadMeasures& measures = *result.load_measures[k];
       add_rows(csv, name, measures);
       if (!measures.system_stiffness) continue;
-      csv.row(name, "system_stiffness.total_N_per_um", "N/µm",
-              shown(measures.system_stiffness->total, "N/µm"));
+      csv.row(name, "system_stiffness.total_N_per_um", "N/µm", shown(measures.system_stiffness->total, "N/µm"));
       for (const auto& [key, part] : parts_of_axis(*measures.system_stiffness)) {
         const std::string path = fmt::format("system_stiffness.contributions.{}", key);
         csv.row(name, path + ".stiffness_N_per_um", "N/µm", shown(part.stiffness, "N/µm"));
@@ -223,8 +205,7 @@ std::string yang_csv(const MeasuresResult& result, const CsvStyle& style) {
     const std::vector<double>& yang = result.load_measures[k]->yang_load_rate;
     for (std::size_t thread = 0; thread < yang.size(); ++thread) {
       load_fields(csv, solved.load_case);
-      csv.row(thread + 1, yang[thread] * per_si::percent,
-              solved.threads->screw.load_rate[thread] * per_si::percent,
+      csv.row(thread + 1, yang[thread] * per_si::percent, solved.threads->screw.load_rate[thread] * per_si::percent,
               solved.threads->nut.load_rate[thread] * per_si::percent);
     }
   }
@@ -254,9 +235,8 @@ std::vector<Compliance> body_compliances(const MeasuresResult& result) {
                      (part == Part::roller ? 2.0 : 1.0) / (*m.tooth_stiffness[part] * contacts)});
   for (const Part part : kParts)
     if (m.section_stiffness[part])
-      all.push_back(
-          {fmt::format("body over one pitch, {}", part == Part::roller ? "rollers" : title(part)),
-           1.0 / *m.section_stiffness[part]});
+      all.push_back({fmt::format("body over one pitch, {}", part == Part::roller ? "rollers" : title(part)),
+                     1.0 / *m.section_stiffness[part]});
   if (m.shaft_stiffness) all.push_back({"shaft of the screw", 1.0 / *m.shaft_stiffness});
   return all;
 }
@@ -267,8 +247,7 @@ std::vector<std::size_t> cases_with_contacts(const MeasuresResult& result) {
   for (const CaseGroup& group : group_cases(result.analysis.load_cases)) {
     const auto k = static_cast<std::size_t>(group.cases.back() - result.analysis.load_cases.data());
     const auto& measures = result.load_measures[k];
-    if (measures && measures->hertz_stiffness.screw && measures->hertz_stiffness.nut)
-      cases.push_back(k);
+    if (measures && measures->hertz_stiffness.screw && measures->hertz_stiffness.nut) cases.push_back(k);
   }
   return cases;
 }
@@ -304,8 +283,7 @@ Figures yang(const MeasuresResult& result) {
 /// Compliances: contacts that share each load equally, teeth, body sections of one pitch, the
 /// screw's shaft. They do not add up to that of the screw.
 Figures stiffness_terms(const MeasuresResult& result) {
-  Figure figure{"stiffness_terms",
-                "Stiffness terms: contacts with equal shares, bodies over one pitch"};
+  Figure figure{"stiffness_terms", "Stiffness terms: contacts with equal shares, bodies over one pitch"};
   std::vector<std::size_t> cases = cases_with_contacts(result);
   keep_first(cases, kMostBarCases, figure.title);
   const std::vector<Compliance> bodies = body_compliances(result);
@@ -318,19 +296,18 @@ Figures stiffness_terms(const MeasuresResult& result) {
   const auto bar = [&](Series& series, double at, double half, double compliance) {
     const double shown = compliance * kPerMicrometrePerKilonewton;
     series.parts.push_back(rectangle(0.0, shown, at - half, at + half));
-    if (cases.size() <= kMostLabelledCases)
-      panel.labels.push_back({fmt::format(" {:.3g}", shown), shown, at});
+    if (cases.size() <= kMostLabelledCases) panel.labels.push_back({fmt::format(" {:.3g}", shown), shown, at});
     widest = std::max(widest, shown);
   };
   const double thick = 0.8 / static_cast<double>(std::max<std::size_t>(cases.size(), 1));
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const LoadCase& load_case = result.analysis.load_cases[cases[c]].load_case;
-    Series bars{figure.add(fmt::format("{}, {:.4g} kN", shown_name(load_case.name),
-                                       load_case.axial_force * per_si::kilonewton),
-                           area_of(case_colour(c)))};
+    Series bars{
+        figure.add(fmt::format("{}, {:.4g} kN", shown_name(load_case.name), load_case.axial_force * per_si::kilonewton),
+                   area_of(case_colour(c)))};
     for (std::size_t i = 0; i < contacts; ++i)
-      bar(bars, rank_position(i, count) + 0.4 - (static_cast<double>(c) + 0.5) * thick,
-          0.46 * thick, 1.0 / *result.load_measures[cases[c]]->hertz_stiffness[kInterfaces[i]]);
+      bar(bars, rank_position(i, count) + 0.4 - (static_cast<double>(c) + 0.5) * thick, 0.46 * thick,
+          1.0 / *result.load_measures[cases[c]]->hertz_stiffness[kInterfaces[i]]);
     panel.series.push_back(std::move(bars));
   }
   for (std::size_t i = 0; i < contacts; ++i)
@@ -380,10 +357,9 @@ std::vector<OutputFile> measures_files(const MeasuresResult& r, const CsvStyle& 
 }
 
 Pictures measures_pictures(const MeasuresResult& r) {
-  return with(
-      {{"yang", "load cases that converged, and what Yang's formula needs", of_result(r, yang)},
-       {"stiffness_terms", "loads, structure or `shaft`", of_result(r, stiffness_terms)}},
-      solve_pictures(r.analysis));
+  return with({{"yang", "load cases that converged, and what Yang's formula needs", of_result(r, yang)},
+               {"stiffness_terms", "loads, structure or `shaft`", of_result(r, stiffness_terms)}},
+              solve_pictures(r.analysis));
 }
 
 std::vector<Headline> capacity(const MeasuresResult& r) {
@@ -394,13 +370,12 @@ std::vector<Headline> capacity(const MeasuresResult& r) {
 PageSection section(const MeasuresResult& r) {
   return {
       .in_cases = {{"measures",
-                    {"solved_static_safety", "solved_static_safety_limit", "thread_static_safety",
-                     "static_safety", "static_safety_limit", "buckling_safety", "speed_safety",
-                     "drive_torque_Nm", "system_stiffness"}}},
+                    {"solved_static_safety", "solved_static_safety_limit", "thread_static_safety", "static_safety",
+                     "static_safety_limit", "buckling_safety", "speed_safety", "drive_torque_Nm", "system_stiffness"}}},
       .in_document = {{"measures",
                        {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N", "weight_kg",
-                        "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2",
-                        "shaft_stiffness_N_per_um", "buckling_load_N", "critical_speed_rpm"}}},
+                        "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2", "shaft_stiffness_N_per_um",
+                        "buckling_load_N", "critical_speed_rpm"}}},
       .folded = {"yang", "stiffness_terms"},
       .estimates = estimates_in(r)};
 }

@@ -29,10 +29,8 @@ constexpr Quantity<SystemStiffness::Contributions> kContributions[] = {
     {"mechanism", of<&SystemStiffness::Contributions::mechanism>,
      "threads and bodies, the secant stiffness of the load case at rest"},
     {"shaft", of<&SystemStiffness::Contributions::shaft>, "stretch of the screw's shaft"},
-    {"wind_up", of<&SystemStiffness::Contributions::wind_up>,
-     "travel by which the shaft twists, without friction"},
-    {"support_bearing", of<&SystemStiffness::Contributions::support_bearing>,
-     "all bearings of the shaft together"},
+    {"wind_up", of<&SystemStiffness::Contributions::wind_up>, "travel by which the shaft twists, without friction"},
+    {"support_bearing", of<&SystemStiffness::Contributions::support_bearing>, "all bearings of the shaft together"},
     {"housing", of<&SystemStiffness::Contributions::housing>, "what holds the nut"},
 };
 
@@ -93,25 +91,20 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
     {.key = "yang_largest_load_rate_percent",
      .value = of<&LoadMeasures::yang_largest_load_rate>,
      .delivery = Reach::complete},
-    {"largest_load_rate_screw_percent",
-     of_side<&LoadMeasures::largest_load_rate, Interface::screw>},
+    {"largest_load_rate_screw_percent", of_side<&LoadMeasures::largest_load_rate, Interface::screw>},
     {"largest_load_rate_nut_percent", of_side<&LoadMeasures::largest_load_rate, Interface::nut>},
     {"largest_load_rate_percent", of<&largest_load_rate>},
     {"mean_peak_pressure_screw_MPa", of_side<&LoadMeasures::mean_peak_pressure, Interface::screw>},
     {"mean_peak_pressure_nut_MPa", of_side<&LoadMeasures::mean_peak_pressure, Interface::nut>},
-    {"largest_peak_pressure_screw_MPa",
-     of_side<&LoadMeasures::largest_peak_pressure, Interface::screw>},
-    {"largest_peak_pressure_nut_MPa",
-     of_side<&LoadMeasures::largest_peak_pressure, Interface::nut>},
+    {"largest_peak_pressure_screw_MPa", of_side<&LoadMeasures::largest_peak_pressure, Interface::screw>},
+    {"largest_peak_pressure_nut_MPa", of_side<&LoadMeasures::largest_peak_pressure, Interface::nut>},
     {"root_shear_stress_screw_MPa", of_side<&LoadMeasures::root_shear_stress, Part::screw>},
     {"root_shear_stress_roller_MPa", of_side<&LoadMeasures::root_shear_stress, Part::roller>},
     {"root_shear_stress_nut_MPa", of_side<&LoadMeasures::root_shear_stress, Part::nut>},
     {"root_bending_stress_screw_MPa", of_side<&LoadMeasures::root_bending_stress, Part::screw>},
     {"root_bending_stress_roller_MPa", of_side<&LoadMeasures::root_bending_stress, Part::roller>},
     {"root_bending_stress_nut_MPa", of_side<&LoadMeasures::root_bending_stress, Part::nut>},
-    {.key = "solved_static_safety",
-     .value = of<&LoadMeasures::solved_static_safety>,
-     .delivery = Reach::complete},
+    {.key = "solved_static_safety", .value = of<&LoadMeasures::solved_static_safety>, .delivery = Reach::complete},
     {"static_safety", of<&LoadMeasures::static_safety>},
     {"thread_static_safety", of<&LoadMeasures::thread_static_safety>},
     {"buckling_safety", of<&LoadMeasures::buckling_safety>},
@@ -128,16 +121,13 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
      .delivery = Reach::complete},
     {"static_safety_limit", of<&LoadMeasures::static_safety_limit>},
     {"thread_static_safety_limit", of<&LoadMeasures::thread_static_safety_limit>},
-    {.key = "yang_load_rate_percent",
-     .value = filled<&LoadMeasures::yang_load_rate>,
-     .delivery = Reach::complete},
+    {.key = "yang_load_rate_percent", .value = filled<&LoadMeasures::yang_load_rate>, .delivery = Reach::complete},
 };
 
 /// Texts by groups and keys.
 const input::Node& texts() {
   static const input::Node root = [] {
-    const input::Source source =
-        input::source_of_text("measures.yaml", std::string(measures_texts()), {});
+    const input::Source source = input::source_of_text("measures.yaml", std::string(measures_texts()), {});
     input::ErrorList errors(source);
     input::Node read = input::read_document(source, errors);
     errors.throw_if_any();
@@ -158,8 +148,8 @@ std::span<const Quantity<Owner>> with_texts(const Quantity<Owner> (&quantities)[
             const input::Node* found = input::find(*of, key);
             return found ? std::string_view(found->text) : "";
           };
-          told.push_back({q.key, q.value, text("meaning"), text("source"), text("title"), group.key,
-                          text("validity"), q.delivery});
+          told.push_back({q.key, q.value, text("meaning"), text("source"), text("title"), group.key, text("validity"),
+                          q.delivery});
         }
     return told;
   }();
@@ -174,27 +164,22 @@ std::vector<std::string> estimates_beside(const Computed& computed) {
     if (is_computed) keys.insert(keys.end(), estimates.begin(), estimates.end());
   };
   add(computed.slip, {"efficiency", "back_driving_efficiency", "drive_torque_Nm"});
-  add(computed.life,
-      {"static_capacity_N", "flank_edge_load_N", "l10_revolutions", "l10_hours", "l10_travel_km"});
+  add(computed.life, {"static_capacity_N", "flank_edge_load_N", "l10_revolutions", "l10_hours", "l10_travel_km"});
   add(computed.thread_safety, {"static_safety", "static_safety_limit"});
   add(computed.static_safety,
-      {"thread_static_safety", "thread_static_safety_limit", "static_capacity_N",
-       "deformation_capacity_screw_N", "deformation_capacity_nut_N", "pressure_capacity_screw_N",
-       "pressure_capacity_nut_N", "flank_edge_load_N", "flank_edge_load_screw_N",
-       "flank_edge_load_nut_N"});
-  add(computed.thread_loads, {"mean_peak_pressure_screw_MPa", "mean_peak_pressure_nut_MPa",
-                              "yang_largest_load_rate_percent"});
+      {"thread_static_safety", "thread_static_safety_limit", "static_capacity_N", "deformation_capacity_screw_N",
+       "deformation_capacity_nut_N", "pressure_capacity_screw_N", "pressure_capacity_nut_N", "flank_edge_load_N",
+       "flank_edge_load_screw_N", "flank_edge_load_nut_N"});
+  add(computed.thread_loads,
+      {"mean_peak_pressure_screw_MPa", "mean_peak_pressure_nut_MPa", "yang_largest_load_rate_percent"});
   return keys;
 }
 
-PRS_RECORD(SystemStiffness::Contribution, "StiffnessContribution",
-           "A part of an axis and its share of what gives way.", kContribution);
-PRS_RECORD(SystemStiffness::Contributions, "StiffnessContributions", "Parts of an axis in series.",
-           kContributions);
+PRS_RECORD(SystemStiffness::Contribution, "StiffnessContribution", "A part of an axis and its share of what gives way.",
+           kContribution);
+PRS_RECORD(SystemStiffness::Contributions, "StiffnessContributions", "Parts of an axis in series.", kContributions);
 PRS_RECORD(SystemStiffness, "SystemStiffness", "Axial stiffness of an axis.", kSystemStiffness);
-PRS_RECORD(Measures, "Measures", "Design measures of the mechanism that no load changes.",
-           with_texts(kMeasures));
-PRS_RECORD(LoadMeasures, "LoadMeasures", "Design measures under one load.",
-           with_texts(kLoadMeasures));
+PRS_RECORD(Measures, "Measures", "Design measures of the mechanism that no load changes.", with_texts(kMeasures));
+PRS_RECORD(LoadMeasures, "LoadMeasures", "Design measures under one load.", with_texts(kLoadMeasures));
 
 }  // namespace prs

@@ -30,8 +30,7 @@ double bending_root(Ends ends) {
 constexpr double kLargestResidual = 1e-9;
 
 /// Integral of dx/(E A) of the nut between two sections.
-double nut_compliance(const Structure::Nut& nut, double bore, double modulus, double from,
-                      double to) {
+double nut_compliance(const Structure::Nut& nut, double bore, double modulus, double from, double to) {
   if (!(to > from)) return 0.0;
   double length = to - from, compliance = 0.0;
   for (const Structure::Flange& f : nut.flanges) {
@@ -45,8 +44,8 @@ double nut_compliance(const Structure::Nut& nut, double bore, double modulus, do
 
 /// Loads of the threads by the approach of the last one; where their sum exceeds F on the way,
 /// those so far, which is enough for a bracket. Returns the sum.
-double find_loads(double last_approach, double force, double coefficient,
-                  std::span<const ThreadGap> gaps, std::span<double> loads) {
+double find_loads(double last_approach, double force, double coefficient, std::span<const ThreadGap> gaps,
+                  std::span<double> loads) {
   const auto load = [&](double approach) {
     if (!(approach > 0.0)) return 0.0;
     const double ratio = approach / coefficient;
@@ -66,8 +65,7 @@ double find_loads(double last_approach, double force, double coefficient,
 
 ShaftSection core_section(const Mechanism& m, const Structure::Screw& screw) {
   const std::optional<ThreadHeight>& thread = m.thread.screw;
-  const double depth =
-      thread ? thread->dedendum : default_root_depth(axial_pitch(m), m.flank_angle.screw);
+  const double depth = thread ? thread->dedendum : default_root_depth(axial_pitch(m), m.flank_angle.screw);
   return {*m.pitch_diameter.screw - 2.0 * depth, screw.bore};
 }
 
@@ -87,38 +85,32 @@ double effective_length_factor(Ends ends) {
   return 0.0;
 }
 
-double buckling_load(const ShaftSection& section, double modulus,
-                     const MeasureOptions::Shaft& shaft, std::optional<double> yield) {
+double buckling_load(const ShaftSection& section, double modulus, const MeasureOptions::Shaft& shaft,
+                     std::optional<double> yield) {
   const double area = ring_area(section.diameter, section.bore);
-  const double slenderness =
-      effective_length_factor(shaft.ends) * shaft.length / radius_of_gyration(section);
+  const double slenderness = effective_length_factor(shaft.ends) * shaft.length / radius_of_gyration(section);
   const double euler = pi * pi * modulus / (slenderness * slenderness);
   if (yield && euler > 0.5 * *yield) return area * *yield * (1.0 - 0.25 * *yield / euler);
   return area * euler;
 }
 
-double critical_speed(const ShaftSection& section, double modulus, double density,
-                      const MeasureOptions::Shaft& shaft) {
+double critical_speed(const ShaftSection& section, double modulus, double density, const MeasureOptions::Shaft& shaft) {
   const double wave_number = bending_root(shaft.ends) / shaft.length;
   return wave_number * wave_number * radius_of_gyration(section) * std::sqrt(modulus / density);
 }
 
-PerPart<double> section_stiffness(const Mechanism& m, const Structure& s,
-                                  const Materials& materials) {
+PerPart<double> section_stiffness(const Mechanism& m, const Structure& s, const Materials& materials) {
   const double pitch = axial_pitch(m);
   const auto rigidity = [&](Part p, double area) { return materials[p].youngs_modulus * area; };
   return {
       .screw = rigidity(Part::screw, ring_area(*m.pitch_diameter.screw, s.screw.bore)) / pitch,
-      .roller =
-          m.rollers * rigidity(Part::roller, disc_area(*m.pitch_diameter.roller)) / (2.0 * pitch),
+      .roller = m.rollers * rigidity(Part::roller, disc_area(*m.pitch_diameter.roller)) / (2.0 * pitch),
       .nut = rigidity(Part::nut, ring_area(s.nut.outer_diameter, *m.pitch_diameter.nut)) / pitch,
   };
 }
 
-double tooth_stiffness(const Mechanism& m, const Structure& s, const Materials& materials,
-                       Part part, double width) {
-  return width / yamamoto_deflection(tooth_section(m, part), materials[part],
-                                     *m.pitch_diameter[part],
+double tooth_stiffness(const Mechanism& m, const Structure& s, const Materials& materials, Part part, double width) {
+  return width / yamamoto_deflection(tooth_section(m, part), materials[part], *m.pitch_diameter[part],
                                      part == Part::nut ? s.nut.outer_diameter : 0.0)
                      .total();
 }
@@ -131,9 +123,8 @@ double thread_stiffness(double force, int threads, double coefficient, double to
   return threads / (coefficient / std::cbrt(force / threads) + tooth_compliance);
 }
 
-SystemStiffness system_stiffness(double mechanism, const MeasureOptions::System& system,
-                                 const ShaftSection& section, const Material& material,
-                                 double lead) {
+SystemStiffness system_stiffness(double mechanism, const MeasureOptions::System& system, const ShaftSection& section,
+                                 const Material& material, double lead) {
   SystemStiffness found;
   SystemStiffness::Contributions& c = found.contributions;
   double compliance = 0.0;
@@ -147,12 +138,11 @@ SystemStiffness system_stiffness(double mechanism, const MeasureOptions::System&
     const double length = shaft.length, x = shaft.from_bearing.value_or(0.0);
     const double modulus = material.youngs_modulus;
     const double shear_modulus = modulus / (2.0 * (1.0 + material.poisson_ratio));
-    const double polar =
-        std::numbers::pi / 32.0 * (std::pow(section.diameter, 4) - std::pow(section.bore, 4));
+    const double polar = std::numbers::pi / 32.0 * (std::pow(section.diameter, 4) - std::pow(section.bore, 4));
     add(c.shaft, modulus * ring_area(section.diameter, section.bore) /
                      (shaft.from_bearing ? x * (length - x) / length : length));
-    add(c.wind_up, shear_modulus * polar / shaft.torsion_length.value_or(length) *
-                       std::pow(2.0 * std::numbers::pi / lead, 2));
+    add(c.wind_up,
+        shear_modulus * polar / shaft.torsion_length.value_or(length) * std::pow(2.0 * std::numbers::pi / lead, 2));
   }
   if (system.support_bearing) add(c.support_bearing, *system.support_bearing);
   if (system.housing) add(c.housing, *system.housing);
@@ -162,12 +152,11 @@ SystemStiffness system_stiffness(double mechanism, const MeasureOptions::System&
   return found;
 }
 
-std::vector<ThreadGap> thread_gaps(const Mechanism& m, const Structure& s,
-                                   const Materials& materials, double thrust, double position) {
+std::vector<ThreadGap> thread_gaps(const Mechanism& m, const Structure& s, const Materials& materials, double thrust,
+                                   double position) {
   const double pitch = axial_pitch(m), bore = *m.pitch_diameter.nut;
   const double screw =
-      m.rollers * pitch /
-      (materials.screw.youngs_modulus * ring_area(*m.pitch_diameter.screw, s.screw.bore));
+      m.rollers * pitch / (materials.screw.youngs_modulus * ring_area(*m.pitch_diameter.screw, s.screw.bore));
   const auto nut = [&](double from, double to) {
     return m.rollers * nut_compliance(s.nut, bore, materials.nut.youngs_modulus, from, to);
   };
@@ -180,18 +169,14 @@ std::vector<ThreadGap> thread_gaps(const Mechanism& m, const Structure& s,
   return gaps;
 }
 
-std::vector<double> yang_distribution(double force, double coefficient,
-                                      std::span<const ThreadGap> gaps) {
+std::vector<double> yang_distribution(double force, double coefficient, std::span<const ThreadGap> gaps) {
   std::vector<double> loads(gaps.size() + 1);
-  const auto excess = [&](double w) {
-    return find_loads(w, force, coefficient, gaps, loads) / force - 1.0;
-  };
+  const auto excess = [&](double w) { return find_loads(w, force, coefficient, gaps, loads) / force - 1.0; };
   // Without approach of the last thread none carries; with twice that of F it carries more than F.
   const double greatest = 2.0 * coefficient * std::pow(force, 2.0 / 3.0);
   std::uintmax_t evaluations = 400;
-  const auto root =
-      boost::math::tools::toms748_solve(excess, 0.0, greatest, -1.0, excess(greatest),
-                                        boost::math::tools::eps_tolerance<double>(52), evaluations);
+  const auto root = boost::math::tools::toms748_solve(excess, 0.0, greatest, -1.0, excess(greatest),
+                                                      boost::math::tools::eps_tolerance<double>(52), evaluations);
   if (!(std::abs(excess(root.first)) < kLargestResidual)) return {};
   return loads;
 }

@@ -31,8 +31,8 @@ double effective_length_factor(MeasureOptions::Ends ends);
 /// Johnson's parabola touches Euler's hyperbola at s_y/2 and holds below the slenderness
 /// sqrt(2 pi^2 E/s_y); without the yield strength s_y [Pa] the load is Euler's at any length, too
 /// high for stocky shafts. No eccentricity, no safety factor.
-double buckling_load(const ShaftSection& section, double youngs_modulus,
-                     const MeasureOptions::Shaft& shaft, std::optional<double> yield_strength);
+double buckling_load(const ShaftSection& section, double youngs_modulus, const MeasureOptions::Shaft& shaft,
+                     std::optional<double> yield_strength);
 
 /// First bending frequency [rad/s] of the shaft as a uniform slender beam, its critical speed:
 ///
@@ -52,14 +52,13 @@ double critical_speed(const ShaftSection& section, double youngs_modulus, double
 ///     k_S = E A_S/p (3.2),   k_N = E A_N/p (3.1),   k_R = N_r E A_R/(2 p) (3.3)
 ///
 /// Jung 2017, section 3.1. (3.3) takes two pitches without a reason; the sector model has E A_R/p.
-PerPart<double> section_stiffness(const Mechanism& mechanism, const Structure& structure,
-                                  const Materials& materials);
+PerPart<double> section_stiffness(const Mechanism& mechanism, const Structure& structure, const Materials& materials);
 
 /// Axial stiffness of a part's tooth at one contact [N/m]: the width w of thread that a contact
 /// loads [m] over Yamamoto's deflection under 1 N/m, see `yamamoto_deflection`. What w is, theory
 /// does not say; Hertz's approach on top counts part of the deflection twice.
-double tooth_stiffness(const Mechanism& mechanism, const Structure& structure,
-                       const Materials& materials, Part part, double width);
+double tooth_stiffness(const Mechanism& mechanism, const Structure& structure, const Materials& materials, Part part,
+                       double width);
 
 /// Coefficient h [m/N^(2/3)] of the axial approach h F^(2/3) of roller and body under the axial
 /// load F of a thread, where neither moves radially. With N = F/cos(psi) = k_0 delta^(3/2) and
@@ -99,9 +98,8 @@ struct SystemStiffness {
 ///
 /// `mechanism`: the secant stiffness of the screw at rest [N/m]; `section`, `material`, `lead` l
 /// [m]: of the screw, d its pitch diameter. Without friction.
-SystemStiffness system_stiffness(double mechanism, const MeasureOptions::System& system,
-                                 const ShaftSection& section, const Material& material,
-                                 double lead);
+SystemStiffness system_stiffness(double mechanism, const MeasureOptions::System& system, const ShaftSection& section,
+                                 const Material& material, double lead);
 
 /// What lies between two neighbouring threads: axial compliances [m/N] of screw and nut under the
 /// loads of one roller, which shares their sections with the others (p N_r/(E A)).
@@ -114,8 +112,8 @@ struct ThreadGap {
 
 /// The gaps between the threads of the sector model's bars: screw from bore to pitch diameter, nut
 /// from pitch diameter to its outer diameter or that of its flanges.
-std::vector<ThreadGap> thread_gaps(const Mechanism& mechanism, const Structure& structure,
-                                   const Materials& materials, double thrust, double position);
+std::vector<ThreadGap> thread_gaps(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
+                                   double thrust, double position);
 
 /// Axial loads F_k [N] of the threads of one roller, thread 1 first, of sum F, after Yang (Jung
 /// 2017, (4.1) and (8.20), both misprinted). Each tooth of the roller is a ball between screw and
@@ -137,7 +135,6 @@ std::vector<ThreadGap> thread_gaps(const Mechanism& mechanism, const Structure& 
 /// All w_k follow from w_n, with which their sum of loads grows: one root, bracketed, found to
 /// rounding. Empty where rounding lets the sum miss F by more than 1e-9 F: loads that differ by
 /// many orders between the ends.
-std::vector<double> yang_distribution(double roller_force, double coefficient,
-                                      std::span<const ThreadGap> gaps);
+std::vector<double> yang_distribution(double roller_force, double coefficient, std::span<const ThreadGap> gaps);
 
 }  // namespace prs

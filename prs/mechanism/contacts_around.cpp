@@ -36,14 +36,12 @@ std::optional<VectorXd> gmres(Product product, const VectorXd& b, double toleran
     }
     h[k + 1] = next.norm();
     basis.col(k + 1) = next / h[k + 1];
-    for (Index i = 0; i < k; ++i)
-      h.applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
+    for (Index i = 0; i < k; ++i) h.applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
     rotations.emplace_back().makeGivens(h[k], h[k + 1]);
     h.applyOnTheLeft(k, k + 1, rotations.back().adjoint());
     right.applyOnTheLeft(k, k + 1, rotations.back().adjoint());
     if (std::abs(right[k + 1]) > tolerance * size) continue;
-    const VectorXd shares =
-        r.topLeftCorner(k + 1, k + 1).triangularView<Eigen::Upper>().solve(right.head(k + 1));
+    const VectorXd shares = r.topLeftCorner(k + 1, k + 1).triangularView<Eigen::Upper>().solve(right.head(k + 1));
     return VectorXd(basis.leftCols(k + 1) * shares);
   }
   return std::nullopt;
@@ -74,8 +72,7 @@ class Around {
     }
     load_.resize(motions_);
     for (std::size_t w = 0; w < given.waves.size(); ++w)
-      motions(load_, w) =
-          given.waves[w].load.cwiseQuotient(units(w, options.force, options.length));
+      motions(load_, w) = given.waves[w].load.cwiseQuotient(units(w, options.force, options.length));
     hertz_ = MatrixXd::Zero(contacts_, rollers_);
     for (Index j = 0; j < rollers_; ++j)
       if (given.present[static_cast<std::size_t>(j)])
@@ -90,9 +87,7 @@ class Around {
     MatrixXd approach_left;  ///< What the first equation lacks, one column for each wave.
     VectorXd force_left;     ///< What the second one lacks.
 
-    double largest() const {
-      return std::max(approach_left.cwiseAbs().maxCoeff(), force_left.cwiseAbs().maxCoeff());
-    }
+    double largest() const { return std::max(approach_left.cwiseAbs().maxCoeff(), force_left.cwiseAbs().maxCoeff()); }
     double square() const { return approach_left.squaredNorm() + force_left.squaredNorm(); }
   };
 
@@ -110,8 +105,7 @@ class Around {
     state.y = s.y / options_.length;
     state.motion.resize(motions_);
     for (std::size_t w = 0; w < s.motion.size(); ++w)
-      motions(state.motion, w) =
-          s.motion[w].cwiseQuotient(units(w, options_.length, options_.force));
+      motions(state.motion, w) = s.motion[w].cwiseQuotient(units(w, options_.length, options_.force));
     return state;
   }
   void evaluate(State& s) const {
@@ -136,17 +130,16 @@ class Around {
   bool left_is_rounding(const State& s) const {
     const MatrixXd shapes = shapes_.cwiseAbs(), load = s.load * shapes;
     const MatrixXd approach = s.y.cwiseAbs() * shapes + gap_.cwiseAbs();
-    const double share = 0.5 * std::numeric_limits<double>::epsilon() *
-                         static_cast<double>(contacts_ + rollers_ + motions_);
+    const double share =
+        0.5 * std::numeric_limits<double>::epsilon() * static_cast<double>(contacts_ + rollers_ + motions_);
     for (std::size_t w = 0; w < first_.size(); ++w) {
       const ContactsAround::Mode& m = mode_of(w);
       const VectorXd v = motions(s.motion, w).cwiseAbs();
       const MatrixXd rigid = m.rigid.cwiseAbs();
       const auto at = static_cast<Index>(w);
-      const VectorXd approaches =
-          approach.col(at) + m.flexibility.cwiseAbs() * load.col(at) + rigid * v;
-      const VectorXd forces = motions(load_, w).cwiseAbs() + rigid.transpose() * load.col(at) +
-                              m.support.cwiseAbs() * v;
+      const VectorXd approaches = approach.col(at) + m.flexibility.cwiseAbs() * load.col(at) + rigid * v;
+      const VectorXd forces =
+          motions(load_, w).cwiseAbs() + rigid.transpose() * load.col(at) + m.support.cwiseAbs() * v;
       if ((s.approach_left.col(at).cwiseAbs() - share * approaches).maxCoeff() > 0.0 ||
           (motions(s.force_left, w).cwiseAbs() - share * forces).maxCoeff() > 0.0)
         return false;
@@ -157,8 +150,7 @@ class Around {
   /// Slopes for the steps to come, of present rollers at least `least` times the first stiffness.
   void take(const MatrixXd& slope, double least) {
     const MatrixXd counted = slope.cwiseMax(
-        stiffness() *
-        (hertz_.array() > 0.0).select(MatrixXd::Constant(contacts_, rollers_, least), kMissing));
+        stiffness() * (hertz_.array() > 0.0).select(MatrixXd::Constant(contacts_, rollers_, least), kMissing));
     const VectorXd mean = counted.rowwise().mean();
     apart_ = counted.array().colwise() / mean.array() - 1.0;
     alike_ = apart_.cwiseAbs().maxCoeff() < 1e-14;
@@ -166,8 +158,7 @@ class Around {
     for (const ContactsAround::Mode& m : modes_) {
       const Index of_motions = m.rigid.cols();
       MatrixXd matrix(contacts_ + of_motions, contacts_ + of_motions);
-      matrix << m.flexibility * mean.asDiagonal(), -m.rigid,
-          m.rigid.transpose() * mean.asDiagonal(), m.support;
+      matrix << m.flexibility * mean.asDiagonal(), -m.rigid, m.rigid.transpose() * mean.asDiagonal(), m.support;
       matrix.diagonal().head(contacts_).array() += 1.0;
       inverse_.push_back(matrix.partialPivLu().inverse());
     }
@@ -189,9 +180,8 @@ class Around {
     const MatrixXd y = unlike(alike, tolerance);
     const MatrixXd more = apart_.cwiseProduct(y) * shapes_;
     for (std::size_t w = 0; w < first_.size(); ++w)
-      motions(motion, w) +=
-          inverse_[given_.waves[w].mode].bottomLeftCorner(mode_of(w).rigid.cols(), contacts_) *
-          more.col(static_cast<Index>(w));
+      motions(motion, w) += inverse_[given_.waves[w].mode].bottomLeftCorner(mode_of(w).rigid.cols(), contacts_) *
+                            more.col(static_cast<Index>(w));
     return {y, motion};
   }
 
@@ -200,8 +190,7 @@ class Around {
     solution.y = s.y * options_.length;
     solution.normal_load = s.load * options_.force;
     for (std::size_t w = 0; w < first_.size(); ++w)
-      solution.motion.push_back(
-          motions(s.motion, w).cwiseProduct(units(w, options_.length, options_.force)));
+      solution.motion.push_back(motions(s.motion, w).cwiseProduct(units(w, options_.length, options_.force)));
     return solution;
   }
   Index first_of(const WaveMotion& m) const { return first_[m.wave] + m.motion; }
@@ -209,9 +198,7 @@ class Around {
   MatrixXd no_approach() const { return MatrixXd::Zero(contacts_, shapes_.cols()); }
 
  private:
-  const ContactsAround::Mode& mode_of(std::size_t wave) const {
-    return modes_[given_.waves[wave].mode];
-  }
+  const ContactsAround::Mode& mode_of(std::size_t wave) const { return modes_[given_.waves[wave].mode]; }
   template <class Vector>
   Eigen::VectorBlock<Vector> motions(Vector& all, std::size_t wave) const {
     return all.segment(first_[wave], mode_of(wave).rigid.cols());
@@ -249,11 +236,9 @@ class Around {
       return VectorXd((y + by_slopes(y)).reshaped());
     };
     const VectorXd right = alike.reshaped();
-    if (const auto found = gmres(product, right, tolerance, options_.most_directions))
-      return as_rollers(*found);
+    if (const auto found = gmres(product, right, tolerance, options_.most_directions)) return as_rollers(*found);
     MatrixXd dense(right.size(), right.size());
-    for (Index k = 0; k < right.size(); ++k)
-      dense.col(k) = product(VectorXd(VectorXd::Unit(right.size(), k)));
+    for (Index k = 0; k < right.size(); ++k) dense.col(k) = product(VectorXd(VectorXd::Unit(right.size(), k)));
     return as_rollers(VectorXd(dense.partialPivLu().solve(right)));
   }
 
@@ -303,8 +288,7 @@ ContactsAroundSolution solve(const ContactsAround& contacts, const ContactsAroun
       if (trial.square() <= (1.0 - 1e-4 * share) * before) break;
     }
     if (halvings > options.max_halvings) {
-      summary.status = around.left_is_rounding(at) ? fe::NewtonStatus::converged
-                                                   : fe::NewtonStatus::line_search_failed;
+      summary.status = around.left_is_rounding(at) ? fe::NewtonStatus::converged : fe::NewtonStatus::line_search_failed;
       break;
     }
     at = std::move(trial);
@@ -326,11 +310,9 @@ MatrixXd compliance(const ContactsAround& contacts, const ContactsAroundSolution
   for (Index j = 0; j < count; ++j) {
     const auto rate =
         around.step(around.no_approach(),
-                    VectorXd::Unit(around.motion_count(),
-                                   around.first_of(motions[static_cast<std::size_t>(j)])),
+                    VectorXd::Unit(around.motion_count(), around.first_of(motions[static_cast<std::size_t>(j)])),
                     options.tolerance);
-    for (Index i = 0; i < count; ++i)
-      rates(i, j) = rate.second[around.first_of(motions[static_cast<std::size_t>(i)])];
+    for (Index i = 0; i < count; ++i) rates(i, j) = rate.second[around.first_of(motions[static_cast<std::size_t>(i)])];
   }
   return options.length / options.force * rates;
 }

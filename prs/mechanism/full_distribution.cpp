@@ -45,8 +45,7 @@ template <class T>
 std::vector<T> for_each_spring(const FullModel& f, const PerInterface<T>& value) {
   std::vector<T> values;
   for (std::size_t r = 0; r < f.present.size(); ++r)
-    for (const Interface i : kInterfaces)
-      values.insert(values.end(), static_cast<std::size_t>(f.threads()), value[i]);
+    for (const Interface i : kInterfaces) values.insert(values.end(), static_cast<std::size_t>(f.threads()), value[i]);
   return values;
 }
 
@@ -63,19 +62,16 @@ fe::NewtonOptions newton_options(const FullModel& f) {
 /// A solved state with all that is read off it.
 class Solution {
  public:
-  Solution(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
-           const fe::State& q)
+  Solution(const FullModel& f, const FullStructure& s, const fe::Equations& equations, const fe::State& q)
       : f_(f), s_(s), equations_(equations), q_(q) {
     const std::vector<double> elastic = equations.nodal_forces(q);
     needed_.assign(static_cast<std::size_t>(s.model.nodes) * fe::kDofsPerNode, 0.0);
     for (int node = 0; node < s.model.nodes; ++node)
       for (const Dof dof : {Dof::u, Dof::v, Dof::theta})
-        if (const int n = equations.number(node, dof); n >= 0)
-          needed(node, dof) = elastic[static_cast<std::size_t>(n)];
+        if (const int n = equations.number(node, dof); n >= 0) needed(node, dof) = elastic[static_cast<std::size_t>(n)];
     for (std::size_t k = 0; k < s.model.form_springs.size(); ++k) {
       const double force = equations.response(q, static_cast<int>(k)).force;
-      for (const fe::Term& t : s.model.form_springs[k].approach)
-        needed(t.node, t.dof) += t.coefficient * force;
+      for (const fe::Term& t : s.model.form_springs[k].approach) needed(t.node, t.dof) += t.coefficient * force;
     }
     for (const fe::NodalLoad& load : s.loads) needed(load.node, load.dof) -= load.value;
   }
@@ -114,8 +110,7 @@ class Solution {
           const double force = equations_.response(q_, spring).force;
           d.normal_load[i][number][k] = force;
           d.approach[i][number][k] = equations_.law_approach(q_, spring);
-          d.largest_opening[i] =
-              std::max(d.largest_opening[i], -equations_.net_approach(q_, spring));
+          d.largest_opening[i] = std::max(d.largest_opening[i], -equations_.net_approach(q_, spring));
           if (i == Interface::screw) carried += force * f_.sector.cosine[i];
         }
       if (carried <= kUnloaded * share) d.idle_rollers.push_back(f_.present[r].number);
@@ -162,9 +157,7 @@ class Solution {
     }
   }
 
-  double outer_face(std::size_t ring) const {
-    return ring == 0 ? f_.roller_ends.first : f_.roller_ends.last;
-  }
+  double outer_face(std::size_t ring) const { return ring == 0 ? f_.roller_ends.first : f_.roller_ends.last; }
   /// `arm`: of the force along x.
   static void add(RingForce& ring, const FullModel::Roller& roller, double force, double arm) {
     const double y = force * std::cos(roller.azimuth), z = force * std::sin(roller.azimuth);
@@ -184,8 +177,7 @@ class Solution {
     add_springs(s_.housing);
     for (const FullStructure::Support& bearing : s_.bearings) add_springs(bearing);
     d.nut = support(s_.housing);
-    for (const FullStructure::Support& bearing : s_.bearings)
-      d.bearings.push_back(support(bearing));
+    for (const FullStructure::Support& bearing : s_.bearings) d.bearings.push_back(support(bearing));
   }
   SupportForce support(const FullStructure::Support& s) {
     const auto force = [&](const FullStructure::Held& held) {
@@ -204,9 +196,8 @@ class Solution {
 
 /// K and B'tB condensed to the freedoms of the loaded section; false where K is singular to
 /// rounding.
-bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
-              fe::NewtonSolver& solver, const Linearised& linear, double near,
-              FullDistribution& d) {
+bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations, fe::NewtonSolver& solver,
+              const Linearised& linear, double near, FullDistribution& d) {
   const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
   const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
                                             {end.y_plane, Dof::v, 1.0},
@@ -230,8 +221,7 @@ bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
   d.screw_end.compliance.resize(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index j = 0; j < count; ++j)
-      d.screw_end.compliance(i, j) =
-          loads[static_cast<std::size_t>(i)].dot(rates[static_cast<std::size_t>(j)]);
+      d.screw_end.compliance(i, j) = loads[static_cast<std::size_t>(i)].dot(rates[static_cast<std::size_t>(j)]);
   d.screw_end.compliance(0, 0) += f.offset_compliance();
   d.screw_end.stiffness = d.screw_end.compliance.inverse();
   d.tangent_stiffness = 1.0 / axial_compliance(d.screw_end, f.load.eccentricity);
@@ -239,8 +229,7 @@ bool condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
 }
 
 std::string why_left_out(const FreeMotions& free) {
-  return fmt::format("with the loaded threads alone a motion of {} meets no resistance",
-                     free.parts.front());
+  return fmt::format("with the loaded threads alone a motion of {} meets no resistance", free.parts.front());
 }
 
 /// Idle rollers bend between the rings that they tie to each other; along the axis, where nothing
@@ -293,9 +282,8 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
     return;
   }
   Assembled* of_pinned = d.idle_rollers.empty() ? nullptr : &take(pinned.model, kept_pinned);
-  const bool done =
-      of_pinned ? condense(f, pinned, of_pinned->equations, of_pinned->newton, linear, near, d)
-                : condense(f, s, equations, solver, linear, near, d);
+  const bool done = of_pinned ? condense(f, pinned, of_pinned->equations, of_pinned->newton, linear, near, d)
+                              : condense(f, s, equations, solver, linear, near, d);
   if (!done) with_near_nodes_joined();
 }
 
@@ -309,8 +297,7 @@ Linearised linearised(const FullModel& f, const FullDistribution& d) {
     for (const Interface i : kInterfaces)
       for (std::size_t k = 0; k < static_cast<std::size_t>(f.threads()); ++k) {
         const auto j = static_cast<std::size_t>(r.number);
-        const fe::PowerLawSpring law{f.sector.hertz_constant[i], 0.0,
-                                     f.sector.contact_compliance(i, k)};
+        const fe::PowerLawSpring law{f.sector.hertz_constant[i], 0.0, f.sector.contact_compliance(i, k)};
         const double approach = std::min(d.approach[i][j][k], fe::largest_deflection(law));
         l.tangent.push_back(idle ? 0.0 : fe::response_in_series(law, approach).tangent);
         l.closed.push_back(!idle && d.normal_load[i][j][k] * f.sector.cosine[i] > share);
@@ -323,8 +310,7 @@ double axial_compliance(const ScrewEnd& end, const Lateral& eccentricity) {
   const std::array<double, 5> load{1.0, 0.0, 0.0, eccentricity.z, -eccentricity.y};
   double compliance = 0.0;
   for (std::size_t k = 0; k < end.freedoms.size(); ++k)
-    compliance += end.compliance(0, static_cast<Eigen::Index>(k)) *
-                  load[static_cast<std::size_t>(end.freedoms[k])];
+    compliance += end.compliance(0, static_cast<Eigen::Index>(k)) * load[static_cast<std::size_t>(end.freedoms[k])];
   return compliance;
 }
 
@@ -432,8 +418,7 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
     if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
       q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
   };
-  if (std::optional<fe::State> near =
-          goes_on ? parts_->onwards(load) : parts_->nearest(force, load))
+  if (std::optional<fe::State> near = goes_on ? parts_->onwards(load) : parts_->nearest(force, load))
     q = std::move(*near);
   else
     from_linear();
@@ -445,15 +430,13 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
     parts_->keep(force, q);
     for (std::size_t k = 0; k < s.per_force.size(); ++k)
       for (const fe::NodalLoad& of : s.per_force[k])
-        s.loads.push_back(
-            {of.node, of.dof, equations.response(q, static_cast<int>(k)).force * of.value});
+        s.loads.push_back({of.node, of.dof, equations.response(q, static_cast<int>(k)).force * of.value});
     Solution(f, s, equations, q).read(d);
     return d;
   }
   const bool is_trial = !f.push.empty() && f.push.front().is_trial;
   if (is_trial) options.max_iterations = kMostOfTrial;
-  d.solve = solver.solve(load, options, q,
-                         [&] { return !is_trial && load_left(f, s) <= kSurelyNotHeld; });
+  d.solve = solver.solve(load, options, q, [&] { return !is_trial && load_left(f, s) <= kSurelyNotHeld; });
   if (is_trial && !d.solve.converged()) return d;
   if (goes_on && !d.solve.converged() && !parts_->last.empty()) {
     parts_->last.clear();
@@ -475,8 +458,7 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   if (start_ != FullStart::linear) parts_->keep(force, q);
   Solution(f, s, equations, q).read(d);
   if (detail == Detail::complete)
-    add_compliance(f, s, equations, solver, parts_->pinned,
-                   start_ == FullStart::onwards ? kNearTangent : 0.0, d);
+    add_compliance(f, s, equations, solver, parts_->pinned, start_ == FullStart::onwards ? kNearTangent : 0.0, d);
   return d;
 }
 
@@ -489,11 +471,9 @@ SymmetricLoads symmetric_loads(const FullModel& f, const LoadDistribution& d) {
   SymmetricLoads s{d.axial_displacement, d.tangent_stiffness, {}};
   if (f.housing.axial < kRigid) {
     s.axial_displacement += f.axial_force / f.housing.axial;
-    if (s.tangent_stiffness)
-      s.tangent_stiffness = 1.0 / (1.0 / *s.tangent_stiffness + 1.0 / f.housing.axial);
+    if (s.tangent_stiffness) s.tangent_stiffness = 1.0 / (1.0 / *s.tangent_stiffness + 1.0 / f.housing.axial);
   }
-  for (const Interface i : kInterfaces)
-    s.largest_normal_load[i] = std::ranges::max(d.normal_load[i]);
+  for (const Interface i : kInterfaces) s.largest_normal_load[i] = std::ranges::max(d.normal_load[i]);
   return s;
 }
 
@@ -509,9 +489,8 @@ class Collector {
     orbit_.positions = wanted.steps * f.rollers;
     orbit_.exponent = wanted.exponent;
     for (const Interface i : kInterfaces) {
-      orbit_.loads[i].equivalent = orbit_.loads[i].peak =
-          RollerThreads(static_cast<std::size_t>(f.rollers),
-                        std::vector<double>(static_cast<std::size_t>(f.threads()), 0.0));
+      orbit_.loads[i].equivalent = orbit_.loads[i].peak = RollerThreads(
+          static_cast<std::size_t>(f.rollers), std::vector<double>(static_cast<std::size_t>(f.threads()), 0.0));
       orbit_.loads[i].least = std::numeric_limits<double>::infinity();
     }
   }
@@ -523,8 +502,7 @@ class Collector {
     for (const Interface i : kInterfaces) {
       OrbitLoads& loads = orbit_.loads[i];
       const int first = (f_.present.front().number + shift) % f_.rollers;
-      loads.first_roller.push_back(
-          std::ranges::max(d.normal_load[i][static_cast<std::size_t>(first)]));
+      loads.first_roller.push_back(std::ranges::max(d.normal_load[i][static_cast<std::size_t>(first)]));
       for (const FullModel::Roller& r : f_.present) {
         const auto j = static_cast<std::size_t>(r.number);
         const auto from = static_cast<std::size_t>((r.number + shift) % f_.rollers);
@@ -564,30 +542,26 @@ class Collector {
 }  // namespace
 
 Orbit orbit(const std::function<FullModel(double)>& model,
-            const std::function<FullDistribution(const FullModel&)>& solver,
-            const SpatialLoad::Orbit& wanted, double carrier_angle, OrbitSymmetry symmetry) {
+            const std::function<FullDistribution(const FullModel&)>& solver, const SpatialLoad::Orbit& wanted,
+            double carrier_angle, OrbitSymmetry symmetry) {
   const FullModel first = model(carrier_angle);
   const int positions = wanted.steps * first.rollers;
   const auto angle = [&](int m) { return carrier_angle + 2.0 * std::numbers::pi * m / positions; };
   const int different = symmetry.alike ? wanted.steps : positions;
-  const auto solved_at = [&](int m) {
-    return static_cast<std::size_t>(symmetry.round ? 0 : m % different);
-  };
+  const auto solved_at = [&](int m) { return static_cast<std::size_t>(symmetry.round ? 0 : m % different); };
   std::vector<FullDistribution> solved;
   std::vector<double> displacement;
   for (int m = 0; m < different; ++m) {
     if (solved_at(m) == solved.size()) solved.push_back(solver(model(angle(m))));
     if (const FullDistribution& d = solved.back(); !d.solve.converged()) {
       Orbit failed;
-      failed.failure = {angle(m),
-                        d.reason.empty() ? std::string(fe::name(d.solve.status)) : d.reason};
+      failed.failure = {angle(m), d.reason.empty() ? std::string(fe::name(d.solve.status)) : d.reason};
       return failed;
     }
     displacement.push_back(solved[solved_at(m)].axial_displacement);
   }
   Collector collector(first, wanted);
-  for (int m = 0; m < positions; ++m)
-    collector.add(solved[solved_at(m)], symmetry.round ? 0 : m / different, angle(m));
+  for (int m = 0; m < positions; ++m) collector.add(solved[solved_at(m)], symmetry.round ? 0 : m / different, angle(m));
   return std::move(collector).finished(std::move(displacement));
 }
 

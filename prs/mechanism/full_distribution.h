@@ -137,7 +137,7 @@ struct OrbitSymmetry {
 /// The carrier at carrier_angle + 2 pi m/(steps N), m < steps N. `model` makes the mechanism at a
 /// carrier angle.
 Orbit orbit(const std::function<FullModel(double)>& model,
-            const std::function<FullDistribution(const FullModel&)>& solver,
-            const SpatialLoad::Orbit& wanted, double carrier_angle, OrbitSymmetry symmetry);
+            const std::function<FullDistribution(const FullModel&)>& solver, const SpatialLoad::Orbit& wanted,
+            double carrier_angle, OrbitSymmetry symmetry);
 
 }  // namespace prs

@@ -14,8 +14,8 @@ constexpr int kMostFaceRounds = 10;
 constexpr double kIdle = 1e-6;
 
 /// The middles of rings that a body carries, within the body.
-std::vector<double> ring_sections(const FullModel& f, Rings::Carrier body,
-                                  const std::vector<BodyPiece>& pieces, double origin) {
+std::vector<double> ring_sections(const FullModel& f, Rings::Carrier body, const std::vector<BodyPiece>& pieces,
+                                  double origin) {
   std::vector<double> sections;
   if (f.carrier != body) return sections;
   for (const double x : guide_places(f))
@@ -41,8 +41,7 @@ double component(const Lateral& l, bool sine) { return sine ? l.z : l.y; }
 /// screw first, of which waves of order 1 take cos(theta_j) or sin(theta_j) times sqrt(N/2).
 class Assembly {
  public:
-  Assembly(const FullModel& f, const FullBodies& bodies)
-      : f_(f), threads_(f.threads()), arm_(f.sector.roller_radius) {
+  Assembly(const FullModel& f, const FullBodies& bodies) : f_(f), threads_(f.threads()), arm_(f.sector.roller_radius) {
     const Index contacts = 2 * threads_;
     screw_ = nut_ = MatrixXd::Zero(contacts, 3);
     lines_.resize(contacts, 2);
@@ -60,9 +59,8 @@ class Assembly {
 
   ContactsAroundOptions options() const {
     ContactsAroundOptions o;
-    const double contact =
-        f_.axial_force / (static_cast<double>(f_.present.size()) * f_.threads() *
-                          std::max(f_.sector.cosine.screw, f_.sector.cosine.nut));
+    const double contact = f_.axial_force / (static_cast<double>(f_.present.size()) * f_.threads() *
+                                             std::max(f_.sector.cosine.screw, f_.sector.cosine.nut));
     o.force = f_.axial_force;
     o.length = std::pow(contact / problem.hertz_constant.mean(), 2.0 / 3.0);
     o.stiffness = contact / o.length;
@@ -87,8 +85,7 @@ class Assembly {
     Lateral turning;
     for (const FullModel::Roller& r : f_.present) {
       const Eigen::Vector3d push = nut_.transpose() * s.normal_load.col(r.number);
-      nut.force +=
-          Eigen::Vector3d(push[0], push[1] * std::cos(r.azimuth), push[1] * std::sin(r.azimuth));
+      nut.force += Eigen::Vector3d(push[0], push[1] * std::cos(r.azimuth), push[1] * std::sin(r.azimuth));
       turning.y += push[2] * std::cos(r.azimuth);
       turning.z += push[2] * std::sin(r.azimuth);
     }
@@ -120,9 +117,7 @@ class Assembly {
   }
 
  private:
-  Index row(Interface i, int thread) const {
-    return (i == Interface::screw ? 0 : threads_) + thread;
-  }
+  Index row(Interface i, int thread) const { return (i == Interface::screw ? 0 : threads_) + thread; }
   /// Rings that move against what carries them.
   Index floating() const { return f_.floating_rings() ? 2 : 0; }
   /// Of the waves of order 1, where reactions begin: across the axis, slope, each roller along its
@@ -145,8 +140,7 @@ class Assembly {
         roller_[row(i, k)] = -sign * along;
         // v of a line through both guides, and theta.
         const double at_far = (x - near) / (far - near), turn = -along * arm_ / (far - near);
-        lines_.row(row(i, k)) << -sign * across * (1.0 - at_far) - turn,
-            -sign * across * at_far + turn;
+        lines_.row(row(i, k)) << -sign * across * (1.0 - at_far) - turn, -sign * across * at_far + turn;
         problem.hertz_constant[row(i, k)] = f_.sector.hertz_constant[i];
       }
   }
@@ -164,14 +158,11 @@ class Assembly {
     }
     rigid_stations_ = MatrixXd::Zero(freedoms, 2);
     for (Index k = 0; k < freedoms; k += 2)
-      rigid_stations_.middleRows(k, 2) << 1.0, stations_[static_cast<std::size_t>(k / 2)] / arm_,
-          0.0, 1.0;
+      rigid_stations_.middleRows(k, 2) << 1.0, stations_[static_cast<std::size_t>(k / 2)] / arm_, 0.0, 1.0;
     Index freedom = 2 * rings_on_screw();
     for (const Bearing& b : f_.bearings) {
       if (b.lateral > 0.0) held_.push_back({freedom, b.lateral, b.offset});
-      if (b.tilt > 0.0)
-        held_.push_back(
-            {freedom + 1, b.tilt / (arm_ * arm_), {arm_ * b.angle.z, -arm_ * b.angle.y}});
+      if (b.tilt > 0.0) held_.push_back({freedom + 1, b.tilt / (arm_ * arm_), {arm_ * b.angle.z, -arm_ * b.angle.y}});
       freedom += 2;
     }
     loads_ = {MatrixXd::Zero(freedoms, 1), MatrixXd::Zero(freedoms, 1)};
@@ -228,28 +219,22 @@ class Assembly {
   /// contacts approach: as motions they keep the digits that their flexibility would lose.
   ContactsAround::Mode bending(MatrixXd flexibility) const {
     const double count = amplitude() * amplitude();
-    const auto add = [&](const MatrixXd& by, double c) {
-      flexibility += c * count * by * by.transpose();
-    };
+    const auto add = [&](const MatrixXd& by, double c) { flexibility += c * count * by * by.transpose(); };
     add(nut_.col(1), 1.0 / f_.housing.lateral);
     add(nut_.col(2), arm_ * arm_ / f_.housing.tilt);
     if (bodies_of_rings_) {
       const std::array<Index, 2> displacements{0, 2};
       MatrixXd coupling = MatrixXd::Zero(2 * threads_, 2);
-      (f_.carrier == Rings::Carrier::screw ? coupling.topRows(threads_)
-                                           : coupling.bottomRows(threads_)) =
+      (f_.carrier == Rings::Carrier::screw ? coupling.topRows(threads_) : coupling.bottomRows(threads_)) =
           bodies_of_rings_->coupling(Eigen::all, displacements);
       const MatrixXd mixed = lines_ * coupling.transpose();
-      flexibility += count * (lines_ * bodies_of_rings_->sections(displacements, displacements) *
-                                  lines_.transpose() -
+      flexibility += count * (lines_ * bodies_of_rings_->sections(displacements, displacements) * lines_.transpose() -
                               mixed - mixed.transpose());
     }
     const auto held = static_cast<Index>(held_.size());
     const Index first = first_reaction(), all = first + held;
-    ContactsAround::Mode mode{std::move(flexibility), MatrixXd(2 * threads_, all),
-                              MatrixXd::Zero(all, all), held};
-    mode.rigid.leftCols(first) << amplitude() * screw_.rightCols(2), roller_,
-        amplitude() * lines_.leftCols(floating());
+    ContactsAround::Mode mode{std::move(flexibility), MatrixXd(2 * threads_, all), MatrixXd::Zero(all, all), held};
+    mode.rigid.leftCols(first) << amplitude() * screw_.rightCols(2), roller_, amplitude() * lines_.leftCols(floating());
     mode.support.diagonal().segment(3, floating()).setConstant(f_.ring_stiffness);
     for (Index a = 0; a < held; ++a) {
       const Held& at = held_[static_cast<std::size_t>(a)];
@@ -257,8 +242,7 @@ class Assembly {
       mode.support.block(first + a, 0, 1, 2) = -rigid_stations_.row(at.freedom);
       mode.support.block(0, first + a, 2, 1) = -rigid_stations_.row(at.freedom).transpose();
       for (Index b = 0; b < held; ++b)
-        mode.support(first + a, first + b) =
-            -between_stations_(at.freedom, held_[static_cast<std::size_t>(b)].freedom);
+        mode.support(first + a, first + b) = -between_stations_(at.freedom, held_[static_cast<std::size_t>(b)].freedom);
       mode.support(first + a, first + a) -= 1.0 / at.stiffness;
     }
     return mode;
@@ -275,14 +259,11 @@ class Assembly {
       if (const double size = w.shape.norm(); size > 0.0) w.shape /= size;
       problem.waves.push_back(std::move(w));
     };
-    const auto angle = [n](std::size_t m, int j) {
-      return 2.0 * std::numbers::pi * static_cast<double>(m) * j / n;
-    };
+    const auto angle = [n](std::size_t m, int j) { return 2.0 * std::numbers::pi * static_cast<double>(m) * j / n; };
     wave(0, [](int) { return 1.0; });
     for (std::size_t m = 1; 2 * m <= static_cast<std::size_t>(n); ++m) {
       wave(m, [&](int j) { return std::cos(angle(m, j)); });
-      if (2 * m < static_cast<std::size_t>(n))
-        wave(m, [&](int j) { return std::sin(angle(m, j)); });
+      if (2 * m < static_cast<std::size_t>(n)) wave(m, [&](int j) { return std::sin(angle(m, j)); });
     }
     if (n == 2) {  // No contact resists motions across both rollers, bearings alone do.
       ContactsAround::Mode alone = problem.modes[1];
@@ -301,15 +282,12 @@ class Assembly {
     const SpatialLoad& l = f_.load;
     const Lateral side = l.side_force.at ? Lateral{} : l.side_force.value;
     const Lateral moment = l.moment.at ? Lateral{} : l.moment.value;
-    const Lateral turning{(moment.z - force * l.eccentricity.y) / arm_,
-                          (-moment.y - force * l.eccentricity.z) / arm_};
+    const Lateral turning{(moment.z - force * l.eccentricity.y) / arm_, (-moment.y - force * l.eccentricity.z) / arm_};
     const MatrixXd& on_stations = loads_[sine];
-    load.head(2) << component(turned(side, l.carrier_angle), sine),
-        component(turned(turning, l.carrier_angle), sine);
+    load.head(2) << component(turned(side, l.carrier_angle), sine), component(turned(turning, l.carrier_angle), sine);
     load.head(2) += rigid_stations_.transpose() * on_stations;
     for (std::size_t a = 0; a < held_.size(); ++a) {
-      load[first_reaction() + static_cast<Index>(a)] =
-          -component(turned(held_[a].rest, l.carrier_angle), sine);
+      load[first_reaction() + static_cast<Index>(a)] = -component(turned(held_[a].rest, l.carrier_angle), sine);
       if (on_stations.size() > 0)
         load[first_reaction() + static_cast<Index>(a)] +=
             between_stations_.row(held_[a].freedom).dot(on_stations.col(0));
@@ -324,11 +302,10 @@ class Assembly {
       problem.present[static_cast<std::size_t>(r.number)] = true;
       auto gap = problem.gap.col(r.number);
       for (const Interface i : kInterfaces)
-        for (int k = 0; k < f_.threads(); ++k)
-          gap[row(i, k)] = r.gaps[i][static_cast<std::size_t>(k)];
+        for (int k = 0; k < f_.threads(); ++k) gap[row(i, k)] = r.gaps[i][static_cast<std::size_t>(k)];
       gap -= lines_ * Eigen::Vector2d(r.ring_offset[0], r.ring_offset[1]);
-      gap -= along(f_.load.nut_offset, r.azimuth) * nut_.col(1) +
-             arm_ * along(rigid_slope(f_), r.azimuth) * nut_.col(2);
+      gap -=
+          along(f_.load.nut_offset, r.azimuth) * nut_.col(1) + arm_ * along(rigid_slope(f_), r.azimuth) * nut_.col(2);
       const double theta = r.azimuth - f_.load.carrier_angle;
       gap -= std::cos(theta) * by_loads[0] + std::sin(theta) * by_loads[1];
     }
@@ -340,8 +317,7 @@ class Assembly {
   }
   bool is_held_at_end(double Bearing::*stiffness) const {
     return std::ranges::any_of(f_.bearings, [&](const Bearing& b) {
-      return b.*stiffness == kRigid &&
-             std::abs(b.position - f_.loaded_section) <= kSamePlace * f_.sector.nut_length;
+      return b.*stiffness == kRigid && std::abs(b.position - f_.loaded_section) <= kSamePlace * f_.sector.nut_length;
     });
   }
 
@@ -399,9 +375,9 @@ class Assembly {
   VectorXd roller_;       ///< By that of the roller along its axis.
   MatrixXd lines_;        ///< By displacements of the near and the far ring outwards.
   std::vector<double> stations_;
-  MatrixXd by_stations_;       ///< Approaches by loads on the screw's stations.
-  MatrixXd between_stations_;  ///< What these do to the stations.
-  MatrixXd rigid_stations_;    ///< What motions of the loaded section across and slope do there.
+  MatrixXd by_stations_;           ///< Approaches by loads on the screw's stations.
+  MatrixXd between_stations_;      ///< What these do to the stations.
+  MatrixXd rigid_stations_;        ///< What motions of the loaded section across and slope do there.
   std::array<MatrixXd, 2> loads_;  ///< On the stations, for the waves cos and sin.
   std::vector<Held> held_;
   const FlexibilityAround* bodies_of_rings_ = nullptr;
@@ -422,34 +398,29 @@ std::vector<double> screw_stations(const FullModel& f) {
   return x;
 }
 
-std::vector<double> nut_stations(const FullModel& f) {
-  return ring_sections(f, Rings::Carrier::nut, f.nut, 0.0);
-}
+std::vector<double> nut_stations(const FullModel& f) { return ring_sections(f, Rings::Carrier::nut, f.nut, 0.0); }
 
-FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
-                       const PerInterface<ContactLaw>& laws, const FullModel& f,
-                       MatrixCache& cache) {
+FullBodies full_bodies(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                       const FullModel& f, MatrixCache& cache) {
   const Direction direction = f.sense() < 0.0 ? Direction::tension : Direction::compression;
   const BodyGeometry geometry = influence_geometry(c, contacts, laws, direction);
   const FlexibilityOptions options = flexibility_options(c.model.accuracy);
   try {
-    const BodyFlexibilities alike =
-        body_flexibilities(geometry, direction, f.sector.position, options, cache);
+    const BodyFlexibilities alike = body_flexibilities(geometry, direction, f.sector.position, options, cache);
     return {screw_around(geometry, direction, screw_stations(f), options, cache),
-            nut_around(geometry, direction, f.sector.position, nut_stations(f), options, cache),
-            alike.roller.matrix, alike.nut.face};
+            nut_around(geometry, direction, f.sector.position, nut_stations(f), options, cache), alike.roller.matrix,
+            alike.nut.face};
   } catch (const std::invalid_argument& reason) {
-    throw CaseError("model.bodies",
-                    fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or fix "
-                                "the geometry",
-                                reason.what()));
+    throw CaseError("model.bodies", fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or fix "
+                                                "the geometry",
+                                                reason.what()));
   }
 }
 
 double lifting_moment(const Structure::Nut& nut, const SupportForce& seat) {
   const auto [before, behind] = nut_diameters_at(nut, seat.position);
-  const Structure::Shoulder ring = nut.shoulder.value_or(
-      Structure::Shoulder{std::min(before, behind), std::max(before, behind)});
+  const Structure::Shoulder ring =
+      nut.shoulder.value_or(Structure::Shoulder{std::min(before, behind), std::max(before, behind)});
   const double inner = 0.5 * ring.inner_diameter, outer = 0.5 * ring.outer_diameter;
   return std::abs(seat.force[0]) * (outer * outer + inner * inner) / (4.0 * outer);
 }
@@ -466,8 +437,7 @@ FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail deta
   if (bodies.face && s.converged()) {
     const ThrustFace& face = *bodies.face;
     const ThrustFace::Touching all = face.all();
-    ThrustFace::Touching touching =
-        face.touching_under(VectorXd::Ones(f.threads()), all).value_or(all);
+    ThrustFace::Touching touching = face.touching_under(VectorXd::Ones(f.threads()), all).value_or(all);
     bool settled = false;
     for (int round = 0; round < kMostFaceRounds && s.converged(); ++round) {
       const auto now = face.touching_under(a.mean_nut_load(s.normal_load), touching);

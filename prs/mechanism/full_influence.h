@@ -23,9 +23,8 @@ std::vector<double> screw_stations(const FullModel& model);
 std::vector<double> nut_stations(const FullModel& model);
 
 /// From finite elements. Throws CaseError where a body cannot be meshed.
-FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
-                       const PerInterface<ContactLaw>& laws, const FullModel& model,
-                       MatrixCache& cache = shared_matrix_cache());
+FullBodies full_bodies(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                       const FullModel& model, MatrixCache& cache = shared_matrix_cache());
 
 /// Moment on the seat of a nut from which on its shoulder, a ring from r_i to r_o under linear
 /// pressure, is free of it on one side: F (r_o^2 + r_i^2)/(4 r_o) [N m].
@@ -41,8 +40,7 @@ double lifting_moment(const Structure::Nut& nut, const SupportForce& seat);
 /// that carries it are those of the line's equilibrium. w_0 is a displaced seat of the nut, rollers
 /// out of place, and how loads behind the loaded section bend the screw. Reactions of bearings are
 /// unknowns next to U.
-FullDistribution solve(const FullModel& model, const FullBodies& bodies,
-                       Detail detail = Detail::complete);
+FullDistribution solve(const FullModel& model, const FullBodies& bodies, Detail detail = Detail::complete);
 
 /// Contacts of N rollers around the axis, which differ in their gaps only, on elastic bodies:
 ///
@@ -111,7 +109,6 @@ ContactsAroundSolution solve(const ContactsAround& contacts, const ContactsAroun
 
 /// Tangent at a solution: rates of some motions by unit forces on them.
 Eigen::MatrixXd compliance(const ContactsAround& contacts, const ContactsAroundSolution& solution,
-                           const ContactsAroundOptions& options,
-                           const std::vector<WaveMotion>& motions);
+                           const ContactsAroundOptions& options, const std::vector<WaveMotion>& motions);
 
 }  // namespace prs

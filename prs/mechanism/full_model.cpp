@@ -38,13 +38,10 @@ struct Shift {
 /// which it moves as it tilts.
 Shift shift_of(const TurningThread& t, double alpha, double xi, double middle, double arm) {
   const double tilt = t.wobble.amount * std::cos(alpha - t.wobble.angle);
-  Shift s{t.eccentricity.amount * std::cos(alpha - t.eccentricity.angle) +
-              tilt * (xi - t.wobble_at.value_or(middle)),
+  Shift s{t.eccentricity.amount * std::cos(alpha - t.eccentricity.angle) + tilt * (xi - t.wobble_at.value_or(middle)),
           t.per_300_mm * xi / 0.3 - arm * tilt};
-  for (const LeadHarmonic& h : t.harmonics)
-    s.axial += h.amplitude * std::sin(h.order * alpha + h.phase);
-  for (const LeadWave& w : t.waves)
-    s.axial += w.amplitude * std::sin(2.0 * std::numbers::pi * xi / w.length + w.phase);
+  for (const LeadHarmonic& h : t.harmonics) s.axial += h.amplitude * std::sin(h.order * alpha + h.phase);
+  for (const LeadWave& w : t.waves) s.axial += w.amplitude * std::sin(2.0 * std::numbers::pi * xi / w.length + w.phase);
   if (t.measured) s.axial += measured_at(*t.measured, xi);
   return s;
 }
@@ -53,9 +50,7 @@ Shift shift_of(const TurningThread& t, double alpha, double xi, double middle, d
 /// the nut.
 Shift shift_of(const TurningRollers& t, std::size_t j, Interface i, double spin, double from_middle,
                double roller_radius) {
-  const auto turned = [&](const TurningRollers::Error& e) {
-    return e.amount.of(j) * std::cos(spin + e.angle.of(j));
-  };
+  const auto turned = [&](const TurningRollers::Error& e) { return e.amount.of(j) * std::cos(spin + e.angle.of(j)); };
   const bool screw = i == Interface::screw;
   const double tilt = turned(t.wobble);
   Shift s{turned(t.eccentricity) + tilt * from_middle, (screw ? 1.0 : -1.0) * roller_radius * tilt};
@@ -88,8 +83,7 @@ PerInterface<std::vector<double>> gaps_of(const ThreadsOfAll& all, std::size_t j
   if (all.unlike()) {
     Deviations own = all.d;
     if (!all.d.roller_diameters.empty()) own.roller_diameter = all.d.roller_diameters[j];
-    if (!all.d.pitch_error.roller.lists.empty())
-      own.pitch_error.roller.list = all.d.pitch_error.roller.lists[j];
+    if (!all.d.pitch_error.roller.lists.empty()) own.pitch_error.roller.list = all.d.pitch_error.roller.lists[j];
     roller = thread_offsets(m, own, all.materials, Part::roller);
   }
   const Turning& turning = all.d.turning;
@@ -105,16 +99,14 @@ PerInterface<std::vector<double>> gaps_of(const ThreadsOfAll& all, std::size_t j
     ThreadOffsets body = all.body[i], of_roller = roller;
     const std::vector<double>& index_error = all.d.index_error[i];
     const double part = i == Interface::screw ? all.turn.screw : all.turn.nut;
-    const double travelled =
-        (standard ? 0.0 : all.turn.travel) - (i == Interface::screw ? all.turn.travel : 0.0);
+    const double travelled = (standard ? 0.0 : all.turn.travel) - (i == Interface::screw ? all.turn.travel : 0.0);
     for (std::size_t k = 0; k < body.axial.size(); ++k) {
-      if (!index_error.empty())
-        body.axial[k] += index_error[start_at(m, on_part, static_cast<int>(k))];
+      if (!index_error.empty()) body.axial[k] += index_error[start_at(m, on_part, static_cast<int>(k))];
       body.radial[k] += along(all.d.thread_eccentricity[i], azimuth);
       if (!turns) continue;
       const double x = contact_x[k] - all.position;
-      const Shift b = shift_of(turning.thread[i], azimuth - part, x + travelled, half,
-                               *m.centre_distance - ahead * radius);
+      const Shift b =
+          shift_of(turning.thread[i], azimuth - part, x + travelled, half, *m.centre_distance - ahead * radius);
       const Shift r = shift_of(turning.rollers, j, i, spin, x - half, radius);
       body.axial[k] += b.axial;
       body.radial[k] += b.radial;
@@ -129,8 +121,7 @@ PerInterface<std::vector<double>> gaps_of(const ThreadsOfAll& all, std::size_t j
 void take_off_smallest(FullModel& f) {
   for (const Interface i : kInterfaces) {
     double smallest = std::numeric_limits<double>::infinity();
-    for (const FullModel::Roller& r : f.present)
-      smallest = std::min(smallest, *std::ranges::min_element(r.gaps[i]));
+    for (const FullModel::Roller& r : f.present) smallest = std::min(smallest, *std::ranges::min_element(r.gaps[i]));
     for (FullModel::Roller& r : f.present)
       for (double& gap : r.gaps[i]) gap -= smallest;
     f.smallest_gap[i] = smallest;
@@ -140,14 +131,11 @@ void take_off_smallest(FullModel& f) {
 /// Axial places of the contacts of all rollers, those of missing ones left out.
 std::vector<double> all_contacts(const FullModel& f) {
   std::vector<double> x;
-  for (const FullModel::Roller& r : f.present)
-    x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
+  for (const FullModel::Roller& r : f.present) x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
   return x;
 }
 
-double delta_of(const std::vector<double>& list, std::size_t roller) {
-  return list.empty() ? 0.0 : list[roller];
-}
+double delta_of(const std::vector<double>& list, std::size_t roller) { return list.empty() ? 0.0 : list[roller]; }
 
 void set_rollers(FullModel& f, const ModelOptions& options, const ThreadsOfAll& all) {
   const Mechanism& m = all.m;
@@ -166,8 +154,7 @@ void set_rollers(FullModel& f, const ModelOptions& options, const ThreadsOfAll& 
     for (int k = 0; k < m.contacts_per_roller; ++k)
       r.contact_x.push_back(f.sector.position + k * f.sector.pitch + phase);
     r.gaps = gaps_of(all, number, r.azimuth, r.contact_x);
-    r.ring_offset = {delta_of(all.d.roller_position.near, number),
-                     delta_of(all.d.roller_position.far, number)};
+    r.ring_offset = {delta_of(all.d.roller_position.near, number), delta_of(all.d.roller_position.far, number)};
     f.present.push_back(std::move(r));
   }
   take_off_smallest(f);
@@ -188,8 +175,7 @@ double slip_ratio(const Mechanism& m, const Travel& t) {
 Turn turn_of(const Mechanism& m, const Travel& t, double theta) {
   const bool screw = t.part == Travel::Part::screw;
   const double nut = screw ? 0.0 : -theta;
-  return {screw ? theta : 0.0, nut, nut + slip_ratio(m, t) * theta,
-          m.lead * theta / (2.0 * std::numbers::pi)};
+  return {screw ? theta : 0.0, nut, nut + slip_ratio(m, t) * theta, m.lead * theta / (2.0 * std::numbers::pi)};
 }
 
 Turn turn_of(const Mechanism& m, const LoadCase& load_case) {
@@ -199,8 +185,8 @@ Turn turn_of(const Mechanism& m, const LoadCase& load_case) {
 void turn_axes(FullModel& f, double angle) {
   const auto turn = [angle](Lateral& l) { l = turned_back(l, angle); };
   for (FullModel::Roller& r : f.present) r.azimuth -= angle;
-  for (Lateral* l : {&f.load.eccentricity, &f.load.side_force.value, &f.load.moment.value,
-                     &f.load.nut_tilt, &f.load.nut_offset})
+  for (Lateral* l :
+       {&f.load.eccentricity, &f.load.side_force.value, &f.load.moment.value, &f.load.nut_tilt, &f.load.nut_offset})
     turn(*l);
   for (Bearing& b : f.bearings) {
     turn(b.offset);
@@ -209,13 +195,12 @@ void turn_axes(FullModel& f, double angle) {
 }
 
 FullModel full_model(const Mechanism& m, const Structure& structure, const Materials& materials,
-                     const ModelOptions& options, const PerInterface<ContactLaw>& laws,
-                     const LoadCase& load_case, const Deviations& deviations, const Turn& turn) {
+                     const ModelOptions& options, const PerInterface<ContactLaw>& laws, const LoadCase& load_case,
+                     const Deviations& deviations, const Turn& turn) {
   FullModel f;
   ModelOptions sector_options = options;
   sector_options.roller_shear = options.roller_shear || options.shear;
-  f.sector = sector_model(m, structure, materials, sector_options, laws, *load_case.direction,
-                          *load_case.position);
+  f.sector = sector_model(m, structure, materials, sector_options, laws, *load_case.direction, *load_case.position);
   f.centre_distance = *m.centre_distance;
   f.rollers = m.rollers;
   f.load = load_case.spatial;
@@ -226,17 +211,17 @@ FullModel full_model(const Mechanism& m, const Structure& structure, const Mater
   f.thrust = f.sector.thrust;
   const double reach = 0.5 * f.sector.pitch + f.sector.end_length;
   f.roller_ends = {first - reach, last + reach};
-  set_rollers(f, options,
-              {m,
-               deviations,
-               materials,
-               laws,
-               *load_case.direction,
-               turn,
-               first,
-               {thread_offsets(m, deviations, materials, Part::screw),
-                thread_offsets(m, deviations, materials, Part::nut)},
-               thread_offsets(m, deviations, materials, Part::roller)});
+  set_rollers(
+      f, options,
+      {m,
+       deviations,
+       materials,
+       laws,
+       *load_case.direction,
+       turn,
+       first,
+       {thread_offsets(m, deviations, materials, Part::screw), thread_offsets(m, deviations, materials, Part::nut)},
+       thread_offsets(m, deviations, materials, Part::roller)});
 
   const auto section = [&](Part part, double outer_radius, double inner_radius) {
     return ring_rigidity(materials[part], 2.0 * outer_radius, 2.0 * inner_radius, options.shear);
@@ -250,28 +235,27 @@ FullModel full_model(const Mechanism& m, const Structure& structure, const Mater
   if (f.loaded_section < first) screw(f.loaded_section, first, radii.plain_screw);
   screw(first, last + structure.screw.far_length, radii.screw);
   for (std::size_t i = 0; i < line.outer_radius.size(); ++i)
-    f.nut.push_back({line.sections[i], line.sections[i + 1],
-                     section(Part::nut, line.outer_radius[i], radii.nut.root[i])});
+    f.nut.push_back(
+        {line.sections[i], line.sections[i + 1], section(Part::nut, line.outer_radius[i], radii.nut.root[i])});
   if (has_wall) {
     const NutLoad equal_loads{f.sense(), laws.nut.normal_angle};
-    f.nut_wall = {line,
-                  nut_shell(line, thrust_ring(line, structure.nut, radii.nut), radii.nut,
-                            equal_loads, materials.nut, 1, options.refined),
-                  options.refined.hoop ? nut_harmonics(line, radii.nut, materials.nut, f.rollers)
-                                       : std::vector<NutHarmonic>{}};
+    f.nut_wall = {
+        line,
+        nut_shell(line, thrust_ring(line, structure.nut, radii.nut), radii.nut, equal_loads, materials.nut, 1,
+                  options.refined),
+        options.refined.hoop ? nut_harmonics(line, radii.nut, materials.nut, f.rollers) : std::vector<NutHarmonic>{}};
   }
 
   const Rings& rings = structure.roller.rings;
-  f.carrier = rings.carrier.value_or(m.type == Mechanism::Type::standard ? Rings::Carrier::nut
-                                                                         : Rings::Carrier::screw);
+  f.carrier = rings.carrier.value_or(m.type == Mechanism::Type::standard ? Rings::Carrier::nut : Rings::Carrier::screw);
   f.ring_stiffness = rings.stiffness;
   f.housing = structure.nut.housing;
   f.bearings = structure.screw.bearings;
   return f;
 }
 
-std::vector<NutHarmonic> nut_harmonics(const NutLine& line, const NutBore& bore,
-                                       const Material& material, int rollers, int highest) {
+std::vector<NutHarmonic> nut_harmonics(const NutLine& line, const NutBore& bore, const Material& material, int rollers,
+                                       int highest) {
   std::vector<NutHarmonic> harmonics;
   for (int n = 2; n <= highest; ++n) {
     if (n % rollers == 0) continue;
@@ -285,10 +269,9 @@ std::vector<NutHarmonic> nut_harmonics(const NutLine& line, const NutBore& bore,
       while (k < i && !same(k)) ++k;
       harmonic.segments.push_back(
           k < i ? harmonic.segments[k]
-                : fe::stiffness_matrix(
-                      fe::oval_tube(n, bore.pitch, bore.root[i], line.outer_radius[i],
-                                    material.youngs_modulus, material.poisson_ratio),
-                      line.length(i)));
+                : fe::stiffness_matrix(fe::oval_tube(n, bore.pitch, bore.root[i], line.outer_radius[i],
+                                                     material.youngs_modulus, material.poisson_ratio),
+                                       line.length(i)));
     }
     harmonics.push_back(std::move(harmonic));
   }

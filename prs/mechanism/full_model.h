@@ -18,8 +18,7 @@ inline constexpr int kHighestNutHarmonic = 5;
 /// Those of n = 2 .. `highest` that equal rollers do not excite, no multiples of their number: what
 /// those do is in the sector's model. The ends of the nut, its flanges and its thrust section move
 /// freely in them.
-std::vector<NutHarmonic> nut_harmonics(const NutLine& line, const NutBore& bore,
-                                       const Material& material, int rollers,
+std::vector<NutHarmonic> nut_harmonics(const NutLine& line, const NutBore& bore, const Material& material, int rollers,
                                        int highest = kHighestNutHarmonic);
 
 /// Values by roller and thread; missing rollers have their place.
@@ -53,7 +52,7 @@ struct FullModel {
     double first = 0.0, last = 0.0;  ///< x [m]
   };
 
-  SectorModel sector;  ///< One roller's share: laws, sense, pitch, sections of the rollers.
+  SectorModel sector;                 ///< One roller's share: laws, sense, pitch, sections of the rollers.
   PerInterface<double> smallest_gap;  ///< What was taken off the gaps [m].
   double centre_distance = 0.0;       ///< a [m]
   int rollers = 0;                    ///< Missing ones included.
@@ -86,9 +85,7 @@ struct Turn {
   double travel = 0.0;  ///< Of the screw against the nut, along x [m].
 
   /// Of the part to which gears tie the rollers, by the starts.
-  double geared(Mechanism::Type type) const {
-    return type == Mechanism::Type::standard ? nut : screw;
-  }
+  double geared(Mechanism::Type type) const { return type == Mechanism::Type::standard ? nut : screw; }
 };
 
 /// d_S/(d_S + d_N), or what is stated; the mechanism must be complete.
@@ -104,15 +101,13 @@ Turn turn_of(const Mechanism& mechanism, const LoadCase& load_case);
 /// The mechanism under one load case. The case must have passed `check_case`. Gaps are those of
 /// `initial_gaps`, with the index errors, eccentricities and deviations of each roller, less the
 /// smallest of each interface over all rollers present.
-FullModel full_model(const Mechanism& mechanism, const Structure& structure,
-                     const Materials& materials, const ModelOptions& options,
-                     const PerInterface<ContactLaw>& laws, const LoadCase& load_case,
+FullModel full_model(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
+                     const ModelOptions& options, const PerInterface<ContactLaw>& laws, const LoadCase& load_case,
                      const Deviations& deviations, const Turn& turn);
 /// Turned as the load case has it.
-inline FullModel full_model(const Mechanism& mechanism, const Structure& structure,
-                            const Materials& materials, const ModelOptions& options,
-                            const PerInterface<ContactLaw>& laws, const LoadCase& load_case,
-                            const Deviations& deviations) {
+inline FullModel full_model(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
+                            const ModelOptions& options, const PerInterface<ContactLaw>& laws,
+                            const LoadCase& load_case, const Deviations& deviations) {
   return full_model(mechanism, structure, materials, options, laws, load_case, deviations,
                     turn_of(mechanism, load_case));
 }
@@ -142,8 +137,7 @@ struct FullStructure {
     int first_spring = 0;                     ///< Of the screw's contacts; those at the nut follow.
 
     int spring(Interface i, std::size_t thread) const {
-      return first_spring +
-             static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.screw.size()));
+      return first_spring + static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.screw.size()));
     }
   };
   /// A constraint or an elastic link by which a ring guides a roller.
@@ -214,8 +208,7 @@ struct FreeMotions {
 /// roller and of each floating ring, each row scaled to one and rotations taken in 1/r_R; the
 /// motions are those of singular values below 1e-9 of the largest. `closed` tells which contacts
 /// count, all where it is empty.
-FreeMotions free_motions(const FullModel& model, const FullStructure& structure,
-                         const std::vector<bool>& closed = {});
+FreeMotions free_motions(const FullModel& model, const FullStructure& structure, const std::vector<bool>& closed = {});
 
 /// What no forces of contacts, which only push, and of guides, bearings and springs, which do both,
 /// can take of the loads on the rigid parts: the smallest by least squares, moments over r_R, as a

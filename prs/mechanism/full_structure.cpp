@@ -44,16 +44,12 @@ class Builder {
  private:
   double outer(int ring) const { return ring == 0 ? f_.roller_ends.first : f_.roller_ends.last; }
   /// x of the middle of a ring.
-  double ring_middle(int ring) const {
-    return outer(ring) + (ring == 0 ? 0.5 : -0.5) * f_.sector.end_length;
-  }
+  double ring_middle(int ring) const { return outer(ring) + (ring == 0 ? 0.5 : -0.5) * f_.sector.end_length; }
 
   void add_contact_stations(std::vector<double>& x) const {
-    for (const FullModel::Roller& r : f_.present)
-      x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
+    for (const FullModel::Roller& r : f_.present) x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
   }
-  void add_ring_stations(std::vector<double>& x, Rings::Carrier body,
-                         const std::vector<BodyPiece>& pieces) const {
+  void add_ring_stations(std::vector<double>& x, Rings::Carrier body, const std::vector<BodyPiece>& pieces) const {
     if (f_.carrier != body) return;
     for (int ring = 0; ring < 2; ++ring)
       x.push_back(std::clamp(ring_middle(ring), pieces.front().from, pieces.back().to));
@@ -86,8 +82,7 @@ class Builder {
   /// Beams in both planes between stations.
   std::vector<SpatialNode> body(std::vector<double> x, const std::vector<BodyPiece>& pieces) {
     std::ranges::sort(x);
-    x.erase(std::unique(x.begin(), x.end(), [&](double a, double b) { return b - a < same_; }),
-            x.end());
+    x.erase(std::unique(x.begin(), x.end(), [&](double a, double b) { return b - a < same_; }), x.end());
     if (mesh_) divide(x);
     std::vector<SpatialNode> nodes;
     for (const double at : x) {
@@ -123,8 +118,7 @@ class Builder {
 
   /// Of nodes in a row that lie close, those that may be held stay free and the others follow.
   /// `done`: of the pieces before each node.
-  void join_near(const std::vector<SpatialNode>& nodes, const std::vector<BodyPiece>& pieces,
-                 std::vector<bool>& done) {
+  void join_near(const std::vector<SpatialNode>& nodes, const std::vector<BodyPiece>& pieces, std::vector<bool>& done) {
     const auto near = [&](std::size_t i) { return nodes[i].x - nodes[i - 1].x < kNearNodes; };
     const auto may_be_held = [&](double x) {
       const auto there = [&](double held) { return std::abs(x - held) <= same_; };
@@ -147,8 +141,7 @@ class Builder {
     }
   }
   /// `node` is moved rigidly by `before`, and by the end of a beam that is clamped there.
-  void follow(const SpatialNode& before, const SpatialNode& node,
-              const RollerSection<double>& section) {
+  void follow(const SpatialNode& before, const SpatialNode& node, const RollerSection<double>& section) {
     const double arm = node.x - before.x;
     const int clamped = s_.model.add_node();
     for (const Dof dof : {Dof::u, Dof::v, Dof::theta}) hold_still(clamped, dof);
@@ -156,16 +149,13 @@ class Builder {
       const int from = y ? before.y_plane : before.z_plane, to = y ? node.y_plane : node.z_plane;
       const int own = s_.model.add_node();
       if (y)
-        s_.model.constraints.push_back(
-            {to, Dof::u, {{from, Dof::u, 1.0}, {own, Dof::u, 1.0}}, 0.0});
+        s_.model.constraints.push_back({to, Dof::u, {{from, Dof::u, 1.0}, {own, Dof::u, 1.0}}, 0.0});
       else
         hold_still(own, Dof::u);
       s_.model.constraints.push_back(
           {to, Dof::v, {{from, Dof::v, 1.0}, {from, Dof::theta, arm}, {own, Dof::v, 1.0}}, 0.0});
-      s_.model.constraints.push_back(
-          {to, Dof::theta, {{from, Dof::theta, 1.0}, {own, Dof::theta, 1.0}}, 0.0});
-      s_.model.beams.push_back(
-          {arm > 0.0 ? clamped : own, arm > 0.0 ? own : clamped, beam(section, std::abs(arm), y)});
+      s_.model.constraints.push_back({to, Dof::theta, {{from, Dof::theta, 1.0}, {own, Dof::theta, 1.0}}, 0.0});
+      s_.model.beams.push_back({arm > 0.0 ? clamped : own, arm > 0.0 ? own : clamped, beam(section, std::abs(arm), y)});
     }
   }
 
@@ -186,8 +176,7 @@ class Builder {
         s_.model.shells.push_back({before->wall, n.wall, wall.shell.segments[i - 1]});
         for (int k = 1; k < nodes; ++k)
           s_.model.shells.push_back(
-              {before->wall + k, n.wall + k,
-               wall.harmonics[static_cast<std::size_t>(k - 1) / 2].segments[i - 1]});
+              {before->wall + k, n.wall + k, wall.harmonics[static_cast<std::size_t>(k - 1) / 2].segments[i - 1]});
       }
       before = &n;
     }
@@ -196,8 +185,7 @@ class Builder {
   void hold_still(int node, Dof dof) { s_.model.fixed_supports.push_back({node, dof}); }
 
   int nearest(const std::vector<SpatialNode>& nodes, double x) const {
-    const auto found = std::ranges::min_element(
-        nodes, {}, [&](const SpatialNode& n) { return std::abs(n.x - x); });
+    const auto found = std::ranges::min_element(nodes, {}, [&](const SpatialNode& n) { return std::abs(n.x - x); });
     return static_cast<int>(found - nodes.begin());
   }
   const SpatialNode& at(const std::vector<SpatialNode>& nodes, double x) const {
@@ -207,8 +195,7 @@ class Builder {
   void add_rings() {
     if (f_.carrier != Rings::Carrier::housing) {
       const auto& carrier = f_.carrier == Rings::Carrier::nut ? s_.nut : s_.screw;
-      for (int ring = 0; ring < 2; ++ring)
-        s_.seats[static_cast<std::size_t>(ring)] = &at(carrier, ring_middle(ring));
+      for (int ring = 0; ring < 2; ++ring) s_.seats[static_cast<std::size_t>(ring)] = &at(carrier, ring_middle(ring));
     }
     if (!f_.floating_rings()) return;
     for (int& ring : s_.rings) {
@@ -236,14 +223,11 @@ class Builder {
         const bool end = i == 1 || i + 1 == x.size();
         const RollerSection<double>& section = end ? sector.end : sector.thread;
         s_.model.beams.push_back(
-            {roller.nodes.back(),
-             node,
-             {section.axial, section.bending, section.shear, x[i] - x[i - 1]}});
+            {roller.nodes.back(), node, {section.axial, section.bending, section.shear, x[i] - x[i - 1]}});
         if (!f_.push.empty()) {
           const RollerPush& push = f_.push[s_.rollers.size()];
           const double weight = (end ? push.of_heads : push.of_thread) * (x[i] - x[i - 1]);
-          for (const int at : {roller.nodes.back(), node})
-            s_.loads.push_back({at, Dof::v, 0.5 * weight});
+          for (const int at : {roller.nodes.back(), node}) s_.loads.push_back({at, Dof::v, 0.5 * weight});
         }
       }
       if (!same) {
@@ -254,8 +238,7 @@ class Builder {
         for (const Interface at : kInterfaces) {
           // Of two contacts of a tooth the screw's looks against the load.
           const bool second = (at == Interface::screw) == (f_.sense() < 0.0);
-          if (!sector.contacts_apart() || (i % 2 == 1) == second)
-            roller.contacts[at].push_back(node);
+          if (!sector.contacts_apart() || (i % 2 == 1) == second) roller.contacts[at].push_back(node);
         }
       if (i < 2) roller.guided[0].push_back(node);
       if (i + 2 >= x.size()) roller.guided[1].push_back(node);
@@ -264,8 +247,7 @@ class Builder {
     guide(r, roller, e, x);
     roller.first_spring = static_cast<int>(s_.model.form_springs.size());
     for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < r.contact_x.size(); ++k)
-        add_contact(i, r, roller.contacts[i][k], k, e);
+      for (std::size_t k = 0; k < r.contact_x.size(); ++k) add_contact(i, r, roller.contacts[i][k], k, e);
     s_.rollers.push_back(std::move(roller));
   }
 
@@ -327,20 +309,17 @@ class Builder {
       if (body.wall >= 0) add_wall_motion(w, body, r.azimuth, along, across);
       return w;
     };
-    s_.model.form_springs.push_back(
-        {row(f_.sense() * f_.sector.cosine[i], f_.sector.sine[i]),
-         {f_.sector.hertz_constant[i], r.gaps[i][k], f_.sector.contact_compliance(i, k)}});
+    s_.model.form_springs.push_back({row(f_.sense() * f_.sector.cosine[i], f_.sector.sine[i]),
+                                     {f_.sector.hertz_constant[i], r.gaps[i][k], f_.sector.contact_compliance(i, k)}});
     if (f_.push.empty()) return;
     const RollerPush& push = f_.push[s_.rollers.size()];
-    std::vector<fe::NodalLoad>& loads =
-        push.per_normal_load ? s_.per_force.emplace_back() : s_.loads;
+    std::vector<fe::NodalLoad>& loads = push.per_normal_load ? s_.per_force.emplace_back() : s_.loads;
     for (const fe::Term& t : row(push.axial[i][k], push.radial[i][k]))
       loads.push_back({t.node, t.dof, -sign * t.coefficient});
   }
 
   /// The nut's contacts lie at an arm from where its wall has its u, and move outwards with it.
-  void add_wall_motion(LinearForm& w, const SpatialNode& body, double azimuth, double along,
-                       double across) const {
+  void add_wall_motion(LinearForm& w, const SpatialNode& body, double azimuth, double along, double across) const {
     w.push_back({body.wall, Dof::theta, along * f_.nut_wall->shell.contact_arm});
     w.push_back({body.wall, Dof::v, -across});
     int node = body.wall;
@@ -485,18 +464,16 @@ std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
     forms.back().push_back({c.node, c.dof, -1.0});
   }
   for (const fe::ElasticLink& e : model.elastic_links) forms.push_back(e.form);
-  for (const fe::ElasticSupport& e : model.elastic_supports)
-    forms.push_back({{e.node, e.dof, 1.0}});
+  for (const fe::ElasticSupport& e : model.elastic_supports) forms.push_back({{e.node, e.dof, 1.0}});
   for (const fe::FixedSupport& e : model.fixed_supports)
     if (e.dof != Dof::u) forms.push_back({{e.node, e.dof, 1.0}});  // No part moves those of u.
   return forms;
 }
 
 Eigen::MatrixXd rows_over(const Motions& motions, const std::vector<fe::LinearForm>& forms) {
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(forms.size()),
-                                               static_cast<Eigen::Index>(motions.count()));
-  for (std::size_t i = 0; i < forms.size(); ++i)
-    motions.add(forms[i], rows.row(static_cast<Eigen::Index>(i)));
+  Eigen::MatrixXd rows =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(forms.size()), static_cast<Eigen::Index>(motions.count()));
+  for (std::size_t i = 0; i < forms.size(); ++i) motions.add(forms[i], rows.row(static_cast<Eigen::Index>(i)));
   return rows;
 }
 
@@ -512,8 +489,7 @@ Eigen::MatrixXd unit_rows(const Eigen::MatrixXd& rows) {
 /// Whether the smallest singular value of a triangle is above kNoResistance times the largest, by
 /// 1/|R^-1| and |R| in Frobenius' norm, which bound them; far cheaper than the values.
 bool surely_regular(const Eigen::MatrixXd& r) {
-  const Eigen::MatrixXd inverse =
-      r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
+  const Eigen::MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
   return kNoResistance * r.norm() * inverse.norm() < 1.0;  // False with NaN and infinity.
 }
 
@@ -525,8 +501,7 @@ Eigen::VectorXd left_by_pushing(const Eigen::MatrixXd& a, const Eigen::VectorXd&
   std::vector<Eigen::Index> pushing;
   const auto solved = [&] {
     Eigen::MatrixXd columns(a.rows(), static_cast<Eigen::Index>(pushing.size()));
-    for (std::size_t k = 0; k < pushing.size(); ++k)
-      columns.col(static_cast<Eigen::Index>(k)) = a.col(pushing[k]);
+    for (std::size_t k = 0; k < pushing.size(); ++k) columns.col(static_cast<Eigen::Index>(k)) = a.col(pushing[k]);
     return Eigen::VectorXd(columns.colPivHouseholderQr().solve(b));
   };
   for (Eigen::Index step = 0; step < 3 * a.cols(); ++step) {
@@ -561,8 +536,7 @@ Lateral rigid_slope(const FullModel& f) { return {f.load.nut_tilt.z, -f.load.nut
 
 Lateral rigid_offset(const FullModel& f, double x) {
   const Lateral slope = rigid_slope(f);
-  return {f.load.nut_offset.y + slope.y * (x - f.thrust),
-          f.load.nut_offset.z + slope.z * (x - f.thrust)};
+  return {f.load.nut_offset.y + slope.y * (x - f.thrust), f.load.nut_offset.z + slope.z * (x - f.thrust)};
 }
 
 FullStructure full_structure(const FullModel& model, const std::optional<FullMesh>& mesh) {
@@ -570,9 +544,7 @@ FullStructure full_structure(const FullModel& model, const std::optional<FullMes
 }
 
 const RollerSection<double>& section_at(const std::vector<BodyPiece>& pieces, double x) {
-  return std::ranges::find_if(pieces.begin(), pieces.end() - 1,
-                              [&](const BodyPiece& p) { return x < p.to; })
-      ->section;
+  return std::ranges::find_if(pieces.begin(), pieces.end() - 1, [&](const BodyPiece& p) { return x < p.to; })->section;
 }
 
 double load_left(const FullModel& f, const FullStructure& s) {
@@ -584,8 +556,7 @@ double load_left(const FullModel& f, const FullStructure& s) {
   Eigen::MatrixXd push = rows_over(motions, contacts).transpose();
 
   // What guides and bearings take as well is of no interest: the complement of their range.
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(
-      rows_over(motions, bilateral(s.model)).transpose());
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows_over(motions, bilateral(s.model)).transpose());
   push.applyOnTheLeft(qr.householderQ().adjoint());
   const auto rest = push.bottomRows(push.rows() - qr.rank());
   return left_by_pushing(rest.leftCols(rest.cols() - 1), rest.rightCols<1>()).norm();
@@ -606,13 +577,10 @@ std::optional<double> holding_force(const FullModel& model) {
   return above;
 }
 
-FreeMotions free_motions(const FullModel& f, const FullStructure& s,
-                         const std::vector<bool>& closed) {
+FreeMotions free_motions(const FullModel& f, const FullStructure& s, const std::vector<bool>& closed) {
   const Motions motions(f, s);
   std::vector<fe::LinearForm> forms = bilateral(s.model);
-  const auto is_closed = [&](int spring) {
-    return closed.empty() || closed[static_cast<std::size_t>(spring)];
-  };
+  const auto is_closed = [&](int spring) { return closed.empty() || closed[static_cast<std::size_t>(spring)]; };
   const auto add = [&](int spring) {
     forms.push_back(s.model.form_springs[static_cast<std::size_t>(spring)].approach);
   };
@@ -628,10 +596,8 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
   const Eigen::MatrixXd rows = unit_rows(rows_over(motions, forms));
   const Eigen::Index count = std::min(rows.rows(), rows.cols());
   Eigen::MatrixXd r = Eigen::MatrixXd::Zero(rows.cols(), rows.cols());
-  r.topRows(count) = Eigen::HouseholderQR<Eigen::MatrixXd>(rows)
-                         .matrixQR()
-                         .topRows(count)
-                         .triangularView<Eigen::Upper>();
+  r.topRows(count) =
+      Eigen::HouseholderQR<Eigen::MatrixXd>(rows).matrixQR().topRows(count).triangularView<Eigen::Upper>();
   if (surely_regular(r)) return {};
   const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(r, Eigen::ComputeFullV);
   const Eigen::VectorXd& sizes = svd.singularValues();
@@ -641,16 +607,15 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
     ++free.count;
     const Eigen::VectorXd motion = svd.matrixV().col(m);
     for (int part = 0; part < motions.count(); ++part)
-      if (std::abs(motion[part]) > 1e-6 &&
-          std::ranges::find(free.parts, motions.part(part)) == free.parts.end())
+      if (std::abs(motion[part]) > 1e-6 && std::ranges::find(free.parts, motions.part(part)) == free.parts.end())
         free.parts.push_back(motions.part(part));
   }
   return free;
 }
 
 std::string why_free(const FreeMotions& free) {
-  return fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
-                     free.count == 1 ? "" : "s", free.parts.front(), free.count == 1 ? "s" : "");
+  return fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count, free.count == 1 ? "" : "s",
+                     free.parts.front(), free.count == 1 ? "s" : "");
 }
 
 std::string why_not_held(const FullModel& f, const FullStructure& s) {

@@ -30,8 +30,8 @@ struct Quadratic {
 
 Eigen::Matrix4d hermite(double a, double b, double c, double d, double e, double f, double l) {
   Eigen::Matrix4d m;
-  m << a, b * l, c, d * l, b * l, e * l * l, -d * l, f * l * l, c, -d * l, a, -b * l, d * l,
-      f * l * l, -b * l, e * l * l;
+  m << a, b * l, c, d * l, b * l, e * l * l, -d * l, f * l * l, c, -d * l, a, -b * l, d * l, f * l * l, -b * l,
+      e * l * l;
   return m;
 }
 
@@ -71,17 +71,14 @@ class Vibration {
 
  private:
   const Material& material(Share s) const {
-    return v_.materials[s == Share::screw ? Part::screw
-                        : s == Share::nut ? Part::nut
-                                          : Part::roller];
+    return v_.materials[s == Share::screw ? Part::screw : s == Share::nut ? Part::nut : Part::roller];
   }
 
   FullMesh mesh() const {
     FullMesh m;
     m.longest = 2.0 * f_.sector.roller_radius;
     for (const FullModel::Roller& r : v_.model.present)
-      for (std::vector<double>* of : {&m.screw, &m.nut})
-        of->insert(of->end(), r.contact_x.begin(), r.contact_x.end());
+      for (std::vector<double>* of : {&m.screw, &m.nut}) of->insert(of->end(), r.contact_x.begin(), r.contact_x.end());
     for (const BodyPiece& p : f_.nut) m.nut.insert(m.nut.end(), {p.from, p.to});
     for (const ExtraMass& x : v_.structure.masses)
       (x.carrier == ExtraMass::Carrier::screw ? m.screw : m.nut).push_back(x.position);
@@ -89,8 +86,7 @@ class Vibration {
     return m;
   }
   const SpatialNode& at(const std::vector<SpatialNode>& nodes, double x) const {
-    return *std::ranges::min_element(nodes, {},
-                                     [&](const SpatialNode& n) { return std::abs(n.x - x); });
+    return *std::ranges::min_element(nodes, {}, [&](const SpatialNode& n) { return std::abs(n.x - x); });
   }
 
   void hold_screw() {
@@ -109,9 +105,8 @@ class Vibration {
       twist_.push_back(s_.model.add_node());
       if (i == 0) continue;
       const double l = s_.screw[i].x - s_.screw[i - 1].x;
-      const double polar = 2.0 *
-                           section_at(f_.screw, 0.5 * (s_.screw[i].x + s_.screw[i - 1].x)).bending /
-                           steel.youngs_modulus;
+      const double polar =
+          2.0 * section_at(f_.screw, 0.5 * (s_.screw[i].x + s_.screw[i - 1].x)).bending / steel.youngs_modulus;
       s_.model.bars.push_back({twist_[i - 1], twist_[i], {shear * polar, l}});
       const double mass = *steel.density * polar * l / 6.0;
       masses_.push_back({Share::screw,
@@ -132,61 +127,49 @@ class Vibration {
     const double gear = static_cast<double>(v_.mechanism.starts.screw) / v_.mechanism.starts.roller;
     const double spin = epsilon + gear * (standard ? -epsilon : epsilon - 1.0);
     const double orbit = epsilon * f_.centre_distance;
-    const double inertia =
-        (roller_mass() * orbit * orbit + roller_inertia() * spin * spin) / f_.threads();
+    const double inertia = (roller_mass() * orbit * orbit + roller_inertia() * spin * spin) / f_.threads();
     for (std::size_t r = 0; r < s_.rollers.size(); ++r)
       for (std::size_t k = 0; k < f_.present[r].contact_x.size(); ++k) {
         const int node = twist_at(f_.present[r].contact_x[k]);
-        s_.model.form_springs[static_cast<std::size_t>(s_.rollers[r].spring(along, k))]
-            .approach.push_back({node, Dof::u, -f_.sense() * f_.sector.cosine[along] * advance});
+        s_.model.form_springs[static_cast<std::size_t>(s_.rollers[r].spring(along, k))].approach.push_back(
+            {node, Dof::u, -f_.sense() * f_.sector.cosine[along] * advance});
         add_point(Share::roller, {{node, Dof::u}}, Eigen::VectorXd::Ones(1), inertia);
       }
   }
-  int twist_at(double x) const {
-    return twist_[static_cast<std::size_t>(&at(s_.screw, x) - s_.screw.data())];
-  }
+  int twist_at(double x) const { return twist_[static_cast<std::size_t>(&at(s_.screw, x) - s_.screw.data())]; }
 
   /// Of a roller, by length of threads and ends.
   double over_roller(double threads, double ends) const {
     const double length = f_.roller_ends.last - f_.roller_ends.first - 2.0 * f_.sector.end_length;
     const Material& steel = material(Share::roller);
-    return *steel.density / steel.youngs_modulus *
-           (threads * length + 2.0 * ends * f_.sector.end_length);
+    return *steel.density / steel.youngs_modulus * (threads * length + 2.0 * ends * f_.sector.end_length);
   }
   double roller_mass() const { return over_roller(f_.sector.thread.axial, f_.sector.end.axial); }
-  double roller_inertia() const {
-    return 2.0 * over_roller(f_.sector.thread.bending, f_.sector.end.bending);
-  }
+  double roller_inertia() const { return 2.0 * over_roller(f_.sector.thread.bending, f_.sector.end.bending); }
 
   /// mass (form q)^2
-  void add_point(Share share, std::vector<Freedom> freedoms, const Eigen::VectorXd& form,
-                 double mass) {
+  void add_point(Share share, std::vector<Freedom> freedoms, const Eigen::VectorXd& form, double mass) {
     if (mass > 0.0) masses_.push_back({share, std::move(freedoms), mass * form * form.transpose()});
   }
 
   /// A bar and a beam in one plane, with mass and prestress.
-  void add_piece(Share share, int first, int second, double l, const RollerSection<double>& section,
-                 double tension, bool has_bar) {
+  void add_piece(Share share, int first, int second, double l, const RollerSection<double>& section, double tension,
+                 bool has_bar) {
     const Material& steel = material(share);
     const double per_stiffness = *steel.density / steel.youngs_modulus;
     const double per_length = per_stiffness * section.axial;
     if (has_bar) {
       const double sixth = per_length * l / 6.0;
-      masses_.push_back({share,
-                         {{first, Dof::u}, {second, Dof::u}},
-                         Eigen::Matrix2d{{2.0 * sixth, sixth}, {sixth, 2.0 * sixth}}});
+      masses_.push_back(
+          {share, {{first, Dof::u}, {second, Dof::u}}, Eigen::Matrix2d{{2.0 * sixth, sixth}, {sixth, 2.0 * sixth}}});
     }
-    const std::vector<Freedom> bending{
-        {first, Dof::v}, {first, Dof::theta}, {second, Dof::v}, {second, Dof::theta}};
-    masses_.push_back(
-        {share, bending, bending_mass(per_length, per_stiffness * section.bending, l)});
-    if (wanted_.prestress && tension != 0.0)
-      prestress_.push_back({share, bending, prestress_of(tension, l)});
+    const std::vector<Freedom> bending{{first, Dof::v}, {first, Dof::theta}, {second, Dof::v}, {second, Dof::theta}};
+    masses_.push_back({share, bending, bending_mass(per_length, per_stiffness * section.bending, l)});
+    if (wanted_.prestress && tension != 0.0) prestress_.push_back({share, bending, prestress_of(tension, l)});
   }
 
   /// Force along x on the threads of a part of the model, before x [N].
-  double pushed_before(double x,
-                       const std::function<double(std::size_t, std::size_t)>& force) const {
+  double pushed_before(double x, const std::function<double(std::size_t, std::size_t)>& force) const {
     double sum = 0.0;
     for (std::size_t r = 0; r < f_.present.size(); ++r)
       for (std::size_t k = 0; k < f_.present[r].contact_x.size(); ++k)
@@ -201,16 +184,12 @@ class Vibration {
     if (!wanted_.prestress) return 0.0;
     const double load = f_.sense() * f_.axial_force;
     if (share == Share::screw)
-      return -load + pushed_before(x, [&](std::size_t r, std::size_t k) {
-        return axial_load(Interface::screw, r, k);
-      });
-    return (x > f_.thrust ? load : 0.0) - pushed_before(x, [&](std::size_t r, std::size_t k) {
-             return axial_load(Interface::nut, r, k);
-           });
+      return -load + pushed_before(x, [&](std::size_t r, std::size_t k) { return axial_load(Interface::screw, r, k); });
+    return (x > f_.thrust ? load : 0.0) -
+           pushed_before(x, [&](std::size_t r, std::size_t k) { return axial_load(Interface::nut, r, k); });
   }
 
-  void add_body(const std::vector<SpatialNode>& nodes, const std::vector<BodyPiece>& pieces,
-                Share share) {
+  void add_body(const std::vector<SpatialNode>& nodes, const std::vector<BodyPiece>& pieces, Share share) {
     for (std::size_t i = 1; i < nodes.size(); ++i) {
       const SpatialNode &a = nodes[i - 1], &b = nodes[i];
       const double middle = 0.5 * (a.x + b.x), l = b.x - a.x;
@@ -232,8 +211,8 @@ class Vibration {
         if (f_.present[k].contact_x[t] < middle)
           tension += axial_load(Interface::nut, k, t) - axial_load(Interface::screw, k, t);
       const bool end = middle < first || middle > last;
-      add_piece(Share::roller, r.nodes[i - 1], r.nodes[i], r.x[i] - r.x[i - 1],
-                end ? f_.sector.end : f_.sector.thread, tension, true);
+      add_piece(Share::roller, r.nodes[i - 1], r.nodes[i], r.x[i] - r.x[i - 1], end ? f_.sector.end : f_.sector.thread,
+                tension, true);
     }
     const double azimuth = f_.present[k].azimuth;
     for (std::size_t ring = 0; ring < 2; ++ring) {
@@ -243,8 +222,7 @@ class Vibration {
       if (const int offset = s_.rings[ring]; offset >= 0)
         freedoms.insert(freedoms.end(), {{offset, Dof::u}, {offset, Dof::v}});
       Eigen::VectorXd across(static_cast<Eigen::Index>(freedoms.size()));
-      for (Eigen::Index i = 0; i < across.size(); ++i)
-        across[i] = i % 2 == 0 ? -std::sin(azimuth) : std::cos(azimuth);
+      for (Eigen::Index i = 0; i < across.size(); ++i) across[i] = i % 2 == 0 ? -std::sin(azimuth) : std::cos(azimuth);
       add_point(Share::roller, freedoms, across, freedoms.empty() ? 0.0 : 0.5 * roller_mass());
     }
   }
@@ -277,17 +255,14 @@ class Vibration {
     std::vector<std::vector<std::pair<int, double>>> terms(q.freedoms.size());
     for (std::size_t i = 0; i < terms.size(); ++i) {
       of[0] = {q.freedoms[i].node, q.freedoms[i].dof, 1.0};
-      equations_->for_each_load(
-          of, [&](int equation, double c) { terms[i].emplace_back(equation, c); });
+      equations_->for_each_load(of, [&](int equation, double c) { terms[i].emplace_back(equation, c); });
     }
     for (std::size_t i = 0; i < terms.size(); ++i)
       for (std::size_t j = 0; j < terms.size(); ++j)
         for (const auto& [a, c] : terms[i])
           for (const auto& [b, d] : terms[j])
             if (a >= b)
-              entries.emplace_back(
-                  a, b,
-                  c * d * q.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+              entries.emplace_back(a, b, c * d * q.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   }
 
   /// Lower triangles, in units of each freedom that make the diagonal of K one.
@@ -362,9 +337,7 @@ bool Vibration::lowest(int count, double shift, Eigen::MatrixXd& vectors) const 
 Eigen::Matrix<double, Eigen::Dynamic, 3> Vibration::rigid() const {
   Eigen::Matrix<double, Eigen::Dynamic, 3> r =
       Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(fe::kDofsPerNode * s_.model.nodes, 3);
-  const auto row = [](int node, Dof dof) {
-    return fe::kDofsPerNode * node + static_cast<int>(dof);
-  };
+  const auto row = [](int node, Dof dof) { return fe::kDofsPerNode * node + static_cast<int>(dof); };
   for (const auto* body : {&s_.screw, &s_.nut})
     for (const SpatialNode& n : *body) {
       r(row(n.y_plane, Dof::u), 0) = 1.0;
@@ -391,8 +364,7 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   const auto values = [&](const Quadratic& k) {
     Eigen::VectorXd x(static_cast<Eigen::Index>(k.freedoms.size()));
     for (Eigen::Index i = 0; i < x.size(); ++i)
-      x[i] = at(k.freedoms[static_cast<std::size_t>(i)].node,
-                k.freedoms[static_cast<std::size_t>(i)].dof);
+      x[i] = at(k.freedoms[static_cast<std::size_t>(i)].node, k.freedoms[static_cast<std::size_t>(i)].dof);
     return x;
   };
   Mode mode;
@@ -404,8 +376,7 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
     kinetic[static_cast<std::size_t>(m.share)] += values(m).dot(force);
     for (Eigen::Index i = 0; i < force.size(); ++i) {
       const Freedom& freedom = m.freedoms[static_cast<std::size_t>(i)];
-      moved += force[i] *
-               r.row(fe::kDofsPerNode * freedom.node + static_cast<int>(freedom.dof)).transpose();
+      moved += force[i] * r.row(fe::kDofsPerNode * freedom.node + static_cast<int>(freedom.dof)).transpose();
     }
   }
   const double mass = kinetic[0] + kinetic[1] + kinetic[2] + kinetic[3];
@@ -413,17 +384,12 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
 
   const int of_nut = s_.nut.front().y_plane, of_rollers = s_.rollers.front().nodes.front();
   for (const fe::BeamElement& b : s_.model.beams) {
-    const std::array<double, 6> x{at(b.first, Dof::u),     at(b.first, Dof::v),
-                                  at(b.first, Dof::theta), at(b.second, Dof::u),
-                                  at(b.second, Dof::v),    at(b.second, Dof::theta)};
-    const fe::BeamVector<double> force =
-        fe::end_forces<double>(b.beam, {x[3] - x[0], x[4] - x[1], x[2], x[5]});
+    const std::array<double, 6> x{at(b.first, Dof::u),  at(b.first, Dof::v),  at(b.first, Dof::theta),
+                                  at(b.second, Dof::u), at(b.second, Dof::v), at(b.second, Dof::theta)};
+    const fe::BeamVector<double> force = fe::end_forces<double>(b.beam, {x[3] - x[0], x[4] - x[1], x[2], x[5]});
     const int node = std::max(b.first, b.second);
-    const Share share = node < of_nut       ? Share::screw
-                        : node < of_rollers ? Share::nut
-                                            : Share::roller;
-    strain[static_cast<std::size_t>(share)] +=
-        force.dot(Eigen::Map<const fe::BeamVector<double>>(x.data()));
+    const Share share = node < of_nut ? Share::screw : node < of_rollers ? Share::nut : Share::roller;
+    strain[static_cast<std::size_t>(share)] += force.dot(Eigen::Map<const fe::BeamVector<double>>(x.data()));
   }
   for (const fe::BarElement& b : s_.model.bars) {
     const double twist = at(b.second, Dof::u) - at(b.first, Dof::u);
@@ -443,8 +409,8 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   for (const fe::ElasticSupport& support : s_.model.elastic_supports)
     mode.support_strain += support.stiffness * std::pow(at(support.node, support.dof), 2);
   for (const Quadratic& p : prestress_) mode.prestress += values(p).dot(p.matrix * values(p));
-  const double all = strain[0] + strain[1] + strain[2] + mode.contact_strain.screw +
-                     mode.contact_strain.nut + mode.support_strain + mode.prestress;
+  const double all = strain[0] + strain[1] + strain[2] + mode.contact_strain.screw + mode.contact_strain.nut +
+                     mode.support_strain + mode.prestress;
   square = all / mass;
   mode.frequency = std::sqrt(std::max(square, 0.0)) / (2.0 * std::numbers::pi);
   for (const Share s : {Share::screw, Share::roller, Share::nut}) {
@@ -464,8 +430,8 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   };
   for (const Interface i : kInterfaces)
     for (const SpatialNode& n : i == Interface::screw ? s_.screw : s_.nut)
-      mode.shape[i].push_back({noted(at(n.y_plane, Dof::u)), noted(at(n.y_plane, Dof::v)),
-                               noted(at(n.z_plane, Dof::v))});
+      mode.shape[i].push_back(
+          {noted(at(n.y_plane, Dof::u)), noted(at(n.y_plane, Dof::v)), noted(at(n.z_plane, Dof::v))});
   mode.axial.assign(static_cast<std::size_t>(f_.rollers), 0.0);
   mode.radial = mode.axial;
   const double middle = 0.5 * (f_.roller_ends.first + f_.roller_ends.last);
@@ -477,10 +443,9 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
     const double l = roller.x[i] - roller.x[i - 1], t = (middle - roller.x[i - 1]) / l;
     const auto number = static_cast<std::size_t>(f_.present[k].number);
     mode.axial[number] = noted((1.0 - t) * at(a, Dof::u) + t * at(b, Dof::u));
-    mode.radial[number] = noted((1.0 - 3.0 * t * t + 2.0 * t * t * t) * at(a, Dof::v) +
-                                (t - 2.0 * t * t + t * t * t) * l * at(a, Dof::theta) +
-                                (3.0 * t * t - 2.0 * t * t * t) * at(b, Dof::v) +
-                                (t * t * t - t * t) * l * at(b, Dof::theta));
+    mode.radial[number] = noted(
+        (1.0 - 3.0 * t * t + 2.0 * t * t * t) * at(a, Dof::v) + (t - 2.0 * t * t + t * t * t) * l * at(a, Dof::theta) +
+        (3.0 * t * t - 2.0 * t * t * t) * at(b, Dof::v) + (t * t * t - t * t) * l * at(b, Dof::theta));
   }
   for (const Interface i : kInterfaces)
     for (std::vector<double>& point : mode.shape[i])
@@ -498,8 +463,7 @@ ModesResult Vibration::solve() const {
   std::erase_if(result.orders, [](const MotionOrder& o) { return !(o.order > 0.0); });
   for (const int r : v_.loads.idle_rollers) result.idle_rollers.push_back(r + 1);
   for (const Interface i : kInterfaces)
-    for (const SpatialNode& n : i == Interface::screw ? s_.screw : s_.nut)
-      result.x[i].push_back(n.x);
+    for (const SpatialNode& n : i == Interface::screw ? s_.screw : s_.nut) result.x[i].push_back(n.x);
   const Eigen::Matrix<double, Eigen::Dynamic, 3> r = rigid();
   for (const Quadratic& m : masses_) {
     Eigen::Matrix<double, Eigen::Dynamic, 3> own(m.matrix.rows(), 3);
@@ -536,12 +500,11 @@ ModesResult Vibration::solve() const {
         ++result.buckled;
     }
     std::ranges::sort(result.modes, {}, &Mode::frequency);
-    if (static_cast<int>(result.modes.size()) > most)
-      result.modes.resize(static_cast<std::size_t>(most));
+    if (static_cast<int>(result.modes.size()) > most) result.modes.resize(static_cast<std::size_t>(most));
     if (result.modes.empty() || vectors.cols() == result.freedoms) break;
     const double last = 2.0 * std::numbers::pi * result.modes.back().frequency * (1.0 - 1e-7);
-    const auto found = std::ranges::count_if(
-        result.modes, [&](const Mode& m) { return 2.0 * std::numbers::pi * m.frequency < last; });
+    const auto found =
+        std::ranges::count_if(result.modes, [&](const Mode& m) { return 2.0 * std::numbers::pi * m.frequency < last; });
     const auto missing = modes_below(last * last) - result.buckled - found;
     if (missing <= 0) break;
     extra += static_cast<int>(missing) + 2;

@@ -25,7 +25,7 @@ struct Mode {
   double support_strain = 0.0;
   double prestress = 0.0;                                ///< < 0 in compression.
   PerInterface<std::vector<std::vector<double>>> shape;  ///< x, y, z of each node; screw, nut.
-  std::vector<double> axial, radial;  ///< Of the middle of each roller; missing and idle: 0.
+  std::vector<double> axial, radial;                     ///< Of the middle of each roller; missing and idle: 0.
 };
 
 struct ModesResult {

@@ -53,8 +53,7 @@ double farthest_from_mean(const std::vector<Lateral>& points) {
     mean.z += p.z / static_cast<double>(points.size());
   }
   double farthest = 0.0;
-  for (const Lateral& p : points)
-    farthest = std::max(farthest, std::hypot(p.y - mean.y, p.z - mean.z));
+  for (const Lateral& p : points) farthest = std::max(farthest, std::hypot(p.y - mean.y, p.z - mean.z));
   return farthest;
 }
 
@@ -72,9 +71,8 @@ class Collected {
     loads.mean = RollerThreads(static_cast<std::size_t>(f.rollers),
                                std::vector<double>(static_cast<std::size_t>(f.threads()), 0.0));
     loads.ripple = most_ = loads.mean;
-    least_ = RollerThreads(
-        loads.mean.size(),
-        std::vector<double>(loads.mean[0].size(), std::numeric_limits<double>::infinity()));
+    least_ = RollerThreads(loads.mean.size(),
+                           std::vector<double>(loads.mean[0].size(), std::numeric_limits<double>::infinity()));
   }
 
   TravelLoads loads;
@@ -105,8 +103,7 @@ class Collected {
         loads.least = std::min(loads.least, least_[j][k]);
       }
     }
-    for (const RollerThreads& at : all_)
-      loads.of_roller.push_back(at[static_cast<std::size_t>(loads.roller - 1)]);
+    for (const RollerThreads& at : all_) loads.of_roller.push_back(at[static_cast<std::size_t>(loads.roller - 1)]);
     return std::move(loads);
   }
 
@@ -177,9 +174,7 @@ std::vector<OrderAmplitude> travel_spectrum(const std::vector<double>& d, int tu
       imaginary += x[i] * sine[at];
     }
     const double amplitude = 2.0 * std::hypot(real, imaginary) / static_cast<double>(count);
-    spectrum.push_back({{},
-                        static_cast<double>(k) / std::abs(turns),
-                        2 * k == count ? 0.5 * amplitude : amplitude});
+    spectrum.push_back({{}, static_cast<double>(k) / std::abs(turns), 2 * k == count ? 0.5 * amplitude : amplitude});
   }
   return spectrum;
 }
@@ -189,11 +184,9 @@ std::vector<OrderAmplitude> fitted_orders(const std::vector<double>& d, const Tr
   const double resolution = 1.0 / std::abs(t.turns);
   std::vector<OrderAmplitude> kept;
   for (const MotionOrder& o : orders) {
-    const bool apart = std::ranges::all_of(kept, [&](const OrderAmplitude& k) {
-      return std::abs(o.order - k.order) >= resolution - kOnLimit;
-    });
-    if (apart && o.order >= resolution - kOnLimit &&
-        o.order <= 0.5 * t.steps - resolution + kOnLimit)
+    const bool apart = std::ranges::all_of(
+        kept, [&](const OrderAmplitude& k) { return std::abs(o.order - k.order) >= resolution - kOnLimit; });
+    if (apart && o.order >= resolution - kOnLimit && o.order <= 0.5 * t.steps - resolution + kOnLimit)
       kept.push_back({std::string(o.name), o.order, 0.0});
   }
   const auto rows = static_cast<Eigen::Index>(d.size());
@@ -206,8 +199,7 @@ std::vector<OrderAmplitude> fitted_orders(const std::vector<double>& d, const Tr
       a(k, 2 + 2 * static_cast<Eigen::Index>(i)) = std::cos(phase);
       a(k, 3 + 2 * static_cast<Eigen::Index>(i)) = std::sin(phase);
     }
-  const Eigen::VectorXd fit =
-      a.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(d.data(), rows));
+  const Eigen::VectorXd fit = a.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(d.data(), rows));
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const auto at = 2 + 2 * static_cast<Eigen::Index>(i);
     kept[i].amplitude = std::hypot(fit[at], fit[at + 1]);
@@ -242,14 +234,12 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
     }
     const FullDistribution d = solver(f);
     if (!d.solve.converged()) {
-      r.failure = {theta, d.reason.empty() ? std::string(fe::name(d.solve.status)) : d.reason,
-                   d.solve.status};
+      r.failure = {theta, d.reason.empty() ? std::string(fe::name(d.solve.status)) : d.reason, d.solve.status};
       return r;
     }
     const auto& q = d.screw_end.displacement;
     double displacement = q[0];
-    for (const Interface i : kInterfaces)
-      displacement += f.sense() * f.smallest_gap[i] / f.sector.cosine[i];
+    for (const Interface i : kInterfaces) displacement += f.sense() * f.smallest_gap[i] / f.sector.cosine[i];
     r.angle.push_back(theta);
     r.displacement.push_back(displacement);
     r.mean_displacement += displacement / count;
@@ -258,8 +248,7 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
     add_support(r.nut, d.nut, turned);
     side_force.push_back({r.nut.force.back()[1], r.nut.force.back()[2]});
     r.bearings.resize(d.bearings.size());
-    for (std::size_t b = 0; b < r.bearings.size(); ++b)
-      add_support(r.bearings[b], d.bearings[b], turned);
+    for (std::size_t b = 0; b < r.bearings.size(); ++b) add_support(r.bearings[b], d.bearings[b], turned);
     if (d.tangent_stiffness)
       r.tangent_stiffness.push_back(*d.tangent_stiffness);
     else if (!r.left_out_at)
@@ -270,9 +259,8 @@ TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& 
   r.side_force_ripple = farthest_from_mean(side_force);
   r.tilt_ripple = farthest_from_mean(r.end_rotation);
   const double in_300_mm = std::floor(0.3 * wanted.steps / std::abs(m.lead) + kOnLimit);
-  r.bands =
-      travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0, wanted.steps,
-                   in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
+  r.bands = travel_bands(r.displacement, (wanted.turns < 0) == (m.lead < 0.0) ? 1.0 : -1.0, wanted.steps,
+                         in_300_mm <= wanted.last() ? static_cast<int>(in_300_mm) : 0);
   r.spectrum = travel_spectrum(r.displacement, wanted.turns);
   r.orders = fitted_orders(r.displacement, wanted, motion_orders(m, r.slip_ratio));
   for (const Interface i : kInterfaces) r.loads[i] = std::move(collected[i]).finished();

@@ -19,8 +19,8 @@ std::optional<int> turns_until_repeat(const Mechanism& mechanism, double slip_ra
 
 /// Deviations of a travel, after ISO 3408-3 [m].
 struct TravelBands {
-  double mean = 0.0;       ///< e_0a: rise of the least-squares line, > 0 goes too far.
-  double variation = 0.0;  ///< v_ua: width of the band along that line.
+  double mean = 0.0;                       ///< e_0a: rise of the least-squares line, > 0 goes too far.
+  double variation = 0.0;                  ///< v_ua: width of the band along that line.
   std::optional<double> variation_300_mm;  ///< v_300a
   double variation_one_turn = 0.0;         ///< v_2pia
   std::vector<double> line;                ///< At each position.

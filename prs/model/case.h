@@ -37,13 +37,11 @@ struct Conditions {
 
 /// All rollers between bodies of `influence` know no friction on their threads.
 inline bool knows_friction(const ModelOptions& model) {
-  return model.bodies != ModelOptions::Bodies::influence ||
-         model.mechanism == ModelOptions::Mechanism::sector;
+  return model.bodies != ModelOptions::Bodies::influence || model.mechanism == ModelOptions::Mechanism::sector;
 }
 /// Whether slip, heat and life take the loads of a running screw, where friction and a speed stand.
 inline bool slip_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
-  return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest &&
-         knows_friction(model);
+  return share == LoadCase::Share::solved && model.loads != ModelOptions::Loads::at_rest && knows_friction(model);
 }
 /// Whether `solve` does.
 inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share share) {
@@ -52,17 +50,15 @@ inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share
 
 /// Whether slip, heat and life have both flanks of a nut, or both nuts.
 inline bool has_both_flanks(const Conditions& c, LoadCase::Share share) {
-  return c.preload && share == LoadCase::Share::solved &&
-         c.model.mechanism == ModelOptions::Mechanism::sector;
+  return c.preload && share == LoadCase::Share::solved && c.model.mechanism == ModelOptions::Mechanism::sector;
 }
 
 /// Whether `life` takes running loads: not where `heat` alone would know the temperature of the oil
 /// and life does not take it.
 inline bool life_takes_running_loads(const Conditions& c) {
-  const bool oil_is_known =
-      !c.lubricant || has_operating_point(*c.lubricant) || c.life->takes_heat(c.heat.has_value());
-  return slip_takes_running_loads(c.model, c.life->share) && c.friction && c.operation &&
-         c.operation->speed != 0.0 && oil_is_known;
+  const bool oil_is_known = !c.lubricant || has_operating_point(*c.lubricant) || c.life->takes_heat(c.heat.has_value());
+  return slip_takes_running_loads(c.model, c.life->share) && c.friction && c.operation && c.operation->speed != 0.0 &&
+         oil_is_known;
 }
 
 /// Everything that a file states.

@@ -30,12 +30,10 @@ namespace {
 
 void require_load_cases(const Case& c, Command command, Problems& problems) {
   if (c.load_cases.empty())
-    problems.add_missing("load_cases",
-                         fmt::format("at least one load case for `{}`", name(command)),
+    problems.add_missing("load_cases", fmt::format("at least one load case for `{}`", name(command)),
                          "[{axial_force: 10 kN, direction: tension, position: 10 mm}]");
   if (!c.materials)
-    problems.add_missing("materials", fmt::format("elastic properties for `{}`", name(command)),
-                         kMaterialsExample);
+    problems.add_missing("materials", fmt::format("elastic properties for `{}`", name(command)), kMaterialsExample);
   if (!c.structure && std::ranges::any_of(c.load_cases, &LoadCase::is_solved))
     problems.add("structure",
                  "missing; expected the parts around the threads for `{}`; add `structure` with "
@@ -47,11 +45,10 @@ void require_load_cases(const Case& c, Command command, Problems& problems) {
 void require_loads(const Case& c, Command command, Problems& problems) {
   for (const LoadCase& load : c.load_cases)
     if (load.axial_force == 0.0)
-      problems.add(
-          load.input_path + ".axial_force",
-          "got 0 N in case `{}`; expected a force > 0 for `{}`: without a load only `slip` "
-          "runs, under preload; change it",
-          load.name, name(command));
+      problems.add(load.input_path + ".axial_force",
+                   "got 0 N in case `{}`; expected a force > 0 for `{}`: without a load only `slip` "
+                   "runs, under preload; change it",
+                   load.name, name(command));
 }
 
 }  // namespace
@@ -63,8 +60,7 @@ void need_solve(const Case& c, Problems& problems) {
     return load.travel && std::isnan(load.travel->stated_slip_ratio) &&
            load.travel->slip_ratio == Travel::SlipRatio::solved;
   };
-  if (c.model.loads == ModelOptions::Loads::running ||
-      std::ranges::any_of(c.load_cases, needs_slip))
+  if (c.model.loads == ModelOptions::Loads::running || std::ranges::any_of(c.load_cases, needs_slip))
     require_slip(c, problems);
 }
 
@@ -81,8 +77,7 @@ void need_slip(const Case& c, Problems& problems) {
   require_load_cases(c, Command::slip, problems);
   require_slip(c, problems);
   if (c.heat) require_heat(c, problems);
-  if (std::ranges::any_of(c.load_cases,
-                          [&](const LoadCase& load) { return has_both_flanks(c, load.share); }))
+  if (std::ranges::any_of(c.load_cases, [&](const LoadCase& load) { return has_both_flanks(c, load.share); }))
     require_preload(c, problems);
 }
 
@@ -121,8 +116,8 @@ PerPart<bool> parts_between(const PerInterface<bool>& given) {
 
 /// `HEAD.TAIL` where it is void of all parts, else that of each part: `pattern` has a place for
 /// `.PART`.
-void add_parts(std::vector<VoidInput>& inputs, const PerPart<bool>& is_void,
-               std::string_view before, std::string_view behind, std::string_view overrides) {
+void add_parts(std::vector<VoidInput>& inputs, const PerPart<bool>& is_void, std::string_view before,
+               std::string_view behind, std::string_view overrides) {
   if (is_void.screw && is_void.roller && is_void.nut) {
     inputs.push_back({fmt::format("{}{}", before, behind), overrides});
     return;
@@ -149,12 +144,10 @@ std::vector<VoidInput> void_inputs(const Case& c) {
     if (rigid_teeth) add_parts(inputs, parts_between(both), "mechanism.flank_angle", "", kBoth);
     add_parts(inputs, parts_between(both), "mechanism.profile", "", kBoth);
     if (both.screw && both.nut)
-      for (const char* path : {"mechanism.profile_plane", "mechanism.centre_distance"})
-        inputs.push_back({path, kBoth});
+      for (const char* path : {"mechanism.profile_plane", "mechanism.centre_distance"}) inputs.push_back({path, kBoth});
     // `refined` knows where an inverted screw is threaded, and how a roller's contacts stand.
     if (both.screw && both.nut && bars)
-      for (const char* path : {"mechanism.type", "mechanism.starts.roller"})
-        inputs.push_back({path, kBoth});
+      for (const char* path : {"mechanism.type", "mechanism.starts.roller"}) inputs.push_back({path, kBoth});
   }
   if (bars && rigid_teeth && !c.model.roller_shear)
     add_parts(inputs, parts_between(hertz), "materials", ".poisson_ratio", kHertz);
@@ -163,8 +156,7 @@ std::vector<VoidInput> void_inputs(const Case& c) {
 
 const VoidInput* find_void(const std::vector<VoidInput>& inputs, std::string_view path) {
   for (const VoidInput& input : inputs)
-    if (path.starts_with(input.path) &&
-        (path.size() == input.path.size() || path[input.path.size()] == '.'))
+    if (path.starts_with(input.path) && (path.size() == input.path.size() || path[input.path.size()] == '.'))
       return &input;
   return nullptr;
 }
@@ -177,12 +169,11 @@ std::vector<Warning> void_input_warnings(const Case& c) {
     for (const VoidInput& input : inputs)
       if (input.overrides == overrides) paths += (paths.empty() ? "" : ", ") + input.path;
     if (!paths.empty())
-      warnings.push_back(
-          {"", overrides == kBoth ? "void_geometry" : "void_poisson_ratios",
-           fmt::format("overridden by {}: no load or stiffness follows {}, only ellipses, "
-                       "pressures, capacities and slip do",
-                       overrides, paths),
-           std::string(kDeleteOverrides)});
+      warnings.push_back({"", overrides == kBoth ? "void_geometry" : "void_poisson_ratios",
+                          fmt::format("overridden by {}: no load or stiffness follows {}, only ellipses, "
+                                      "pressures, capacities and slip do",
+                                      overrides, paths),
+                          std::string(kDeleteOverrides)});
   }
   return warnings;
 }
@@ -195,8 +186,7 @@ void add_preload_note(const Case& c, std::vector<Warning>& warnings) {
 
 void add_heat_note(const Case& c, std::vector<Warning>& warnings) {
   if (c.heat)
-    warnings.push_back({"heat", "without_heat",
-                        "the load cases are solved with all parts at the reference temperature",
+    warnings.push_back({"heat", "without_heat", "the load cases are solved with all parts at the reference temperature",
                         "`prs slip` takes the block `heat`"});
 }
 

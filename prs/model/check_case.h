@@ -34,11 +34,10 @@ void check_load_cases(const Case& c, Problems& problems);
 /// What `model: {loads: running}` needs of the case.
 void check_loads(const Case& c, Problems& problems);
 /// The roller's contacts, from the first at the position, must lie on the nut. `block` states it.
-void check_position(std::string_view block, double position, const Mechanism& m,
-                    const Structure::Nut& nut, Problems& problems);
+void check_position(std::string_view block, double position, const Mechanism& m, const Structure::Nut& nut,
+                    Problems& problems);
 /// A section must hold the nut under a load of this sense.
-void check_thrust(Direction direction, std::string_view load, const Structure::Nut& nut,
-                  Problems& problems);
+void check_thrust(Direction direction, std::string_view load, const Structure::Nut& nut, Problems& problems);
 
 void check_deviations(const Case& c, Problems& problems);
 /// An axial or radial offset of threads must lie within `kMostDeviation`.
@@ -66,8 +65,7 @@ void require_slip(const Conditions& c, Problems& problems);
 void require_heat(const Case& c, Problems& problems);
 void require_expansion(const Case& c, Problems& problems);
 
-inline constexpr std::string_view kMaterialsExample =
-    "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";
+inline constexpr std::string_view kMaterialsExample = "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";
 
 /// An input that would move the load distribution, but for overrides that stand in for what it
 /// gives: loads, displacements and stiffness do not follow it.
@@ -87,8 +85,7 @@ struct VoidInput {
 std::vector<VoidInput> void_inputs(const Case& c);
 
 /// How each is no longer void.
-inline constexpr std::string_view kDeleteOverrides =
-    "delete the overrides to compute all from the geometry";
+inline constexpr std::string_view kDeleteOverrides = "delete the overrides to compute all from the geometry";
 
 /// The void input that a path names or leads into; null where none does.
 const VoidInput* find_void(const std::vector<VoidInput>& inputs, std::string_view path);

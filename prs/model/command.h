@@ -16,13 +16,10 @@ struct Command {
   void (*needs)(const Case&, Problems&) = nullptr;
 
   // Commands that other parts name. Blocks of searches: see input::unmet.
-  static const Command check, contact, solve, compare, slip, preload, life, measures, study,
-      optimize, size;
+  static const Command check, contact, solve, compare, slip, preload, life, measures, study, optimize, size;
 
   friend constexpr bool operator==(const Command& a, const Command& b) { return a.word == b.word; }
-  friend constexpr auto operator<=>(const Command& a, const Command& b) {
-    return a.word <=> b.word;
-  }
+  friend constexpr auto operator<=>(const Command& a, const Command& b) { return a.word <=> b.word; }
 };
 
 // What a case must state, see check_case.cpp and load_case_check.cpp.

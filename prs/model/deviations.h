@@ -117,14 +117,13 @@ inline constexpr double kMostDeviation = 0.25;
 struct Deviations {
   PerPart<PitchError> pitch_error;  ///< > 0 away from the loaded end of the screw.
   double roller_diameter = 0.0;     ///< Pitch diameter above the nominal one [m].
-  double crowning =
-      0.0;  ///< Parabolic drop of the roller's pitch radius at first and last contact.
+  double crowning = 0.0;            ///< Parabolic drop of the roller's pitch radius at first and last contact.
   std::optional<EndRelief> end_relief;
   std::optional<PerPart<double>> temperature;  ///< Uniform in each part [K].
   double reference_temperature = 293.15;       ///< Temperature of the nominal geometry [K].
 
   // Of a full mechanism.
-  std::vector<double> roller_diameters;  ///< One per roller in place of `roller_diameter`, or none.
+  std::vector<double> roller_diameters;         ///< One per roller in place of `roller_diameter`, or none.
   PerEnd<std::vector<double>> roller_position;  ///< Outwards, one per roller, or none [m].
   std::vector<int> missing_rollers;             ///< Numbers of the missing rollers, from 1.
   /// Axial position error of each start, or none [m].

@@ -20,16 +20,13 @@ Eigen::Vector2d Groove::normal(FlankSide f) const {
   return {outwards * std::sin(angle(f)), sign(f) * std::cos(angle(f))};
 }
 
-double sharp_height(double pitch, double flank_angle) {
-  return 0.25 * pitch / std::tan(flank_angle);
-}
+double sharp_height(double pitch, double flank_angle) { return 0.25 * pitch / std::tan(flank_angle); }
 
 double default_root_depth(double pitch, double flank_angle) {
   return std::min(kRootDepth * pitch, sharp_height(pitch, flank_angle));
 }
 
-Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle,
-                      double forward_angle) {
+Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle, double forward_angle) {
   const double highest = 0.95 * sharp_height(pitch, std::max(backward_angle, forward_angle));
   Groove g;
   g.internal = internal;

@@ -22,9 +22,7 @@ struct Groove {
   double backward_angle = 0.0;  ///< Between flank normal and axis [rad], flank that looks backward.
   double forward_angle = 0.0;   ///< Between normal and axis [rad], flank that looks forward.
 
-  double angle(FlankSide f) const {
-    return f == FlankSide::backward ? backward_angle : forward_angle;
-  }
+  double angle(FlankSide f) const { return f == FlankSide::backward ? backward_angle : forward_angle; }
   /// Radius at a height above the pitch line, towards the crest [m].
   double radius(double height) const { return pitch_radius + (internal ? -height : height); }
   /// Height of the profile at the axial distance x from the middle of a ridge [m].
@@ -54,8 +52,7 @@ double default_root_depth(double pitch, double flank_angle);
 /// Groove for bodies with teeth where the mechanism gives no heights: a maker's crest and, since a
 /// mesh needs a flat between the flanks, `kMeshedRootDepth` only; both at most 95 % of what meeting
 /// flanks allow.
-Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle,
-                      double forward_angle);
+Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle, double forward_angle);
 
 /// Least wall that `Bodies::refined` takes below the roots, and under a flange outside the pitch
 /// radius, in pitches.

@@ -13,9 +13,7 @@ enum class Direction { tension, compression };
 /// mechanism: -1 in tension, +1 in compression.
 constexpr double sense(Direction d) { return d == Direction::tension ? -1.0 : 1.0; }
 
-constexpr std::string_view name(Direction d) {
-  return d == Direction::tension ? "tension" : "compression";
-}
+constexpr std::string_view name(Direction d) { return d == Direction::tension ? "tension" : "compression"; }
 
 /// Whose power goes into the mechanism: force x speed x lead > 0 of a screw that drives its load.
 enum class DrivenBy { screw, load };
@@ -67,9 +65,7 @@ struct Travel {
   /// M: the travel has one position more.
   int last() const { return std::abs(turns) * steps; }
   /// theta of position k [rad].
-  double angle(int k) const {
-    return from + (turns < 0 ? -2.0 : 2.0) * std::numbers::pi * k / steps;
-  }
+  double angle(int k) const { return from + (turns < 0 ? -2.0 : 2.0) * std::numbers::pi * k / steps; }
 };
 
 /// What holds the mechanism along its axis while it vibrates.
@@ -177,8 +173,7 @@ struct Preload {
 inline constexpr double kLostMotionShare = 0.05;
 
 /// Axial position of the first contact on the second nut of a double nut [m].
-inline double second_position(const Mechanism& m, const Structure::Nut& nut,
-                              const Preload& preload) {
+inline double second_position(const Mechanism& m, const Structure::Nut& nut, const Preload& preload) {
   const double last = preload.position + (m.contacts_per_roller - 1) * axial_pitch(m);
   return *preload.distance - (nut.length - last) - preload.spacer->length;
 }

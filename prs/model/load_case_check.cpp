@@ -12,8 +12,8 @@ void check_force(const LoadCase& load, bool preloaded, Problems& problems) {
   const double written = load.axial_force;
   const bool may_be_zero = preloaded && load.is_solved();
   if (load.direction ? written > 0.0 || (may_be_zero && written == 0.0) : written != 0.0) return;
-  problems.add(load.input_path + ".axial_force", "got {} in case `{}`; expected a force {}; {}",
-               newton(written), load.name, load.direction ? "> 0" : "other than 0",
+  problems.add(load.input_path + ".axial_force", "got {} in case `{}`; expected a force {}; {}", newton(written),
+               load.name, load.direction ? "> 0" : "other than 0",
                load.direction ? "`direction` gives its sense" : "give it a value");
 }
 
@@ -26,13 +26,10 @@ struct RoomOnNut {
         last(nut.length - span),
         tolerance(kSamePlace * nut.length) {}
   bool none() const { return last < -tolerance; }
-  bool holds(double position) const {
-    return !none() && !(position < -tolerance || position > last + tolerance);
-  }
+  bool holds(double position) const { return !none() && !(position < -tolerance || position > last + tolerance); }
 };
 
-void check_spacer(const Spacer& spacer, const Structure::Nut& nut, const Mechanism& m,
-                  Problems& problems) {
+void check_spacer(const Spacer& spacer, const Structure::Nut& nut, const Mechanism& m, Problems& problems) {
   if (spacer.inner_diameter >= spacer.outer_diameter)
     problems.add("preload.spacer.inner_diameter",
                  "got {}; expected less than its outer diameter, {}; check the two diameters",
@@ -70,8 +67,8 @@ void check_distance(const Preload& p, const Structure& s, const Mechanism& m, Pr
 
 }  // namespace
 
-void check_position(std::string_view block, double position, const Mechanism& m,
-                    const Structure::Nut& nut, Problems& problems) {
+void check_position(std::string_view block, double position, const Mechanism& m, const Structure::Nut& nut,
+                    Problems& problems) {
   const RoomOnNut room(m, nut);
   if (room.holds(position)) return;
   if (room.none())
@@ -87,8 +84,7 @@ void check_position(std::string_view block, double position, const Mechanism& m,
                  mm(position), mm(std::max(room.last, 0.0)), m.contacts_per_roller);
 }
 
-void check_thrust(Direction direction, std::string_view load, const Structure::Nut& nut,
-                  Problems& problems) {
+void check_thrust(Direction direction, std::string_view load, const Structure::Nut& nut, Problems& problems) {
   if (direction == Direction::tension ? nut.thrust.tension : nut.thrust.compression) return;
   problems.add(fmt::format("structure.nut.thrust.{}", name(direction)),
                "missing; expected the axial position of the section that holds {} in case `{}`; "
@@ -109,13 +105,10 @@ void check_load_cases(const Case& c, Problems& problems) {
   if (c.structure) room.emplace(c.mechanism, c.structure->nut);
   for (const LoadCase& load : c.load_cases) {
     if (is_repeated(load))
-      problems.add(
-          load.input_path + ".name",
-          "got `{}` a second time; expected names that differ, ranges expanded; rename this case",
-          load.name);
+      problems.add(load.input_path + ".name",
+                   "got `{}` a second time; expected names that differ, ranges expanded; rename this case", load.name);
     check_force(load, c.preload && !c.preload->backlash, problems);
-    if (load.share == LoadCase::Share::equal || !c.structure || !load.direction || !load.position)
-      continue;
+    if (load.share == LoadCase::Share::equal || !c.structure || !load.direction || !load.position) continue;
     if (!room->holds(*load.position))
       check_position(load.input_path, *load.position, c.mechanism, c.structure->nut, problems);
     check_thrust(*load.direction, load.name, c.structure->nut, problems);
@@ -125,8 +118,7 @@ void check_load_cases(const Case& c, Problems& problems) {
 void check_loads(const Case& c, Problems& problems) {
   if (c.model.loads != ModelOptions::Loads::running) return;
   if (!c.friction)
-    problems.add_missing("friction", "a law of friction for `model: {loads: running}`",
-                         "{model: {coulomb: 0.1}}");
+    problems.add_missing("friction", "a law of friction for `model: {loads: running}`", "{model: {coulomb: 0.1}}");
   const auto check_share = [&](LoadCase::Share share, std::string path) {
     if (share == LoadCase::Share::equal)
       problems.add(std::move(path),
@@ -139,9 +131,7 @@ void check_loads(const Case& c, Problems& problems) {
     has_speed = has_speed && (load.speed || c.operation);
   }
   if (c.life) check_share(c.life->share, "life.share");
-  if (!has_speed)
-    problems.add_missing("operation", "the speed for `model: {loads: running}`",
-                         "{speed: 400 rpm}");
+  if (!has_speed) problems.add_missing("operation", "the speed for `model: {loads: running}`", "{speed: 400 rpm}");
 }
 
 void check_preload(const Case& c, Problems& problems) {
@@ -150,8 +140,8 @@ void check_preload(const Case& c, Problems& problems) {
   check_offset("preload.interference", p.interference.value_or(0.0), m, problems);
   check_offset("preload.backlash", p.backlash.value_or(0.0), m, problems);
   if (!(p.load.from < p.load.to))
-    problems.add("preload.load.to", "got {}; expected more than `from`, {}; swap the two",
-                 newton(p.load.to), newton(p.load.from));
+    problems.add("preload.load.to", "got {}; expected more than `from`, {}; swap the two", newton(p.load.to),
+                 newton(p.load.from));
   if (!c.structure) return;
   const Structure& s = *c.structure;
   if (!s.nut.thrust.tension && !s.nut.thrust.compression)
@@ -164,8 +154,7 @@ void check_preload(const Case& c, Problems& problems) {
   check_spacer(*p.spacer, s.nut, m, problems);
   const double last = p.position + (m.contacts_per_roller - 1) * axial_pitch(m);
   const double tolerance = kSamePlace * s.nut.length;
-  if (p.position >= -tolerance && last <= s.nut.length + tolerance)
-    check_distance(p, s, m, problems);
+  if (p.position >= -tolerance && last <= s.nut.length + tolerance) check_distance(p, s, m, problems);
 }
 
 void require_warm_preload(const Case& c, Problems& problems) {
@@ -190,17 +179,14 @@ void require_warm_preload(const Case& c, Problems& problems) {
 
 void require_preload(const Case& c, Problems& problems) {
   if (!c.preload)
-    problems.add_missing(
-        "preload", "what takes out the play, and the loads, for `preload`",
-        "{arrangement: single_nut, force: 2 kN, position: 10 mm, load: {from: -10 kN, to: 10 "
-        "kN}}");
-  if (!c.materials)
-    problems.add_missing("materials", "elastic properties for `preload`", kMaterialsExample);
+    problems.add_missing("preload", "what takes out the play, and the loads, for `preload`",
+                         "{arrangement: single_nut, force: 2 kN, position: 10 mm, load: {from: -10 kN, to: 10 "
+                         "kN}}");
+  if (!c.materials) problems.add_missing("materials", "elastic properties for `preload`", kMaterialsExample);
   if (!c.structure)
-    problems.add_missing(
-        "structure", "the parts around the threads for `preload`",
-        "{roller: {end_length: 5 mm, end_diameter: 5 mm}, nut: {length: 90 mm, outer_diameter: "
-        "46 mm, thrust: {tension: 10 mm}}}");
+    problems.add_missing("structure", "the parts around the threads for `preload`",
+                         "{roller: {end_length: 5 mm, end_diameter: 5 mm}, nut: {length: 90 mm, outer_diameter: "
+                         "46 mm, thrust: {tension: 10 mm}}}");
   if (c.model.mechanism == ModelOptions::Mechanism::full)
     problems.add("model.mechanism",
                  "got full, whose rollers touch one flank; expected sector, which joins both for "
@@ -249,11 +235,10 @@ void check_history(const Case& c, Problems& problems) {
   const HistorySource& h = *c.life->history;
   if (h.position) return;
   if (!h.time && !h.interval)
-    problems.add(
-        "life.history",
-        "got neither `position` nor a clock; expected how far the screw turns between two "
-        "samples; add `position: {column: .., unit: mm}`, or `time: {column: .., unit: s}` "
-        "or `interval: 10 ms`, for example");
+    problems.add("life.history",
+                 "got neither `position` nor a clock; expected how far the screw turns between two "
+                 "samples; add `position: {column: .., unit: mm}`, or `time: {column: .., unit: s}` "
+                 "or `interval: 10 ms`, for example");
   else if (!h.speed && !(c.operation && c.operation->speed != 0.0))
     problems.add("life.history",
                  "got neither `position` nor a speed; expected how far the screw turns between two "
@@ -302,11 +287,10 @@ void require_load_case_of_life(const Case& c, Problems& problems) {
     if (load.share == LoadCase::Share::equal) continue;
     if (!first) first = &load.spatial;
     if (load.spatial == *first) continue;
-    problems.add(
-        "life.load_case",
-        "missing; expected the load case whose side loads, misalignment and orbit act together "
-        "with the forces of `life`, as they differ; add `load_case: {}`, for example",
-        load.name);
+    problems.add("life.load_case",
+                 "missing; expected the load case whose side loads, misalignment and orbit act together "
+                 "with the forces of `life`, as they differ; add `load_case: {}`, for example",
+                 load.name);
     return;
   }
 }
@@ -316,8 +300,7 @@ void require_warm_life(const Case& c, Problems& problems) {
   constexpr std::string_view kWhy =
       " for `life` at the temperatures of `heat`, or "
       "`life: {temperatures: reference}`";
-  if (!c.friction)
-    problems.add_missing("friction", fmt::format("a law of friction{}", kWhy), "{model: jacod}");
+  if (!c.friction) problems.add_missing("friction", fmt::format("a law of friction{}", kWhy), "{model: jacod}");
   if (!c.operation || c.operation->speed == 0.0)
     problems.add_missing("operation", fmt::format("the speed{}", kWhy), "{speed: 400 rpm}");
   require_friction(c, problems);
@@ -339,11 +322,9 @@ void check_life(const Case& c, Problems& problems) {
 
 void need_life(const Case& c, Problems& problems) {
   if (!c.life)
-    problems.add_missing(
-        "life", "the loads and how long they act for `life`",
-        "{position: 10 mm, spectrum: [{force: 10 kN, direction: tension, share: 1}]}");
-  if (!c.materials)
-    problems.add_missing("materials", "elastic properties for `life`", kMaterialsExample);
+    problems.add_missing("life", "the loads and how long they act for `life`",
+                         "{position: 10 mm, spectrum: [{force: 10 kN, direction: tension, share: 1}]}");
+  if (!c.materials) problems.add_missing("materials", "elastic properties for `life`", kMaterialsExample);
   if (!c.structure && c.life && c.life->share == LoadCase::Share::solved)
     problems.add("structure",
                  "missing; expected the parts around the threads for `life`; add `structure` with "
@@ -353,8 +334,7 @@ void need_life(const Case& c, Problems& problems) {
   if (c.life->takes_heat(c.heat.has_value())) require_warm_life(c, problems);
   require_load_case_of_life(c, problems);
   if (!c.preload) return;
-  if (c.model.mechanism == ModelOptions::Mechanism::full &&
-      c.life->share == LoadCase::Share::solved)
+  if (c.model.mechanism == ModelOptions::Mechanism::full && c.life->share == LoadCase::Share::solved)
     problems.add("preload",
                  "got a preload with `mechanism: full`, whose flanks of the other sense are not in "
                  "the model; expected one of them; write `mechanism: sector`, or delete `preload`");

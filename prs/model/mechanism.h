@@ -43,8 +43,8 @@ struct Mechanism {
   ProfilePlane profile_plane = ProfilePlane::normal;
   double lead = 0.0;  ///< Lead of screw and nut [m]; > 0 right-handed.
   Starts starts;
-  PerPart<std::optional<double>> pitch;  ///< Measured axial pitch [m] where it differs.
-  PerPart<double> flank_angle;           ///< alpha_n (or axial), against the radial plane [rad].
+  PerPart<std::optional<double>> pitch;           ///< Measured axial pitch [m] where it differs.
+  PerPart<double> flank_angle;                    ///< alpha_n (or axial), against the radial plane [rad].
   PerPart<std::optional<double>> pitch_diameter;  ///< [m]; `design` gives the screw's only.
   std::optional<double> centre_distance;          ///< [m], `simulation` only.
   PerInterface<double> backlash;                  ///< Axial play [m], `design` only.

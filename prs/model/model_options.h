@@ -54,7 +54,7 @@ struct ModelOptions {
   Bodies bodies = Bodies::bars;
   std::optional<Loads> loads;  ///< Absent: at rest for `solve`, running for slip and life.
   Roller roller = Roller::flexible;
-  bool roller_shear = false;  ///< Timoshenko instead of Euler-Bernoulli beams in the roller.
+  bool roller_shear = false;                      ///< Timoshenko instead of Euler-Bernoulli beams in the roller.
   std::optional<RollerContacts> roller_contacts;  ///< By the starts where absent; bars: opposite.
   ToothCompliance tooth_compliance;
   RefinedEffects refined;
@@ -118,7 +118,7 @@ struct MeasureOptions {
     std::optional<double> housing;          ///< [N/m]
   };
 
-  std::optional<double> loaded_width;  ///< Thread width that one contact loads, for Yamamoto [m].
+  std::optional<double> loaded_width;          ///< Thread width that one contact loads, for Yamamoto [m].
   std::optional<double> friction_coefficient;  ///< For the estimate of efficiency.
   std::optional<double> yield_strength;        ///< [Pa]
   std::optional<Shaft> shaft;

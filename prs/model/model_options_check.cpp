@@ -24,8 +24,8 @@ void check_shoulder_meets_face(const Structure::Nut& nut, double bore, Problems&
       problems.add("structure.nut.shoulder",
                    fmt::format("got {} to {}; expected diameters that meet the face at {}, {} to "
                                "{}; change them",
-                               mm(nut.shoulder->inner_diameter), mm(nut.shoulder->outer_diameter),
-                               mm(*section), mm(inner), mm(outer)));
+                               mm(nut.shoulder->inner_diameter), mm(nut.shoulder->outer_diameter), mm(*section),
+                               mm(inner), mm(outer)));
   }
 }
 
@@ -34,24 +34,23 @@ constexpr double kLeastMeshedWall = 0.42;
 
 /// Walls outside the thread: `refined`, whose roots may be less deep there, counts them from the
 /// pitch diameter, `influence` from the roots.
-void check_nut_walls(const Structure::Nut& nut, double pitch_diameter, double dedendum,
-                     double pitch, bool meshed, Problems& problems) {
+void check_nut_walls(const Structure::Nut& nut, double pitch_diameter, double dedendum, double pitch, bool meshed,
+                     Problems& problems) {
   const double inner = pitch_diameter + (meshed ? 2.0 * dedendum : 0.0);
   const double pitches = meshed ? kLeastMeshedWall : kLeastWall;
   const double least = inner + 2.0 * pitches * pitch;
   // Paths are made where they are told alone: studies check each design.
   const auto check = [&](auto path, double outer, std::string_view what) {
     if (outer < least)
-      problems.add(path(),
-                   fmt::format("got {}; expected at least {} for `bodies: {}`, {} pitches of wall "
-                               "outside the {} of the thread; widen the {}",
-                               mm(outer), mm(least), meshed ? "influence" : "refined", pitches,
-                               meshed ? "roots" : "pitch line", what));
+      problems.add(path(), fmt::format("got {}; expected at least {} for `bodies: {}`, {} pitches of wall "
+                                       "outside the {} of the thread; widen the {}",
+                                       mm(outer), mm(least), meshed ? "influence" : "refined", pitches,
+                                       meshed ? "roots" : "pitch line", what));
   };
   check([] { return "structure.nut.outer_diameter"; }, nut.outer_diameter, "nut");
   for (std::size_t i = 0; i < nut.flanges.size(); ++i)
-    check([&] { return fmt::format("structure.nut.flanges[{}].outer_diameter", i); },
-          nut.flanges[i].outer_diameter, "flange");
+    check([&] { return fmt::format("structure.nut.flanges[{}].outer_diameter", i); }, nut.flanges[i].outer_diameter,
+          "flange");
 }
 
 /// Teeth and walls as `refined` and `influence` need them.
@@ -77,9 +76,8 @@ void check_threaded_walls(const Case& c, std::string_view bodies, Problems& prob
                                    mm(height), mm(least), mm(0.98 * sharp), bodies));
     }
     if (!c.structure) continue;
-    const double dedendum =
-        m.thread[part] ? m.thread[part]->dedendum
-                       : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
+    const double dedendum = m.thread[part] ? m.thread[part]->dedendum
+                                           : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
     if (part == Part::nut) {
       check_nut_walls(c.structure->nut, *diameter, dedendum, pitch, meshed, problems);
       continue;
@@ -88,11 +86,10 @@ void check_threaded_walls(const Case& c, std::string_view bodies, Problems& prob
     const double wall = root - (part == Part::screw ? 0.5 * c.structure->screw.bore : 0.0);
     const double thinnest = (meshed ? kLeastMeshedWall : kLeastWall) * pitch;
     if (wall < thinnest)
-      problems.add(
-          part == Part::screw ? "structure.screw.bore" : "mechanism.pitch_diameter.roller",
-          fmt::format("leaves a wall of {} below the threads, whose root lies at a diameter of {}; "
-                      "expected at least {} for `bodies: {}`; change it or take `bodies: bars`",
-                      mm(wall), mm(2.0 * root), mm(thinnest), bodies));
+      problems.add(part == Part::screw ? "structure.screw.bore" : "mechanism.pitch_diameter.roller",
+                   fmt::format("leaves a wall of {} below the threads, whose root lies at a diameter of {}; "
+                               "expected at least {} for `bodies: {}`; change it or take `bodies: bars`",
+                               mm(wall), mm(2.0 * root), mm(thinnest), bodies));
   }
 }
 
@@ -105,8 +102,7 @@ void check_bodies(const Case& c, Problems& problems) {
   const double least = 0.02 * axial_pitch(c.mechanism);
   if (model.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto && width < least)
     problems.add("model.tooth_compliance.yamamoto",
-                 fmt::format("got {}; expected at least {}, 2 % of the pitch; check the unit",
-                             mm(width), mm(least)));
+                 fmt::format("got {}; expected at least {}, 2 % of the pitch; check the unit", mm(width), mm(least)));
   if (model.bodies == bars) return;
   const std::string_view bodies = model.bodies == refined ? "refined" : "influence";
   if (model.bodies == influence && c.mechanism.rollers < 2)
@@ -128,8 +124,7 @@ void check_bodies(const Case& c, Problems& problems) {
                              bodies));
   check_threaded_walls(c, bodies, problems);
   if (c.structure && c.structure->nut.shoulder)
-    check_shoulder_meets_face(c.structure->nut, c.mechanism.pitch_diameter.nut.value_or(0.0),
-                              problems);
+    check_shoulder_meets_face(c.structure->nut, c.mechanism.pitch_diameter.nut.value_or(0.0), problems);
 }
 
 void check_thickness(const Case& c, Problems& problems) {
@@ -157,8 +152,7 @@ void refuse_in_sector(const Case& c, Problems& problems) {
   refuse(c.model.shear, "model", "shear");
   const Deviations& d = c.deviations;
   refuse(!d.roller_diameters.empty(), "deviations", "roller_diameter");
-  refuse(!d.roller_position.near.empty() || !d.roller_position.far.empty(), "deviations",
-         "roller_position");
+  refuse(!d.roller_position.near.empty() || !d.roller_position.far.empty(), "deviations", "roller_position");
   refuse(!d.missing_rollers.empty(), "deviations", "missing_rollers");
   refuse(!d.index_error.screw.empty() || !d.index_error.nut.empty(), "deviations", "index_error");
   refuse(d.thread_eccentricity != PerInterface<Lateral>{}, "deviations", "thread_eccentricity");
@@ -184,38 +178,29 @@ void refuse_in_sector(const Case& c, Problems& problems) {
     refuse(s.eccentricity != nothing.eccentricity, load.input_path, "eccentricity");
     refuse(s.side_force != nothing.side_force, load.input_path, "side_force");
     refuse(s.moment != nothing.moment, load.input_path, "moment");
-    refuse(s.nut_tilt != nothing.nut_tilt || s.nut_offset != nothing.nut_offset, load.input_path,
-           "misalignment");
+    refuse(s.nut_tilt != nothing.nut_tilt || s.nut_offset != nothing.nut_offset, load.input_path, "misalignment");
     refuse(s.orbit.has_value(), load.input_path, "orbit");
   }
 }
 
-void check_list(std::string path, std::size_t size, int wanted, std::string_view of,
-                Problems& problems) {
+void check_list(std::string path, std::size_t size, int wanted, std::string_view of, Problems& problems) {
   if (size != 0 && size != static_cast<std::size_t>(wanted))
-    problems.add(std::move(path), "got {} value{}; expected {}, one for each {}; {}", size,
-                 size == 1 ? "" : "s", wanted, of,
-                 size < static_cast<std::size_t>(wanted)
-                     ? "add the others, 0 where nothing deviates"
-                     : "delete the others");
+    problems.add(
+        std::move(path), "got {} value{}; expected {}, one for each {}; {}", size, size == 1 ? "" : "s", wanted, of,
+        size < static_cast<std::size_t>(wanted) ? "add the others, 0 where nothing deviates" : "delete the others");
 }
 
 void check_lists(const Case& c, Problems& problems) {
   const Deviations& d = c.deviations;
   const Mechanism& m = c.mechanism;
-  check_list("deviations.roller_diameter", d.roller_diameters.size(), m.rollers, "roller",
-             problems);
-  check_list("deviations.roller_position", d.roller_position.near.size(), m.rollers, "roller",
-             problems);
-  check_list("deviations.roller_position", d.roller_position.far.size(), m.rollers, "roller",
-             problems);
-  check_list("deviations.pitch_error.roller.list", d.pitch_error.roller.lists.size(), m.rollers,
-             "roller", problems);
+  check_list("deviations.roller_diameter", d.roller_diameters.size(), m.rollers, "roller", problems);
+  check_list("deviations.roller_position", d.roller_position.near.size(), m.rollers, "roller", problems);
+  check_list("deviations.roller_position", d.roller_position.far.size(), m.rollers, "roller", problems);
+  check_list("deviations.pitch_error.roller.list", d.pitch_error.roller.lists.size(), m.rollers, "roller", problems);
   for (const std::vector<double>& list : d.pitch_error.roller.lists) {
-    check_list("deviations.pitch_error.roller.list", list.size(), m.contacts_per_roller,
-               "contact of a roller", problems);
-    for (const double value : list)
-      check_offset("deviations.pitch_error.roller.list", value, m, problems);
+    check_list("deviations.pitch_error.roller.list", list.size(), m.contacts_per_roller, "contact of a roller",
+               problems);
+    for (const double value : list) check_offset("deviations.pitch_error.roller.list", value, m, problems);
   }
   for (const Part part : {Part::screw, Part::nut})
     if (!d.pitch_error[part].lists.empty())
@@ -223,10 +208,10 @@ void check_lists(const Case& c, Problems& problems) {
                    "got a list of lists; expected one list, as the part has one thread for all "
                    "rollers; write one list");
   for (const Interface i : kInterfaces)
-    check_list(fmt::format("deviations.index_error.{}", name(i)), d.index_error[i].size(),
-               m.starts.screw, "start", problems);
-  for (const auto* list : {&d.roller_diameters, &d.roller_position.near, &d.roller_position.far,
-                           &d.index_error.screw, &d.index_error.nut}) {
+    check_list(fmt::format("deviations.index_error.{}", name(i)), d.index_error[i].size(), m.starts.screw, "start",
+               problems);
+  for (const auto* list : {&d.roller_diameters, &d.roller_position.near, &d.roller_position.far, &d.index_error.screw,
+                           &d.index_error.nut}) {
     const char* path = list == &d.roller_diameters    ? "deviations.roller_diameter"
                        : list == &d.index_error.screw ? "deviations.index_error.screw"
                        : list == &d.index_error.nut   ? "deviations.index_error.nut"
@@ -246,15 +231,13 @@ void check_missing_rollers(const Case& c, Problems& problems) {
   std::ranges::sort(missing);
   const auto wrong = std::ranges::find_if(missing, [&](int k) { return k < 1 || k > rollers; });
   if (wrong != missing.end())
-    problems.add("deviations.missing_rollers",
-                 "got {}; expected numbers from 1 to {}; write one of them, or delete it", *wrong,
-                 rollers);
+    problems.add("deviations.missing_rollers", "got {}; expected numbers from 1 to {}; write one of them, or delete it",
+                 *wrong, rollers);
   else if (const auto twice = std::ranges::adjacent_find(missing); twice != missing.end())
-    problems.add("deviations.missing_rollers",
-                 "got {} twice; expected each number once; delete one", *twice);
+    problems.add("deviations.missing_rollers", "got {} twice; expected each number once; delete one", *twice);
   else if (static_cast<int>(missing.size()) == rollers && rollers > 0)
-    problems.add("deviations.missing_rollers",
-                 "got all {} rollers; expected one that is left; delete a number", rollers);
+    problems.add("deviations.missing_rollers", "got all {} rollers; expected one that is left; delete a number",
+                 rollers);
   if (missing.empty()) return;
   const auto refuse_equal = [&](LoadCase::Share share, std::string path) {
     if (share == LoadCase::Share::equal)
@@ -271,8 +254,7 @@ void check_equal_shares(const Case& c, Problems& problems) {
   const SpatialLoad none;
   for (const LoadCase& load : c.load_cases) {
     const SpatialLoad& s = load.spatial;
-    if (load.share != LoadCase::Share::equal || (s == none && !load.travel && !load.modes))
-      continue;
+    if (load.share != LoadCase::Share::equal || (s == none && !load.travel && !load.modes)) continue;
     const auto refuse = [&](bool stands, std::string_view key) {
       if (stands)
         problems.add(fmt::format("{}.{}", load.input_path, key),
@@ -329,17 +311,16 @@ void check_turning(const Case& c, Problems& problems) {
     check_offset((path + "eccentricity.amount").c_str(), thread.eccentricity.amount, m, problems);
     check_tilt(path + "wobble.amount", thread.wobble.amount);
     for (std::size_t k = 0; k < thread.harmonics.size(); ++k)
-      check_offset(fmt::format("{}lead.harmonics[{}].amplitude", path, k).c_str(),
-                   thread.harmonics[k].amplitude, m, problems);
+      check_offset(fmt::format("{}lead.harmonics[{}].amplitude", path, k).c_str(), thread.harmonics[k].amplitude, m,
+                   problems);
     for (std::size_t k = 0; k < thread.waves.size(); ++k)
-      check_offset(fmt::format("{}lead.waves[{}].amplitude", path, k).c_str(),
-                   thread.waves[k].amplitude, m, problems);
+      check_offset(fmt::format("{}lead.waves[{}].amplitude", path, k).c_str(), thread.waves[k].amplitude, m, problems);
     if (!thread.measured) continue;
     const MeasuredLead& lead = *thread.measured;
     if (lead.at.size() != lead.deviation.size())
       problems.add(path + "lead.measured.deviation",
-                   "got {} values; expected {}, one for each place of `at`; add or delete some",
-                   lead.deviation.size(), lead.at.size());
+                   "got {} values; expected {}, one for each place of `at`; add or delete some", lead.deviation.size(),
+                   lead.at.size());
     for (std::size_t k = 1; k < lead.at.size(); ++k)
       if (!(lead.at[k] > lead.at[k - 1]))
         problems.add(path + "lead.measured.at",
@@ -389,10 +370,8 @@ void check_masses(const Case& c, Problems& problems) {
     const ExtraMass& m = s.masses[k];
     const std::string path = fmt::format("structure.masses[{}]", k);
     if (m.mass == 0.0 && m.inertia.x == 0.0 && m.inertia.y == 0.0 && m.inertia.z == 0.0)
-      problems.add(path + ".mass",
-                   "got 0 kg and no inertia; expected one of them; write it, or delete the mass");
-    if (m.carrier == ExtraMass::Carrier::nut &&
-        (m.position < -tolerance || m.position > s.nut.length + tolerance))
+      problems.add(path + ".mass", "got 0 kg and no inertia; expected one of them; write it, or delete the mass");
+    if (m.carrier == ExtraMass::Carrier::nut && (m.position < -tolerance || m.position > s.nut.length + tolerance))
       problems.add(path + ".position",
                    "got {}; expected a place on the nut, 0 mm to {}; move it, or write "
                    "`carried_by: screw`",
@@ -423,8 +402,7 @@ void check_motion(const Case& c, Problems& problems) {
                    "{{turns: 1}}`, or delete it",
                    *load.modes->positions);
     else if (load.modes->positions && *load.modes->positions > load.travel->last())
-      problems.add(path + ".positions",
-                   "got {}; expected at most {}, the steps of the travel; take fewer",
+      problems.add(path + ".positions", "got {}; expected at most {}, the steps of the travel; take fewer",
                    *load.modes->positions, load.travel->last());
     for (const Part part : kParts)
       if (c.materials && !(*c.materials)[part].density)
@@ -440,8 +418,7 @@ void check_bearings(const std::vector<Bearing>& bearings, double same_place, Pro
   for (std::size_t k = 0; k < bearings.size(); ++k)
     for (std::size_t i = 0; i < k; ++i) {
       const Bearing &a = bearings[i], &b = bearings[k];
-      const bool both_hold =
-          (a.lateral == kRigid && b.lateral == kRigid) || (a.tilt == kRigid && b.tilt == kRigid);
+      const bool both_hold = (a.lateral == kRigid && b.lateral == kRigid) || (a.tilt == kRigid && b.tilt == kRigid);
       if (both_hold && std::abs(a.position - b.position) <= same_place)
         problems.add(fmt::format("structure.screw.bearings[{}].position", k),
                      "got {}, where bearings[{}] is rigid too; expected one rigid bearing at a "
@@ -476,8 +453,7 @@ void check_seat(std::string path, const Lateral& offset, const Mechanism& m, Pro
 void check_small_motions(const Case& c, Problems& problems) {
   for (const LoadCase& load : c.load_cases) {
     check_rotation(load.input_path + ".misalignment.nut_tilt", load.spatial.nut_tilt, problems);
-    check_seat(load.input_path + ".misalignment.nut_offset", load.spatial.nut_offset, c.mechanism,
-               problems);
+    check_seat(load.input_path + ".misalignment.nut_offset", load.spatial.nut_offset, c.mechanism, problems);
   }
   if (!c.structure) return;
   const auto& bearings = c.structure->screw.bearings;
@@ -494,22 +470,19 @@ void check_places(const Case& c, Problems& problems) {
   for (const LoadCase& load : c.load_cases) {
     if (!load.position) continue;
     const double first = *load.position - free_length(s);
-    const double last = *load.position +
-                        (c.mechanism.contacts_per_roller - 1) * axial_pitch(c.mechanism) +
-                        s.screw.far_length;
+    const double last =
+        *load.position + (c.mechanism.contacts_per_roller - 1) * axial_pitch(c.mechanism) + s.screw.far_length;
     const double tolerance = kSamePlace * s.nut.length;
     const auto check = [&](std::string path, double x) {
       if (x < first - tolerance || x > last + tolerance)
         problems.add(std::move(path),
                      "got {}; expected a place on the screw, {} to {} in case `{}`; move it, or "
                      "lengthen `structure.screw.{}`",
-                     mm(x), mm(first), mm(last), load.name,
-                     x < first ? "free_length" : "far_length");
+                     mm(x), mm(first), mm(last), load.name, x < first ? "free_length" : "far_length");
     };
     for (std::size_t k = 0; k < s.screw.bearings.size(); ++k)
       check(fmt::format("structure.screw.bearings[{}].position", k), s.screw.bearings[k].position);
-    if (load.spatial.side_force.at)
-      check(load.input_path + ".side_force.at", *load.spatial.side_force.at);
+    if (load.spatial.side_force.at) check(load.input_path + ".side_force.at", *load.spatial.side_force.at);
     if (load.spatial.moment.at) check(load.input_path + ".moment.at", *load.spatial.moment.at);
     if (s.screw.drive) check("structure.screw.drive.position", s.screw.drive->position);
     for (std::size_t k = 0; k < s.masses.size(); ++k)
@@ -522,8 +495,7 @@ void check_places(const Case& c, Problems& problems) {
 
 void check_full_mechanism(const Case& c, Problems& problems) {
   if (c.model.mechanism == ModelOptions::Mechanism::sector) return refuse_in_sector(c, problems);
-  if (c.model.bodies == ModelOptions::Bodies::influence &&
-      c.model.contact_phase != ModelOptions::ContactPhase::equal)
+  if (c.model.bodies == ModelOptions::Bodies::influence && c.model.contact_phase != ModelOptions::ContactPhase::equal)
     problems.add("model.contact_phase",
                  "got helical with `bodies: influence`, bodies of revolution whose ridges have no "
                  "lead; expected equal; delete it, or take `bodies: refined`");
@@ -542,8 +514,7 @@ void check_full_mechanism(const Case& c, Problems& problems) {
   if (!c.structure) return;
   check_masses(c, problems);
   const Rings& rings = c.structure->roller.rings;
-  if (c.model.roller == ModelOptions::Roller::rigid_bending &&
-      rings.carrier != Rings::Carrier::housing)
+  if (c.model.roller == ModelOptions::Roller::rigid_bending && rings.carrier != Rings::Carrier::housing)
     problems.add("structure.roller.rings",
                  "got rings that move with a part and rollers that stay straight; expected `rings: "
                  "housing` with `model.roller: rigid_bending`");

@@ -53,10 +53,8 @@ using enum contact::BaseOil;
 /// Midpoints of the grades; at 100 degC what the viscosity index of 95 gives, for which the annex
 /// of ISO 3448 tabulates the grades. Densities are typical ones of such oils, no data of a sheet,
 /// where the source says so.
-constexpr std::string_view kIso =
-    "midpoints of ISO 3448, viscosity index 95 by ASTM D2270; density: typical";
-constexpr std::string_view kAeroShell =
-    "The AeroShell Book, 19th edition (2012): base oil, typical; density: typical";
+constexpr std::string_view kIso = "midpoints of ISO 3448, viscosity index 95 by ASTM D2270; density: typical";
+constexpr std::string_view kAeroShell = "The AeroShell Book, 19th edition (2012): base oil, typical; density: typical";
 constexpr std::string_view kSkf =
     "SKF bearing grease selection chart: base oil at 40 degC; at 100 degC viscosity index 95 by "
     "ASTM D2270; density: typical";
@@ -76,16 +74,14 @@ constexpr NamedLubricant kLubricants[] = {
      "MIL-PRF-7808L, least viscosities of grade 3; density: typical"},
     {"mil-prf-83282", "hydraulic fluid, polyalphaolefin", polyalphaolefin, 14.0e-6, 3.45e-6, 850.0,
      "MIL-PRF-83282D, least viscosities; density: typical"},
-    {"mil-prf-23827", "grease for screws and gears: AeroShell Grease 33", polyalphaolefin, 14.2e-6,
-     3.4e-6, 850.0, kAeroShell},
-    {"mil-prf-81322", "grease, wide temperature range: AeroShell Grease 22", polyalphaolefin,
-     30.5e-6, 5.7e-6, 830.0, kAeroShell},
+    {"mil-prf-23827", "grease for screws and gears: AeroShell Grease 33", polyalphaolefin, 14.2e-6, 3.4e-6, 850.0,
+     kAeroShell},
+    {"mil-prf-81322", "grease, wide temperature range: AeroShell Grease 22", polyalphaolefin, 30.5e-6, 5.7e-6, 830.0,
+     kAeroShell},
     {"skf-lgmt-2", "grease, lithium soap: SKF LGMT 2", mineral, 110e-6, 11.80e-6, 890.0, kSkf},
     {"skf-lgep-2", "grease, lithium soap, EP: SKF LGEP 2", mineral, 200e-6, 17.61e-6, 898.0, kSkf},
-    {"skf-lgwa-2", "grease, lithium complex, EP: SKF LGWA 2", mineral, 185e-6, 16.73e-6, 898.0,
-     kSkf},
-    {"skf-lghb-2", "grease, calcium sulphonate: SKF LGHB 2", mineral, 400e-6, 27.69e-6, 904.0,
-     kSkf},
+    {"skf-lgwa-2", "grease, lithium complex, EP: SKF LGWA 2", mineral, 185e-6, 16.73e-6, 898.0, kSkf},
+    {"skf-lghb-2", "grease, calcium sulphonate: SKF LGHB 2", mineral, 400e-6, 27.69e-6, 904.0, kSkf},
 };
 
 }  // namespace
@@ -107,10 +103,9 @@ Lubricant with_data_of_name(Lubricant l) {
 
 contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature) {
   const contact::WaltherLine line = line_of(lubricant);
-  contact::Lubricant oil = with_viscosity(
-      lubricant, density_of(lubricant) * contact::kinematic_viscosity(line, temperature));
-  if (!stated_coefficient(lubricant))
-    oil.temperature_coefficient = contact::temperature_coefficient(line, temperature);
+  contact::Lubricant oil =
+      with_viscosity(lubricant, density_of(lubricant) * contact::kinematic_viscosity(line, temperature));
+  if (!stated_coefficient(lubricant)) oil.temperature_coefficient = contact::temperature_coefficient(line, temperature);
   return oil;
 }
 
@@ -142,9 +137,7 @@ std::string origin_of(std::string_view key, LubricantName name) {
 std::optional<Warning> estimated_lubricant(const Lubricant& l) {
   if (!l.name || (l.pressure_viscosity && l.eyring_stress)) return {};
   std::string values, keys;
-  const auto add = [](std::string& list, const std::string& item) {
-    list += list.empty() ? item : " and " + item;
-  };
+  const auto add = [](std::string& list, const std::string& item) { list += list.empty() ? item : " and " + item; };
   if (!l.pressure_viscosity) {
     add(values, has_operating_point(l) ? fmt::format("pressure-viscosity {:.3g} 1/GPa (Gold 2001)",
                                                      1e9 * in_operation(l).pressure_viscosity)
@@ -152,20 +145,16 @@ std::optional<Warning> estimated_lubricant(const Lubricant& l) {
     add(keys, "`pressure_viscosity`");
   }
   if (!l.eyring_stress) {
-    add(values,
-        fmt::format("Eyring stress {:.3g} MPa (oils have 2 to 10)", 1e-6 * kTypicalEyringStress));
+    add(values, fmt::format("Eyring stress {:.3g} MPa (oils have 2 to 10)", 1e-6 * kTypicalEyringStress));
     add(keys, "`eyring_stress`");
   }
-  return Warning{
-      "lubricant", "estimated_lubricant",
-      fmt::format("{} of {} by estimate; efficiency follows them", values, data_of(*l.name).name),
-      fmt::format("state {} where measured", keys)};
+  return Warning{"lubricant", "estimated_lubricant",
+                 fmt::format("{} of {} by estimate; efficiency follows them", values, data_of(*l.name).name),
+                 fmt::format("state {} where measured", keys)};
 }
 
 std::span<const NamedLubricant> named_lubricants() { return kLubricants; }
 
-const NamedLubricant& data_of(LubricantName name) {
-  return kLubricants[static_cast<std::size_t>(name)];
-}
+const NamedLubricant& data_of(LubricantName name) { return kLubricants[static_cast<std::size_t>(name)]; }
 
 }  // namespace prs

@@ -13,7 +13,7 @@ struct NamedLubricant {
   std::string_view name;  ///< As a file names it: `iso-vg-100`.
   std::string_view what;
   contact::BaseOil base;
-  double viscosity_40;  ///< Kinematic, of the oil or the base oil of the grease, at 40 degC [m^2/s]
+  double viscosity_40;   ///< Kinematic, of the oil or the base oil of the grease, at 40 degC [m^2/s]
   double viscosity_100;  ///< The same at 100 degC [m^2/s]
   double density;        ///< At 15 degC [kg/m^3]
   std::string_view source;
@@ -188,8 +188,7 @@ struct Heat {
   Conductance conductance;
   std::vector<DutyStep> duty = {};  ///< Repeated without end; none: no cycle.
   std::optional<Capacity> capacity = {};
-  std::optional<double> specific_heat =
-      {};  ///< One for all parts, in place of `capacity` [J/(kg K)].
+  std::optional<double> specific_heat = {};  ///< One for all parts, in place of `capacity` [J/(kg K)].
 };
 
 /// The viscosities that a named lubricant is sold with, at 40 and 100 degC.

@@ -12,8 +12,8 @@ constexpr std::string_view kLubricantExample = "{name: iso-vg-100, temperature: 
 
 /// The two points must give a line along which the oil gets thinner with temperature; empty where
 /// they do not.
-std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint> points,
-                                                 double density, Problems& problems) {
+std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint> points, double density,
+                                                 Problems& problems) {
   if (points.size() != 2) {
     problems.add("lubricant.viscosity_at",
                  fmt::format("got a list of {}; expected a list of 2, through which the line goes; "
@@ -44,10 +44,9 @@ std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint>
     const Measured m = measured(i);
     if (m.viscosity > contact::kLeastKinematicViscosity) continue;
     sound = false;
-    problems.add(path(m),
-                 fmt::format("got {}; expected more than {}, where the line of ASTM D341 ends; "
-                             "check value and unit",
-                             text(m), mm2_per_s(contact::kLeastKinematicViscosity)));
+    problems.add(path(m), fmt::format("got {}; expected more than {}, where the line of ASTM D341 ends; "
+                                      "check value and unit",
+                                      text(m), mm2_per_s(contact::kLeastKinematicViscosity)));
   }
   if (!sound) return std::nullopt;
   Measured cold = measured(0), hot = measured(1);
@@ -60,11 +59,10 @@ std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint>
   }
   if (temperature(cold) > temperature(hot)) std::swap(cold, hot);
   if (hot.viscosity >= cold.viscosity) {
-    problems.add(path(hot),
-                 fmt::format("got {} at {}; expected less than {}, the viscosity at {}: oil gets "
-                             "thinner as it warms; check the two points",
-                             text(hot), celsius(temperature(hot)), mm2_per_s(cold.viscosity),
-                             celsius(temperature(cold))));
+    problems.add(path(hot), fmt::format("got {} at {}; expected less than {}, the viscosity at {}: oil gets "
+                                        "thinner as it warms; check the two points",
+                                        text(hot), celsius(temperature(hot)), mm2_per_s(cold.viscosity),
+                                        celsius(temperature(cold))));
     return std::nullopt;
   }
   return contact::walther_line(temperature(cold), cold.viscosity, temperature(hot), hot.viscosity);
@@ -92,8 +90,7 @@ void check_conductance(const Heat::Conductance& c, Problems& problems) {
   rollers = rollers || (screw && screw_to_rollers) || (nut && rollers_to_nut);
   screw = screw || (rollers && screw_to_rollers);
   nut = nut || (rollers && rollers_to_nut);
-  const auto refuse = [&](bool holds, std::string_view part, std::string_view keys,
-                          std::string_view example) {
+  const auto refuse = [&](bool holds, std::string_view part, std::string_view keys, std::string_view example) {
     if (!holds)
       problems.add("heat.conductance",
                    "the heat of the {} finds no way to the surroundings; expected one of {} above "
@@ -167,20 +164,17 @@ void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Proble
     of_name = viscosities_of(*l.name);
     points = of_name;
   }
-  const std::optional<double> density =
-      l.density || !l.name ? l.density : std::optional(data_of(*l.name).density);
+  const std::optional<double> density = l.density || !l.name ? l.density : std::optional(data_of(*l.name).density);
   const bool has_line = l.walther || !points.empty();
   if (heat && (l.viscosity || !has_line))
-    return problems.add(
-        l.viscosity ? "lubricant.viscosity" : "lubricant.viscosity_at",
-        fmt::format("{}; expected a viscosity that follows the temperature, as `heat` computes it; "
-                    "state `name`, `viscosity_at` or `walther` in its place",
-                    l.viscosity ? fmt::format("got {:.7g} mPa s", 1e3 * *l.viscosity) : "missing"));
+    return problems.add(l.viscosity ? "lubricant.viscosity" : "lubricant.viscosity_at",
+                        fmt::format("{}; expected a viscosity that follows the temperature, as `heat` computes it; "
+                                    "state `name`, `viscosity_at` or `walther` in its place",
+                                    l.viscosity ? fmt::format("got {:.7g} mPa s", 1e3 * *l.viscosity) : "missing"));
   if (l.viscosity && *l.viscosity <= contact::kRoelandsViscosity)
-    problems.add("lubricant.viscosity",
-                 fmt::format("got {:.7g} mPa s; expected more than {:.4f} mPa s, below which "
-                             "Roelands' viscosity falls with pressure; check the unit",
-                             1e3 * *l.viscosity, 1e3 * contact::kRoelandsViscosity));
+    problems.add("lubricant.viscosity", fmt::format("got {:.7g} mPa s; expected more than {:.4f} mPa s, below which "
+                                                    "Roelands' viscosity falls with pressure; check the unit",
+                                                    1e3 * *l.viscosity, 1e3 * contact::kRoelandsViscosity));
   if (!l.viscosity && !l.temperature && !heat) {
     if (!has_line)
       return problems.add("lubricant.viscosity",
@@ -199,27 +193,22 @@ void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Proble
                    "add `temperature_coefficient: 0.035 1/K`, for example");
     return;
   }
-  const bool kinematic = l.walther || std::ranges::any_of(points, [](const auto& p) {
-                           return p.kinematic_viscosity.has_value();
-                         });
+  const bool kinematic =
+      l.walther || std::ranges::any_of(points, [](const auto& p) { return p.kinematic_viscosity.has_value(); });
   if (kinematic && !density)
     return problems.add("lubricant.density",
                         "missing; expected the density of the oil, by which its kinematic "
                         "viscosity becomes dynamic; add `density: 870 kg/m^3`, for example");
   const std::optional<contact::WaltherLine> line =
-      l.walther ? l.walther
-                : line_through(points, density.value_or(contact::kTypicalOilDensity), problems);
+      l.walther ? l.walther : line_through(points, density.value_or(contact::kTypicalOilDensity), problems);
   if (!line) return;
   const double temperature = heat ? heat->ambient : *l.temperature;
   const double viscosity = contact::kinematic_viscosity(*line, temperature);
-  if (viscosity > contact::kLeastKinematicViscosity &&
-      viscosity <= contact::kGreatestKinematicViscosity)
-    return;
+  if (viscosity > contact::kLeastKinematicViscosity && viscosity <= contact::kGreatestKinematicViscosity) return;
   problems.add(heat ? "heat.ambient" : "lubricant.temperature",
                fmt::format("got {}, where the oil's line gives {}; expected more than {} and at "
                            "most {} there, within ASTM D341; check the temperature and {}",
-                           celsius(temperature), mm2_per_s(viscosity),
-                           mm2_per_s(contact::kLeastKinematicViscosity),
+                           celsius(temperature), mm2_per_s(viscosity), mm2_per_s(contact::kLeastKinematicViscosity),
                            mm2_per_s(contact::kGreatestKinematicViscosity),
                            l.walther                ? "`walther`"
                            : l.viscosity_at.empty() ? "the name"
@@ -230,11 +219,10 @@ void check_carrier(const Carrier& carrier, Problems& problems) {
   if (!carrier.bearing) return;
   const HeadBearing& b = *carrier.bearing;
   if (carrier.roller_torque > 0.0)
-    problems.add(
-        "carrier.roller_torque",
-        fmt::format("got {:.7g} N m together with `bearing`, from which it follows; expected one "
-                    "of the two; delete the other",
-                    carrier.roller_torque));
+    problems.add("carrier.roller_torque",
+                 fmt::format("got {:.7g} N m together with `bearing`, from which it follows; expected one "
+                             "of the two; delete the other",
+                             carrier.roller_torque));
   if (!b.has_film()) return;
   if (!(b.radial_clearance < 0.1 * b.diameter))
     problems.add("carrier.bearing.radial_clearance",
@@ -252,22 +240,18 @@ void check_carrier(const Carrier& carrier, Problems& problems) {
 void require_friction(const Conditions& c, Problems& problems) {
   const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
   if (c.friction && c.friction->of_film() && !c.lubricant)
-    problems.add_missing(
-        "lubricant",
-        fmt::format("the lubricant for `friction: {{model: {}}}`", mixed ? "{mixed: ..}" : "jacod"),
-        kLubricantExample);
-  if (mixed && !c.roughness)
-    problems.add_missing("roughness", "the Rq of the flanks for `friction: {model: {mixed: ..}}`",
-                         "0.4 um");
-  if (c.carrier.is_oiled() && !c.lubricant)
     problems.add_missing("lubricant",
-                         "the lubricant of `carrier.bearing`, whatever the law of friction",
+                         fmt::format("the lubricant for `friction: {{model: {}}}`", mixed ? "{mixed: ..}" : "jacod"),
+                         kLubricantExample);
+  if (mixed && !c.roughness)
+    problems.add_missing("roughness", "the Rq of the flanks for `friction: {model: {mixed: ..}}`", "0.4 um");
+  if (c.carrier.is_oiled() && !c.lubricant)
+    problems.add_missing("lubricant", "the lubricant of `carrier.bearing`, whatever the law of friction",
                          kLubricantExample);
 }
 
 void require_slip(const Conditions& c, Problems& problems) {
-  if (!c.friction)
-    problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
+  if (!c.friction) problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
   require_friction(c, problems);
   for (const LoadCase& load : c.load_cases) {
     if (!load.speed && !c.operation) {
@@ -297,11 +281,10 @@ void require_expansion(const Case& c, Problems& problems) {
   if (!c.materials) return;
   for (const Part part : kParts)
     if (!(*c.materials)[part].thermal_expansion)
-      problems.add(
-          "materials",
-          "the {} lacks `thermal_expansion`; expected it with `heat`, which warms the parts; add "
-          "`thermal_expansion: 11.5 um/m/K`, for example, or `share: equal` to each load case",
-          name(part));
+      problems.add("materials",
+                   "the {} lacks `thermal_expansion`; expected it with `heat`, which warms the parts; add "
+                   "`thermal_expansion: 11.5 um/m/K`, for example, or `share: equal` to each load case",
+                   name(part));
 }
 
 }  // namespace prs

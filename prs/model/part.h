@@ -41,9 +41,7 @@ struct PerInterface {
 /// The part that the roller touches at an interface.
 constexpr Part body_of(Interface i) { return i == Interface::screw ? Part::screw : Part::nut; }
 
-constexpr std::string_view name(Part p) {
-  return p == Part::screw ? "screw" : p == Part::roller ? "roller" : "nut";
-}
+constexpr std::string_view name(Part p) { return p == Part::screw ? "screw" : p == Part::roller ? "roller" : "nut"; }
 
 constexpr std::string_view name(Interface i) { return i == Interface::screw ? "screw" : "nut"; }
 
@@ -56,9 +54,7 @@ struct Lateral {
 };
 
 /// Along the direction at the azimuth `angle`, from y towards z.
-inline double along(const Lateral& l, double angle) {
-  return l.y * std::cos(angle) + l.z * std::sin(angle);
-}
+inline double along(const Lateral& l, double angle) { return l.y * std::cos(angle) + l.z * std::sin(angle); }
 
 /// Stiffness of a support that does not give.
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();

@@ -38,8 +38,8 @@ class Problems {
   }
   /// A block that a command needs and the case lacks.
   void add_missing(std::string path, std::string_view what, std::string_view example) {
-    std::string message = fmt::format("{}expected {}; add `{}: {}`, for example", Problem::kMissing,
-                                      what, path, example);
+    std::string message =
+        fmt::format("{}expected {}; add `{}: {}`, for example", Problem::kMissing, what, path, example);
     add(std::move(path), std::move(message));
   }
   std::vector<Problem> take() && { return std::move(found_); }
@@ -53,10 +53,8 @@ class Problems {
 /// the reader of the case adds file and line.
 class CaseError : public std::runtime_error {
  public:
-  explicit CaseError(Problem problem)
-      : std::runtime_error(problem.message), problem_(std::move(problem)) {}
-  CaseError(std::string path, std::string message)
-      : CaseError(Problem{std::move(path), std::move(message)}) {}
+  explicit CaseError(Problem problem) : std::runtime_error(problem.message), problem_(std::move(problem)) {}
+  CaseError(std::string path, std::string message) : CaseError(Problem{std::move(path), std::move(message)}) {}
 
   const Problem& problem() const { return problem_; }
   const std::string& path() const { return problem_.path; }

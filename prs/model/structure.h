@@ -105,8 +105,7 @@ struct Structure {
     double outer_diameter = 0.0;
     std::vector<Flange> flanges;
     Thrust thrust;
-    std::optional<Shoulder> shoulder =
-        {};  ///< From the nut's to the flange's diameter where absent.
+    std::optional<Shoulder> shoulder = {};  ///< From the nut's to the flange's diameter where absent.
     Housing housing = {};
   };
 

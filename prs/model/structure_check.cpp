@@ -24,11 +24,10 @@ void check_reach(const Mechanism& m, Problems& problems) {
                  "take {}, or their threads cannot mesh; check centre distance and pitch diameters",
                  mm(*m.centre_distance), mm(0.5 * (*screw + *roller)), mm(reach));
   if (std::abs(nut_gap) > reach)
-    problems.add(
-        "mechanism.pitch_diameter.nut",
-        "got {}; expected {}, twice the centre distance and the roller's pitch radius, give or "
-        "take {}, or their threads cannot mesh; check centre distance and pitch diameters",
-        mm(*nut), mm(2.0 * *m.centre_distance + *roller), mm(2.0 * reach));
+    problems.add("mechanism.pitch_diameter.nut",
+                 "got {}; expected {}, twice the centre distance and the roller's pitch radius, give or "
+                 "take {}, or their threads cannot mesh; check centre distance and pitch diameters",
+                 mm(*nut), mm(2.0 * *m.centre_distance + *roller), mm(2.0 * reach));
 }
 
 /// Neighbouring rollers must clear each other: 2 c sin(pi / n) > d.
@@ -36,9 +35,7 @@ void check_rollers(const Mechanism& m, Problems& problems) {
   if (!m.centre_distance || !m.pitch_diameter.roller || m.rollers < 2) return;
   const double distance = 2.0 * *m.centre_distance;
   const double diameter = *m.pitch_diameter.roller;
-  const auto overlap = [&](int n) {
-    return n > 1 && distance * std::sin(std::numbers::pi / n) <= diameter;
-  };
+  const auto overlap = [&](int n) { return n > 1 && distance * std::sin(std::numbers::pi / n) <= diameter; };
   if (!overlap(m.rollers)) return;
   int most = m.rollers;
   while (overlap(most)) --most;
@@ -66,8 +63,8 @@ void check_threads(const Mechanism& m, Problems& problems) {
                    part == Part::nut ? "screw or roller" : "a part with a pitch diameter");
     if (m.pitch[part] && std::abs(*m.pitch[part] / pitch - 1.0) > 0.5)
       problems.add(fmt::format("mechanism.pitch.{}", name(part)),
-                   "got {}; expected a measured pitch near lead / starts, {}; check the units",
-                   mm(*m.pitch[part]), mm(pitch));
+                   "got {}; expected a measured pitch near lead / starts, {}; check the units", mm(*m.pitch[part]),
+                   mm(pitch));
   }
 }
 
@@ -78,31 +75,24 @@ void check_meshing(const Mechanism& m, Problems& problems) {
 
 namespace {
 
-void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch_diameter,
-                   Problems& problems) {
+void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch_diameter, Problems& problems) {
   const double tolerance = kSamePlace * nut.length;
   for (std::size_t i = 0; i < nut.flanges.size(); ++i) {
     const Structure::Flange& f = nut.flanges[i];
-    const auto path = [i](std::string_view key) {
-      return fmt::format("structure.nut.flanges[{}].{}", i, key);
-    };
+    const auto path = [i](std::string_view key) { return fmt::format("structure.nut.flanges[{}].{}", i, key); };
     if (!(f.from < f.to))
-      problems.add(path("to"), "got {}; expected a position beyond `from`, {}; swap the two",
-                   mm(f.to), mm(f.from));
+      problems.add(path("to"), "got {}; expected a position beyond `from`, {}; swap the two", mm(f.to), mm(f.from));
     if (f.from < -tolerance)
-      problems.add(path("from"),
-                   "got {}; expected a position on the nut, 0 mm to {}; move the flange",
-                   mm(f.from), mm(nut.length));
+      problems.add(path("from"), "got {}; expected a position on the nut, 0 mm to {}; move the flange", mm(f.from),
+                   mm(nut.length));
     if (f.to > nut.length + tolerance)
-      problems.add(
-          path("to"),
-          "got {}; expected a position on the nut, 0 mm to {}; move the flange or lengthen the nut",
-          mm(f.to), mm(nut.length));
+      problems.add(path("to"),
+                   "got {}; expected a position on the nut, 0 mm to {}; move the flange or lengthen the nut", mm(f.to),
+                   mm(nut.length));
     if (pitch_diameter && f.outer_diameter <= *pitch_diameter)
-      problems.add(
-          path("outer_diameter"),
-          "got {}; expected more than the nut's pitch diameter, {}; check the two diameters",
-          mm(f.outer_diameter), mm(*pitch_diameter));
+      problems.add(path("outer_diameter"),
+                   "got {}; expected more than the nut's pitch diameter, {}; check the two diameters",
+                   mm(f.outer_diameter), mm(*pitch_diameter));
   }
   std::vector<std::size_t> order;  // Empty, without memory, where they stand in order.
   if (!std::ranges::is_sorted(nut.flanges, {}, &Structure::Flange::from)) {
@@ -144,19 +134,18 @@ void check_proportions(const Structure& s, const Mechanism& m, Problems& problem
       problems.add(std::string(path),
                    "got {}{}; expected {} to {}, {:g} to {:g} times the part's pitch diameter; "
                    "check the unit",
-                   path == "mechanism.lead" ? "an axial pitch of " : "", mm(length),
-                   mm(least * *diameter), mm(greatest * *diameter), least, greatest);
+                   path == "mechanism.lead" ? "an axial pitch of " : "", mm(length), mm(least * *diameter),
+                   mm(greatest * *diameter), least, greatest);
 }
 
-void check_shoulder(const Structure::Nut& nut, const std::optional<double>& pitch_diameter,
-                    Problems& problems) {
+void check_shoulder(const Structure::Nut& nut, const std::optional<double>& pitch_diameter, Problems& problems) {
   const Structure::Shoulder& s = *nut.shoulder;
   double outer = nut.outer_diameter;
   for (const Structure::Flange& f : nut.flanges) outer = std::max(outer, f.outer_diameter);
   if (!(s.inner_diameter < s.outer_diameter))
     problems.add("structure.nut.shoulder.outer_diameter",
-                 "got {}; expected more than its inner diameter, {}; swap the two",
-                 mm(s.outer_diameter), mm(s.inner_diameter));
+                 "got {}; expected more than its inner diameter, {}; swap the two", mm(s.outer_diameter),
+                 mm(s.inner_diameter));
   if (s.inner_diameter >= outer)
     problems.add("structure.nut.shoulder.inner_diameter",
                  "got {}; expected less than the largest diameter of the nut, {}, or it misses the "
@@ -174,22 +163,21 @@ void check_shoulder(const Structure::Nut& nut, const std::optional<double>& pitc
 void check_structure(const Structure& s, const Mechanism& m, Problems& problems) {
   const auto& diameter = m.pitch_diameter;
   if (diameter.screw && s.screw.bore >= *diameter.screw)
-    problems.add(
-        "structure.screw.bore",
-        "got {}; expected less than the screw's pitch diameter, {}; check the two diameters",
-        mm(s.screw.bore), mm(*diameter.screw));
+    problems.add("structure.screw.bore",
+                 "got {}; expected less than the screw's pitch diameter, {}; check the two diameters", mm(s.screw.bore),
+                 mm(*diameter.screw));
   if (diameter.nut && s.nut.outer_diameter <= *diameter.nut)
     problems.add("structure.nut.outer_diameter",
                  "got {}; expected more than the nut's pitch diameter, {}; check the two diameters",
                  mm(s.nut.outer_diameter), mm(*diameter.nut));
   const double tolerance = kSamePlace * s.nut.length;
-  const std::pair<std::string_view, std::optional<double>> sections[] = {
-      {"tension", s.nut.thrust.tension}, {"compression", s.nut.thrust.compression}};
+  const std::pair<std::string_view, std::optional<double>> sections[] = {{"tension", s.nut.thrust.tension},
+                                                                         {"compression", s.nut.thrust.compression}};
   for (const auto& [direction, section] : sections)
     if (section && (*section < -tolerance || *section > s.nut.length + tolerance))
       problems.add(fmt::format("structure.nut.thrust.{}", direction),
-                   "got {}; expected a position on the nut, 0 mm to {}; move the section",
-                   mm(*section), mm(s.nut.length));
+                   "got {}; expected a position on the nut, 0 mm to {}; move the section", mm(*section),
+                   mm(s.nut.length));
   check_flanges(s.nut, diameter.nut, problems);
   if (s.nut.shoulder) check_shoulder(s.nut, diameter.nut, problems);
   check_proportions(s, m, problems);
@@ -201,16 +189,14 @@ void check_pitch_error(const PitchError& e, Part part, const Mechanism& m, Probl
   const auto path = [&] { return fmt::format("deviations.pitch_error.{}", name(part)); };
   const auto contacts = static_cast<std::size_t>(m.contacts_per_roller);
   if (!e.list.empty() && e.list.size() != contacts)
-    problems.add(path() + ".list", "got {} value{}; expected {}, one per contact of a roller; {}",
-                 e.list.size(), e.list.size() == 1 ? "" : "s", contacts,
-                 e.list.size() < contacts ? "add the others, 0 where nothing deviates"
-                                          : "delete the others");
+    problems.add(path() + ".list", "got {} value{}; expected {}, one per contact of a roller; {}", e.list.size(),
+                 e.list.size() == 1 ? "" : "s", contacts,
+                 e.list.size() < contacts ? "add the others, 0 where nothing deviates" : "delete the others");
   double largest = std::max(std::abs(e.linear), e.periodic ? std::abs(e.periodic->amplitude) : 0.0);
   for (const double value : e.list) largest = std::max(largest, std::abs(value));
   if (largest > kMostDeviation * axial_pitch(m))
-    problems.add(path(),
-                 "got up to {}; expected at most {}, a quarter of the pitch; check the unit",
-                 mm(largest), mm(kMostDeviation * axial_pitch(m)));
+    problems.add(path(), "got up to {}; expected at most {}, a quarter of the pitch; check the unit", mm(largest),
+                 mm(kMostDeviation * axial_pitch(m)));
 }
 
 }  // namespace
@@ -218,9 +204,8 @@ void check_pitch_error(const PitchError& e, Part part, const Mechanism& m, Probl
 void check_offset(const char* path, double offset, const Mechanism& m, Problems& problems) {
   const double most = kMostDeviation * axial_pitch(m);
   if (std::abs(offset) > most)
-    problems.add(path,
-                 "got {}; expected at most {} either way, a quarter of the pitch; check the unit",
-                 mm(offset), mm(most));
+    problems.add(path, "got {}; expected at most {} either way, a quarter of the pitch; check the unit", mm(offset),
+                 mm(most));
 }
 
 void check_deviations(const Case& c, Problems& problems) {
@@ -233,13 +218,11 @@ void check_deviations(const Case& c, Problems& problems) {
       {"deviations.end_relief.drop", d.end_relief ? d.end_relief->drop : 0.0}};
   for (const auto& [path, value] : drops) check_offset(path, value, m, problems);
   if (d.end_relief && 2 * d.end_relief->threads > m.contacts_per_roller)
-    problems.add("deviations.end_relief.threads",
-                 "got {}; expected at most {}, half of the contacts of a roller",
+    problems.add("deviations.end_relief.threads", "got {}; expected at most {}, half of the contacts of a roller",
                  d.end_relief->threads, m.contacts_per_roller / 2);
   if (!d.temperature || !c.materials) return;
   for (const Part part : kParts)
-    if ((*d.temperature)[part] != d.reference_temperature &&
-        !(*c.materials)[part].thermal_expansion)
+    if ((*d.temperature)[part] != d.reference_temperature && !(*c.materials)[part].thermal_expansion)
       problems.add("materials",
                    "the {} lacks `thermal_expansion`; expected it where a temperature differs from "
                    "the reference, {}; add `thermal_expansion: 11.5 um/m/K`, for example",

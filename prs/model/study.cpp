@@ -38,8 +38,7 @@ std::string_view name(Algorithm algorithm) {
 }
 
 bool takes_several_objectives(Algorithm algorithm) {
-  return algorithm == Algorithm::nsga2 || algorithm == Algorithm::nspso ||
-         algorithm == Algorithm::moead;
+  return algorithm == Algorithm::nsga2 || algorithm == Algorithm::nspso || algorithm == Algorithm::moead;
 }
 
 std::size_t design_count(const Optimization& optimization) {
@@ -58,8 +57,7 @@ bool is_continuous(const Factor& factor) {
 std::optional<MapAxis> axis_of(const Study& study, std::size_t factor) {
   const Factor& f = study.factors[factor];
   if (!f.is_numeric() || f.levels.size() < 2) return std::nullopt;
-  MapAxis axis{
-      factor, std::vector<std::size_t>(f.levels.size()), {}, f.logarithmic, is_continuous(f)};
+  MapAxis axis{factor, std::vector<std::size_t>(f.levels.size()), {}, f.logarithmic, is_continuous(f)};
   std::iota(axis.levels.begin(), axis.levels.end(), std::size_t{0});
   std::ranges::sort(axis.levels, {}, [&](std::size_t k) { return *f.levels[k].number; });
   for (const std::size_t k : axis.levels) axis.numbers.push_back(*f.levels[k].number);
@@ -92,8 +90,7 @@ std::optional<double> MapAxis::place(double number) const {
   const auto above = std::ranges::upper_bound(numbers, number);
   const auto next = std::min(static_cast<std::size_t>(above - numbers.begin()), nodes() - 1);
   const double from = numbers[next - 1], to = numbers[next];
-  const double share =
-      logarithmic ? std::log(number / from) / std::log(to / from) : (number - from) / (to - from);
+  const double share = logarithmic ? std::log(number / from) / std::log(to / from) : (number - from) / (to - from);
   return static_cast<double>(next - 1) + share;
 }
 

@@ -18,8 +18,7 @@ std::string number(double shown, int digits) {
 
 void put(std::string& text, std::string_view name, const std::string& number, TextUnit unit) {
   if (const std::size_t at = text.find(name); at != text.npos)
-    text.replace(at, name.size(),
-                 unit.text.empty() ? number : fmt::format("{} {}", number, unit.text));
+    text.replace(at, name.size(), unit.text.empty() ? number : fmt::format("{} {}", number, unit.text));
 }
 
 }  // namespace
@@ -30,8 +29,7 @@ std::string sentence(const Warning& w) {
     return si ? number(*si * w.unit.factor, digits) : std::string();
   };
   int digits = kFewest;
-  while (digits < kMost && w.value && w.limit && w.value != w.limit &&
-         shown(w.value, digits) == shown(w.limit, digits))
+  while (digits < kMost && w.value && w.limit && w.value != w.limit && shown(w.value, digits) == shown(w.limit, digits))
     ++digits;
   std::string text = w.what;
   put(text, "{value}", shown(w.value, digits), w.unit);
@@ -50,8 +48,7 @@ bool is_worse(const Warning& warning, const Warning& than) {
   if (!warning.value || !than.value) return false;
   const bool by_limit = warning.limit && than.limit && *warning.limit != 0.0 && *than.limit != 0.0;
   const auto share = [&](const Warning& w) { return by_limit ? *w.value / *w.limit : *w.value; };
-  return warning.worse == Warning::Worse::larger ? share(warning) > share(than)
-                                                 : share(warning) < share(than);
+  return warning.worse == Warning::Worse::larger ? share(warning) > share(than) : share(warning) < share(than);
 }
 
 }  // namespace prs

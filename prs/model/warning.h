@@ -32,8 +32,7 @@ inline constexpr TextUnit newton_per_micrometre{"N/µm", per_si::newton_per_micr
 inline constexpr TextUnit watt_per_kelvin{"W/K"};
 inline constexpr TextUnit metre_per_second{"m/s"};
 /// Speed times diameter [m rad/s], which makers state as n d.
-inline constexpr TextUnit millimetre_per_minute{"mm/min",
-                                                per_si::millimetre* per_si::revolution_per_minute};
+inline constexpr TextUnit millimetre_per_minute{"mm/min", per_si::millimetre* per_si::revolution_per_minute};
 inline constexpr TextUnit kelvin{"K"};
 }  // namespace text_unit
 
@@ -42,18 +41,18 @@ struct Warning {
   /// Which values are worse, of those that the same warning has in other load cases.
   enum class Worse { larger, smaller };
 
-  std::string path;      ///< Key of the input that it concerns; empty where there is none.
-  std::string code;      ///< Its kind: `screw_peak_pressure`. With `path` it names a group.
-  std::string what;      ///< A sentence; `{value}` and `{limit}` stand for the numbers.
-  std::string fix = {};  ///< How to fix it.
+  std::string path;                              ///< Key of the input that it concerns; empty where there is none.
+  std::string code;                              ///< Its kind: `screw_peak_pressure`. With `path` it names a group.
+  std::string what;                              ///< A sentence; `{value}` and `{limit}` stand for the numbers.
+  std::string fix = {};                          ///< How to fix it.
   std::optional<double> value = {}, limit = {};  ///< [SI]
   TextUnit unit = {};
   Worse worse = Worse::larger;
   std::string load_case = {};  ///< Its name, where it is of one; set where cases are gathered.
 
   /// With these numbers.
-  Warning with(std::optional<double> of_value, std::optional<double> of_limit = {},
-               TextUnit of_unit = {}, Worse of_worse = Worse::larger) && {
+  Warning with(std::optional<double> of_value, std::optional<double> of_limit = {}, TextUnit of_unit = {},
+               Worse of_worse = Worse::larger) && {
     value = of_value, limit = of_limit, unit = of_unit, worse = of_worse;
     return std::move(*this);
   }

@@ -36,8 +36,7 @@ struct Best {
   std::size_t objective = 0;
 };
 
-std::optional<DesignAt> design_at(const OptimizationResult& result,
-                                  const std::optional<std::size_t>& index) {
+std::optional<DesignAt> design_at(const OptimizationResult& result, const std::optional<std::size_t>& index) {
   return index ? std::optional(DesignAt{&result, &result.design(*index), *index}) : std::nullopt;
 }
 
@@ -79,18 +78,14 @@ constexpr Quantity<Optimization> kCompromiseRows[] = {
        return kNames.at(static_cast<std::size_t>(o.compromise.by));
      }>,
      "ideal | knee | weights | best"},
-    {"weights",
-     always<[](auto& o) { return o.compromise.weights; }, is_by<Compromise::By::weights>>},
-    {"of",
-     of<[](auto& o) { return o.study.responses[o.objectives[o.compromise.objective].response]; },
-        is_by<Compromise::By::best>>},
+    {"weights", always<[](auto& o) { return o.compromise.weights; }, is_by<Compromise::By::weights>>},
+    {"of", of<[](auto& o) { return o.study.responses[o.objectives[o.compromise.objective].response]; },
+              is_by<Compromise::By::best>>},
 };
 
 constexpr Quantity<Optimization> kOptimizationRows[] = {
     {"command", always<[](auto& o) { return name(o.study.command); }>},
-    {"variables",
-     always_table<kVariableRows,
-                  [](auto& o) -> const std::vector<Factor>& { return o.study.factors; }>},
+    {"variables", always_table<kVariableRows, [](auto& o) -> const std::vector<Factor>& { return o.study.factors; }>},
     {"objectives", always_table<kObjectiveRows, [](auto& o) { return within(o, o.objectives); }>},
     {"algorithm", always<&Optimization::algorithm>},
     {"check", of<&Optimization::check>},
@@ -115,24 +110,19 @@ constexpr Quantity<DesignAt> kDesignRows[] = {
     {"reason", filled<[](auto& d) { return d.design->status.reason; }>},
     {"feasible", always<&DesignAt::is_feasible>},
     {"violation", of<[](auto& d) { return d.design->violation; }>},
-    {"responses", always<[](auto& d) { return by_key(d.study().responses, d.design->responses); }>,
-     "by their paths"},
+    {"responses", always<[](auto& d) { return by_key(d.study().responses, d.design->responses); }>, "by their paths"},
 };
 
 constexpr Quantity<ConstraintOf> kConstraintRows[] = {
     {"name", always<[](auto& c) { return c.constraint->name; }>},
     {"constraint", always<[](auto& c) { return constraint_text(*c.of->result, *c.constraint); }>},
     {"value", of<[](auto& c) { return c.of->design->responses[c.constraint->response]; }>},
-    {"limit",
-     of<[](auto& c) { return limit_of(*c.constraint, *c.of->design, c.of->result->initial); }>},
-    {"satisfied",
-     always<[](auto& c) { return keeps(*c.constraint, *c.of->design, c.of->result->initial); }>},
+    {"limit", of<[](auto& c) { return limit_of(*c.constraint, *c.of->design, c.of->result->initial); }>},
+    {"satisfied", always<[](auto& c) { return keeps(*c.constraint, *c.of->design, c.of->result->initial); }>},
 };
 
 constexpr auto constraints_of = [](const DesignAt& d) {
-  return each(d.result->optimization.constraints, [&](const Constraint& c) {
-    return ConstraintOf{&d, &c};
-  });
+  return each(d.result->optimization.constraints, [&](const Constraint& c) { return ConstraintOf{&d, &c}; });
 };
 
 constexpr Quantity<DesignAt> kInitialRows[] = {
@@ -147,14 +137,12 @@ constexpr Quantity<DesignAt> kNumberedRows[] = {
 
 constexpr Quantity<DesignAt> kChosenRows[] = {
     {"design", always<&DesignAt::number>, "its number in history.csv"},
-    {"algorithm", always<[](auto& d) { return d.result->search_of(d.index).algorithm; }>,
-     "that found it"},
+    {"algorithm", always<[](auto& d) { return d.result->search_of(d.index).algorithm; }>, "that found it"},
     {"", always_table<kDesignRows>},
     as_shown<DesignAt>({"change_percent", always<[](auto& d) {
                           std::vector<std::optional<double>> changes;
                           for (std::size_t k = 0; k < d.design->responses.size(); ++k)
-                            changes.push_back(change_percent(d.design->responses[k],
-                                                             d.result->initial.responses[k]));
+                            changes.push_back(change_percent(d.design->responses[k], d.result->initial.responses[k]));
                           return by_key(d.study().responses, changes);
                         }>,
                         "against the file's own design"}),
@@ -195,8 +183,7 @@ constexpr Quantity<OptimizationResult> kComparisonRows[] = {
     {"best", always_table<kBestRows,
                           [](auto& r) {
                             std::vector<Best> all;
-                            for (std::size_t k = 0; k < r.comparison->best.size(); ++k)
-                              all.push_back({&r, k});
+                            for (std::size_t k = 0; k < r.comparison->best.size(); ++k) all.push_back({&r, k});
                             return all;
                           }>},
 };
@@ -215,14 +202,12 @@ constexpr Quantity<OptimizationResult> kResultRows[] = {
                             [](auto& r) {
                               return SearchOf{&r, &r.search};
                             }>},
-    {"check", of_table<kSearchRows,
-                       [](auto& r) {
-                         return r.check ? std::optional(
-                                              SearchOf{&r, &*r.check, r.search.designs.size()})
-                                        : std::nullopt;
-                       }>},
-    {"comparison",
-     of_table<kComparisonRows, std::identity{}, [](auto& r) { return r.comparison.has_value(); }>},
+    {"check",
+     of_table<kSearchRows,
+              [](auto& r) {
+                return r.check ? std::optional(SearchOf{&r, &*r.check, r.search.designs.size()}) : std::nullopt;
+              }>},
+    {"comparison", of_table<kComparisonRows, std::identity{}, [](auto& r) { return r.comparison.has_value(); }>},
 };
 
 constexpr std::size_t kMaxName = 48;
@@ -274,9 +259,8 @@ std::vector<Row> response_rows(const OptimizationResult& result, const Evaluated
 std::string lines_of(const std::vector<Row>& rows, std::size_t name_width) {
   std::string lines;
   for (const Row& row : rows)
-    lines += fmt::format("{}  {}  {}  {}\n", fitted(printable(row.name), name_width, true),
-                         fitted(row.initial, kValue), fitted(row.chosen, kValue),
-                         padded(row.change, kChange, false));
+    lines += fmt::format("{}  {}  {}  {}\n", fitted(printable(row.name), name_width, true), fitted(row.initial, kValue),
+                         fitted(row.chosen, kValue), padded(row.change, kChange, false));
   return lines;
 }
 
@@ -288,18 +272,15 @@ std::string design_table(const OptimizationResult& result, const EvaluatedDesign
     for (const Row& row : *rows) name_width = std::max(name_width, width(printable(row.name)));
   name_width = std::min(name_width, kMaxName);
   const Row head{"", "as in the file", result.compromise ? "compromise" : "nearest", "change"};
-  return lines_of({head}, name_width) + lines_of(variables, name_width) + '\n' +
-         lines_of(responses, name_width);
+  return lines_of({head}, name_width) + lines_of(variables, name_width) + '\n' + lines_of(responses, name_width);
 }
 
 std::string head(const OptimizationResult& result) {
   const Optimization& o = result.optimization;
   const SearchCounts counts = count(result.search);
-  std::string text =
-      fmt::format("{}: {} generations of {} designs, seed {}: {} feasible", name(o.algorithm),
-                  o.generations, o.population, o.seed, counts.feasible);
-  if (counts.without_answer > 0)
-    text += fmt::format(", {} without an answer", counts.without_answer);
+  std::string text = fmt::format("{}: {} generations of {} designs, seed {}: {} feasible", name(o.algorithm),
+                                 o.generations, o.population, o.seed, counts.feasible);
+  if (counts.without_answer > 0) text += fmt::format(", {} without an answer", counts.without_answer);
   if (o.objectives.size() > 1) text += fmt::format(", {} on the front", result.search.front.size());
   return text + "\n\n";
 }
@@ -315,47 +296,41 @@ std::string constraints(const OptimizationResult& result, const EvaluatedDesign&
       ++kept;
       continue;
     }
-    const TableResponse response =
-        table_response(result.optimization.study.responses[constraint.response]);
+    const TableResponse response = table_response(result.optimization.study.responses[constraint.response]);
     const std::string& unit = response.title.unit;
-    violated +=
-        wrapped(fmt::format("violated: {}: {} against {}{}{}", printable(constraint.name),
-                            number(response.factor * chosen.responses[constraint.response]),
-                            number(response.factor * limit_of(constraint, chosen, result.initial)),
-                            unit.empty() ? "" : " ", unit),
-                "  ", kTableWidth);
+    violated += wrapped(fmt::format("violated: {}: {} against {}{}{}", printable(constraint.name),
+                                    number(response.factor * chosen.responses[constraint.response]),
+                                    number(response.factor * limit_of(constraint, chosen, result.initial)),
+                                    unit.empty() ? "" : " ", unit),
+                        "  ", kTableWidth);
   }
-  return fmt::format("\n{} of {} constraints are kept, {} by the design in the file\n{}", kept,
-                     all.size(), kept_before, violated);
+  return fmt::format("\n{} of {} constraints are kept, {} by the design in the file\n{}", kept, all.size(), kept_before,
+                     violated);
 }
 
 /// A line that says so where the check found the design that is shown.
 std::string from_check(const OptimizationResult& result) {
   const auto shown = result.compromise ? result.compromise : result.nearest;
   if (!shown || *shown < result.search.designs.size()) return "";
-  return fmt::format("  the {} above is a design of {}\n",
-                     result.compromise ? "compromise" : "nearest design",
+  return fmt::format("  the {} above is a design of {}\n", result.compromise ? "compromise" : "nearest design",
                      name(result.check->algorithm));
 }
 
 std::string comparison(const OptimizationResult& result) {
   if (!result.check) return "";
   const SearchCounts counts = count(*result.check);
-  std::string text =
-      fmt::format("\nCheck by {}: {} feasible, {} on the front", name(result.check->algorithm),
-                  counts.feasible, result.check->front.size());
+  std::string text = fmt::format("\nCheck by {}: {} feasible, {} on the front", name(result.check->algorithm),
+                                 counts.feasible, result.check->front.size());
   const FrontComparison& c = *result.comparison;
   if (c.best.empty()) return text + '\n' + from_check(result);
   text += fmt::format("; hypervolume {:.4f} against {:.4f}\n", c.check_hypervolume, c.hypervolume);
   for (std::size_t k = 0; k < c.best.size(); ++k) {
     const Objective& objective = result.optimization.objectives[k];
-    const TableResponse response =
-        table_response(result.optimization.study.responses[objective.response]);
-    text += wrapped(
-        fmt::format("best {}: {} against {} ({})", response.text(),
-                    number(response.factor * c.check_best[k]), number(response.factor * c.best[k]),
-                    change(c.best[k], c.check_best[k])),
-        "  ", kTableWidth);
+    const TableResponse response = table_response(result.optimization.study.responses[objective.response]);
+    text +=
+        wrapped(fmt::format("best {}: {} against {} ({})", response.text(), number(response.factor * c.check_best[k]),
+                            number(response.factor * c.best[k]), change(c.best[k], c.check_best[k])),
+                "  ", kTableWidth);
   }
   return text + from_check(result);
 }
@@ -385,19 +360,16 @@ std::string failures(const OptimizationResult& result) {
   std::ranges::stable_sort(reasons, std::ranges::greater{}, &Reason::designs);
   std::string text;
   for (const Reason& reason : std::span(reasons).first(std::min(kMostReasons, reasons.size())))
-    text += wrapped(
-        fmt::format("{} without an answer, the first: {}", reason.designs, printable(reason.first)),
-        "", kTableWidth);
+    text += wrapped(fmt::format("{} without an answer, the first: {}", reason.designs, printable(reason.first)), "",
+                    kTableWidth);
   if (reasons.size() > kMostReasons)
-    text += fmt::format("… and {} other reasons; {}\n", reasons.size() - kMostReasons,
-                        all_in("history.csv"));
+    text += fmt::format("… and {} other reasons; {}\n", reasons.size() - kMostReasons, all_in("history.csv"));
   return text.empty() ? "" : "\n" + text;
 }
 
 }  // namespace
 
-PRS_RECORD(OptimizationResult, "Optimization", "What was asked for, and the best designs.",
-           kResultRows);
+PRS_RECORD(OptimizationResult, "Optimization", "What was asked for, and the best designs.", kResultRows);
 
 nlohmann::ordered_json optimize_json(const OptimizationResult& result, const DocumentInfo& info) {
   nlohmann::ordered_json document = document_head(info, {});
@@ -416,8 +388,7 @@ std::string optimize_table(const OptimizationResult& result) {
   std::string text = head(result);
   if (!chosen) return text + optimize_failure(result);
   if (!result.compromise) text += "No design keeps all constraints; the nearest one:\n\n";
-  return text + design_table(result, *chosen) + constraints(result, *chosen) + comparison(result) +
-         failures(result);
+  return text + design_table(result, *chosen) + constraints(result, *chosen) + comparison(result) + failures(result);
 }
 
 namespace {
@@ -463,8 +434,8 @@ std::string history_csv(const OptimizationResult& result, const CsvStyle& style)
   std::size_t number = 0;
   const auto add = [&](std::string_view algorithm, std::optional<std::size_t> generation,
                        const EvaluatedDesign& design) {
-    csv.fields(number++, algorithm, generation, design.is_feasible(), design.violation,
-               design.status.name, design.status.reason);
+    csv.fields(number++, algorithm, generation, design.is_feasible(), design.violation, design.status.name,
+               design.status.reason);
     design_fields(csv, optimization.study, design);
   };
   add("initial", std::nullopt, result.initial);
@@ -548,8 +519,7 @@ std::optional<std::string> edited(const Source& source) {
       continue;
     }
     const std::size_t at = node->place.offset;
-    if (node->kind != Node::Kind::scalar || node->quoted ||
-        source.text.compare(at, node->text.size(), node->text) != 0)
+    if (node->kind != Node::Kind::scalar || node->quoted || source.text.compare(at, node->text.size(), node->text) != 0)
       return std::nullopt;
     edits.push_back({at, node->text.size(), value});
   }
@@ -579,8 +549,7 @@ void write_block(const Node& node, std::size_t indent, std::string& text) {
 
 }  // namespace
 
-std::string case_with(const Source& source, const std::vector<std::string>& overrides,
-                      const std::string& remark) {
+std::string case_with(const Source& source, const std::vector<std::string>& overrides, const std::string& remark) {
   Source changed = source;
   changed.overrides.insert(changed.overrides.end(), overrides.begin(), overrides.end());
   const Node wanted = document_of(changed);

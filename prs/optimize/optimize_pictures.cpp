@@ -89,9 +89,7 @@ Panel history_panel(const OptimizationResult& result, const Objective& objective
   if (std::isfinite(initial)) panel.series.push_back({kInitial, {{{0.0, initial}}}});
   if (const auto shown = result.compromise ? result.compromise : result.nearest) {
     const std::size_t k = *shown;
-    panel.series.push_back(
-        {kChosen,
-         {{{static_cast<double>(k + 1), result.design(k).responses[objective.response]}}}});
+    panel.series.push_back({kChosen, {{{static_cast<double>(k + 1), result.design(k).responses[objective.response]}}}});
   }
   return panel;
 }
@@ -114,8 +112,7 @@ Panel front_panel(const OptimizationResult& result, std::size_t x, std::size_t y
   Polyline cloud;
   const std::size_t step = designs.size() / kMostPoints + 1;
   for (std::size_t k = 0; k < designs.size(); k += step)
-    if (designs[k].is_feasible())
-      cloud.push_back({designs[k].responses[x], designs[k].responses[y]});
+    if (designs[k].is_feasible()) cloud.push_back({designs[k].responses[x], designs[k].responses[y]});
   panel.series = {{kCloud, {std::move(cloud)}}};
   if (result.check) panel.series.push_back({kCheckFront, {points_of_front(*result.check, x, y)}});
   panel.series.push_back({kFront, {points_of_front(result.search, x, y)}});
@@ -129,8 +126,7 @@ Panel front_panel(const OptimizationResult& result, std::size_t x, std::size_t y
 }
 
 /// The fronts alone, where the other designs squeeze them into a corner.
-std::optional<Panel> enlarged_front(const OptimizationResult& result, Panel panel, std::size_t x,
-                                    std::size_t y) {
+std::optional<Panel> enlarged_front(const OptimizationResult& result, Panel panel, std::size_t x, std::size_t y) {
   constexpr double kSqueezed = 0.25;  // Share of an axis.
   Range at_x, at_y;
   const auto add = [&](const Search& search) {
@@ -157,10 +153,8 @@ std::optional<Panel> enlarged_front(const OptimizationResult& result, Panel pane
 /// feasible and infeasible, the best so far and the chosen one (as Yao et al. 2023, fig. 12).
 Figures optimization_history(const OptimizationResult& result) {
   const Optimization& optimization = result.optimization;
-  const std::string then =
-      result.check ? fmt::format(", then of {},", name(result.check->algorithm)) : "";
-  Figure figure{"history",
-                fmt::format("Designs of {}{} in their order", name(optimization.algorithm), then)};
+  const std::string then = result.check ? fmt::format(", then of {},", name(result.check->algorithm)) : "";
+  Figure figure{"history", fmt::format("Designs of {}{} in their order", name(optimization.algorithm), then)};
   figure.x = {"Design", "", 0.0, static_cast<double>(result.design_count())};
   figure.add("infeasible", kInfeasibleStyle);
   figure.add("feasible", kFeasibleStyle);
@@ -168,8 +162,7 @@ Figures optimization_history(const OptimizationResult& result) {
   figure.add("as in the file", kInitialStyle);
   figure.add(result.compromise ? "compromise" : "nearest to the limits", kChosenStyle);
   for (const Objective& objective : optimization.objectives)
-    if (figure.panels.size() < kMostPanels)
-      figure.panels.push_back(history_panel(result, objective));
+    if (figure.panels.size() < kMostPanels) figure.panels.push_back(history_panel(result, objective));
   figure.aspect = 0.3;
   return {with_true_legend(std::move(figure))};
 }
@@ -188,8 +181,7 @@ Figures pareto_front(const OptimizationResult& result) {
   } else {
     figure.add(points_of(Colour::orange, Mark::square));
   }
-  figure.add(fmt::format("front of {}", name(result.search.algorithm)),
-             points_of(Colour::blue, Mark::circle));
+  figure.add(fmt::format("front of {}", name(result.search.algorithm)), points_of(Colour::blue, Mark::circle));
   figure.add("as in the file", kInitialStyle);
   figure.add(result.compromise ? "compromise" : "nearest to the limits", kChosenStyle);
   for (std::size_t i = 0; i < objectives.size(); ++i)
@@ -197,8 +189,7 @@ Figures pareto_front(const OptimizationResult& result) {
       if (figure.panels.size() < kMostPanels) {
         const std::size_t x = objectives[i].response, y = objectives[j].response;
         figure.panels.push_back(front_panel(result, x, y));
-        if (auto large = enlarged_front(result, figure.panels.back(), x, y))
-          figure.panels.push_back(std::move(*large));
+        if (auto large = enlarged_front(result, figure.panels.back(), x, y)) figure.panels.push_back(std::move(*large));
       }
   figure.columns = std::min<std::size_t>(figure.panels.size(), 2);
   return {with_true_legend(std::move(figure))};

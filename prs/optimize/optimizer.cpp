@@ -35,16 +35,14 @@ class Answers {
 
  private:
   EvaluatedDesign next_of_journal(const std::vector<Draw>& draws) {
-    while (block_.first + block_.rows <= asked_)
-      block_ = journal_.block(journal_.records()[next_record_++]);
+    while (block_.first + block_.rows <= asked_) block_ = journal_.block(journal_.records()[next_record_++]);
     return row(block_, asked_++ - block_.first, draws);
   }
 
-  void compute(const std::vector<std::vector<Draw>>& designs,
-               std::vector<EvaluatedDesign>& answered) {
+  void compute(const std::vector<std::vector<Draw>>& designs, std::vector<EvaluatedDesign>& answered) {
     if (options_.interrupted && options_.interrupted()) throw Interrupted{};
-    const std::vector<std::vector<Draw>> rest(
-        designs.begin() + static_cast<std::ptrdiff_t>(answered.size()), designs.end());
+    const std::vector<std::vector<Draw>> rest(designs.begin() + static_cast<std::ptrdiff_t>(answered.size()),
+                                              designs.end());
     RowBlock block = evaluate_(rest);
     block.first = asked_;
     journal_.append(encode(block));
@@ -74,8 +72,7 @@ class Answers {
 
 std::vector<Draw> draws_at(const Optimization& optimization, const std::vector<double>& x) {
   std::vector<Draw> draws;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    draws.push_back(draw_at(optimization.study.factors[i], x[i]));
+  for (std::size_t i = 0; i < x.size(); ++i) draws.push_back(draw_at(optimization.study.factors[i], x[i]));
   return draws;
 }
 
@@ -103,8 +100,7 @@ Points first_population(const Optimization& optimization, std::uint64_t seed) {
   const std::vector<Factor>& variables = optimization.study.factors;
   Points points(optimization.population, std::vector<double>(variables.size()));
   for (std::size_t k = 0; k < points.size(); ++k)
-    for (std::size_t i = 0; i < variables.size(); ++i)
-      points[k][i] = latin_hypercube_number(seed, i, k, points.size());
+    for (std::size_t i = 0; i < variables.size(); ++i) points[k][i] = latin_hypercube_number(seed, i, k, points.size());
   std::vector<double> base;
   for (const Factor& variable : variables)
     if (const std::optional<double> x = place_of_base(variable)) base.push_back(*x);
@@ -113,8 +109,7 @@ Points first_population(const Optimization& optimization, std::uint64_t seed) {
 }
 
 /// The front of the feasible designs.
-std::vector<std::size_t> front_of(const Optimization& optimization,
-                                  const std::vector<EvaluatedDesign>& designs) {
+std::vector<std::size_t> front_of(const Optimization& optimization, const std::vector<EvaluatedDesign>& designs) {
   std::vector<std::size_t> feasible;
   Points points;
   for (std::size_t k = 0; k < designs.size(); ++k) {
@@ -127,8 +122,8 @@ std::vector<std::size_t> front_of(const Optimization& optimization,
   return front;
 }
 
-Search search(const Optimization& optimization, Algorithm algorithm, std::uint64_t seed,
-              const Fitness& fitness, Answers& answers) {
+Search search(const Optimization& optimization, Algorithm algorithm, std::uint64_t seed, const Fitness& fitness,
+              Answers& answers) {
   Search search{algorithm, {}, {}};
   const EvaluatePoints evaluate = [&](const Points& points) {
     std::vector<std::vector<Draw>> designs;
@@ -142,8 +137,8 @@ Search search(const Optimization& optimization, Algorithm algorithm, std::uint64
     return values;
   };
   modules::loaded<SearchModule>().search_cube(
-      {algorithm, optimization.objectives.size(), optimization.generations, seed},
-      first_population(optimization, seed), evaluate);
+      {algorithm, optimization.objectives.size(), optimization.generations, seed}, first_population(optimization, seed),
+      evaluate);
   search.front = front_of(optimization, search.designs);
   return search;
 }
@@ -169,8 +164,7 @@ OptimizationResult run(const Optimization& optimization, Answers& answers) {
   fitness.assess(result.initial);
   result.search = search(optimization, optimization.algorithm, optimization.seed, fitness, answers);
   if (optimization.check) {
-    result.check = search(optimization, *optimization.check, optimization.seed + kGoldenStep,
-                          fitness, answers);
+    result.check = search(optimization, *optimization.check, optimization.seed + kGoldenStep, fitness, answers);
     result.comparison = compare_fronts(optimization, result.initial, result.search, *result.check);
   }
   result.front = joint_front(result);
@@ -216,9 +210,8 @@ Draw draw_at(const Factor& variable, double x) {
   return {.kind = Draw::Kind::number, .number = std::clamp(value, from, to)};
 }
 
-std::optional<OptimizationResult> optimize(const Optimization& optimization,
-                                           const EvaluateDesigns& evaluate, Journal& journal,
-                                           const OptimizeOptions& options) {
+std::optional<OptimizationResult> optimize(const Optimization& optimization, const EvaluateDesigns& evaluate,
+                                           Journal& journal, const OptimizeOptions& options) {
   Answers answers(optimization, evaluate, journal, options);
   try {
     return run(optimization, answers);
@@ -233,14 +226,12 @@ EvaluateDesigns evaluate_in_parallel(const DesignEngine& engine, std::size_t thr
     const std::size_t piece = piece_of(engine, designs.size(), threads);
     if (threads == 1 || designs.size() <= piece) return engine.evaluate(designs);
     RowBlock all;
-    run_in_order((designs.size() + piece - 1) / piece, threads,
-                 [&](std::size_t k) -> std::function<void()> {
-                   const auto from = designs.begin() + static_cast<std::ptrdiff_t>(k * piece);
-                   const std::size_t count = std::min(piece, designs.size() - k * piece);
-                   auto block = std::make_shared<RowBlock>(
-                       engine.evaluate({from, from + static_cast<std::ptrdiff_t>(count)}));
-                   return [&all, block] { append(all, std::move(*block)); };
-                 });
+    run_in_order((designs.size() + piece - 1) / piece, threads, [&](std::size_t k) -> std::function<void()> {
+      const auto from = designs.begin() + static_cast<std::ptrdiff_t>(k * piece);
+      const std::size_t count = std::min(piece, designs.size() - k * piece);
+      auto block = std::make_shared<RowBlock>(engine.evaluate({from, from + static_cast<std::ptrdiff_t>(count)}));
+      return [&all, block] { append(all, std::move(*block)); };
+    });
     return all;
   };
 }
@@ -263,8 +254,7 @@ const EvaluatedDesign* OptimizationResult::chosen() const {
   return nearest ? &design(*nearest) : nullptr;
 }
 
-double limit_of(const Constraint& constraint, const EvaluatedDesign& design,
-                const EvaluatedDesign& initial) {
+double limit_of(const Constraint& constraint, const EvaluatedDesign& design, const EvaluatedDesign& initial) {
   switch (constraint.limit.kind) {
     case Limit::Kind::initial:
       return constraint.limit.value * initial.responses[constraint.response];
@@ -282,8 +272,7 @@ std::optional<double> change_percent(double value, double initial) {
   return std::abs(change) < 1e9 ? std::optional(change) : std::nullopt;
 }
 
-std::vector<std::string> settings_of(const Optimization& optimization,
-                                     const EvaluatedDesign& design) {
+std::vector<std::string> settings_of(const Optimization& optimization, const EvaluatedDesign& design) {
   return overrides(optimization.study, design.draws);
 }
 
@@ -302,8 +291,7 @@ std::string constraint_text(const OptimizationResult& result, const Constraint& 
   return fmt::format("{} {} {}", path, sign, constraint.limit.value);
 }
 
-bool keeps(const Constraint& constraint, const EvaluatedDesign& design,
-           const EvaluatedDesign& initial) {
+bool keeps(const Constraint& constraint, const EvaluatedDesign& design, const EvaluatedDesign& initial) {
   const double value = design.responses[constraint.response];
   const double limit = limit_of(constraint, design, initial);
   return constraint.sense == Constraint::Sense::at_least ? value >= limit : value <= limit;
@@ -331,12 +319,10 @@ double compressed(double x) {
 }
 
 /// What is missing to a constraint, relative.
-double violation(const Constraint& constraint, const EvaluatedDesign& design,
-                 const EvaluatedDesign& initial) {
+double violation(const Constraint& constraint, const EvaluatedDesign& design, const EvaluatedDesign& initial) {
   const double value = design.responses[constraint.response];
   const double limit = limit_of(constraint, design, initial);
-  const double missing =
-      constraint.sense == Constraint::Sense::at_least ? limit - value : value - limit;
+  const double missing = constraint.sense == Constraint::Sense::at_least ? limit - value : value - limit;
   if (!(missing > 0.0)) return std::isnan(missing) ? std::numeric_limits<double>::infinity() : 0.0;
   double scale = std::max(std::abs(limit), std::abs(value));
   if (constraint.limit.kind != Limit::Kind::response) {
@@ -355,8 +341,7 @@ bool covers(const std::vector<double>& a, const std::vector<double>& b) {
 struct Extent {
   std::vector<double> from, to;
 
-  explicit Extent(std::size_t dimensions)
-      : from(dimensions, std::numeric_limits<double>::infinity()), to(from) {
+  explicit Extent(std::size_t dimensions) : from(dimensions, std::numeric_limits<double>::infinity()), to(from) {
     for (double& x : to) x = -x;
   }
   void include(const std::vector<double>& point) {
@@ -421,8 +406,7 @@ void Fitness::assess(EvaluatedDesign& design) const {
   const auto none = std::ranges::find_if(design.responses, [](double y) { return std::isnan(y); });
   if (none != design.responses.end()) {
     const auto index = static_cast<std::size_t>(none - design.responses.begin());
-    design.status = {"refused", fmt::format("{} is not defined in this design",
-                                            optimization_.study.responses[index])};
+    design.status = {"refused", fmt::format("{} is not defined in this design", optimization_.study.responses[index])};
     return;
   }
   design.violation = 0.0;
@@ -471,11 +455,9 @@ std::vector<std::size_t> non_dominated(const Points& points) {
 std::vector<std::size_t> joint_front(const OptimizationResult& result) {
   std::vector<std::size_t> candidates = result.search.front;
   if (result.check)
-    for (const std::size_t k : result.check->front)
-      candidates.push_back(result.search.designs.size() + k);
+    for (const std::size_t k : result.check->front) candidates.push_back(result.search.designs.size() + k);
   Points points;
-  for (const std::size_t k : candidates)
-    points.push_back(costs(result.optimization, result.design(k)));
+  for (const std::size_t k : candidates) points.push_back(costs(result.optimization, result.design(k)));
   std::vector<std::size_t> front = non_dominated(points);
   for (std::size_t& k : front) k = candidates[k];
   return front;
@@ -498,8 +480,8 @@ std::optional<std::size_t> compromise_of(const OptimizationResult& result) {
   return chosen;
 }
 
-FrontComparison compare_fronts(const Optimization& optimization, const EvaluatedDesign& initial,
-                               const Search& search, const Search& check) {
+FrontComparison compare_fronts(const Optimization& optimization, const EvaluatedDesign& initial, const Search& search,
+                               const Search& check) {
   constexpr double kMargin = 0.1;  // So that the ends of a front count.
   FrontComparison comparison;
   Points ours = costs_of_front(optimization, search);

@@ -60,23 +60,20 @@ struct OptimizationResult {
 };
 
 /// The number that a limit comes to in a design.
-double limit_of(const Constraint& constraint, const EvaluatedDesign& design,
-                const EvaluatedDesign& initial);
+double limit_of(const Constraint& constraint, const EvaluatedDesign& design, const EvaluatedDesign& initial);
 
 /// Value of a response in percent of that of the file's own design, less 100.
 std::optional<double> change_percent(double value, double initial);
 
 /// The values of a design as `--set` takes them: `mechanism.flank_angle.screw=42.5 deg`. Those that
 /// are the file's are left out.
-std::vector<std::string> settings_of(const Optimization& optimization,
-                                     const EvaluatedDesign& design);
+std::vector<std::string> settings_of(const Optimization& optimization, const EvaluatedDesign& design);
 
 /// `screw.peak_pressure_MPa.max >= 0.9 x initial`, with numbers of a design.
 std::string constraint_text(const OptimizationResult& result, const Constraint& constraint);
 
 /// Whether a design keeps one of its constraints.
-bool keeps(const Constraint& constraint, const EvaluatedDesign& design,
-           const EvaluatedDesign& initial);
+bool keeps(const Constraint& constraint, const EvaluatedDesign& design, const EvaluatedDesign& initial);
 
 /// Designs of both searches, and how many of them were feasible and had no answer.
 struct SearchCounts {
@@ -126,8 +123,8 @@ std::vector<std::size_t> joint_front(const OptimizationResult& result);
 /// ones.
 std::optional<std::size_t> compromise_of(const OptimizationResult& result);
 
-FrontComparison compare_fronts(const Optimization& optimization, const EvaluatedDesign& initial,
-                               const Search& search, const Search& check);
+FrontComparison compare_fronts(const Optimization& optimization, const EvaluatedDesign& initial, const Search& search,
+                               const Search& check);
 
 /// Answers designs, a row each.
 using EvaluateDesigns = std::function<RowBlock(const std::vector<std::vector<Draw>>& designs)>;
@@ -143,9 +140,8 @@ struct OptimizeOptions {
 /// interrupted is run again from its start on the answers that the journal holds, which takes no
 /// time, and then goes on as if nothing had happened. Absent where it was interrupted. Throws what
 /// `evaluate` and the journal throw.
-std::optional<OptimizationResult> optimize(const Optimization& optimization,
-                                           const EvaluateDesigns& evaluate, Journal& journal,
-                                           const OptimizeOptions& options);
+std::optional<OptimizationResult> optimize(const Optimization& optimization, const EvaluateDesigns& evaluate,
+                                           Journal& journal, const OptimizeOptions& options);
 
 /// Value of a variable at x in [0, 1]: numbers are rounded to a power of ten, at most a millionth
 /// of their range, so that they are the same wherever they are written down; levels share the

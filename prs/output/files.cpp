@@ -42,14 +42,12 @@ void write_case(const std::filesystem::path& file, const std::string& text) {
   publish(whole.parent_path(), {{whole.filename().string(), text}});
 }
 
-void draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& directory,
-                  bool png) {
+void draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& directory, bool png) {
   constexpr double kPngScale = 2.0;
   std::vector<OutputFile> files;
   for (const Figure& figure : figures) {
     std::string svg = svg_file(figure);
-    if (png)
-      files.push_back({figure.name + ".png", modules::loaded<PictureModule>().png(svg, kPngScale)});
+    if (png) files.push_back({figure.name + ".png", modules::loaded<PictureModule>().png(svg, kPngScale)});
     files.push_back({figure.name + ".svg", std::move(svg)});
   }
   if (!files.empty()) write_files(directory / "plots", files);
@@ -59,8 +57,7 @@ std::filesystem::path temporary_folder() {
   const char* told = std::getenv("TMPDIR");
   const std::filesystem::path folder = told != nullptr && *told != '\0' ? told : "/tmp";
   std::error_code error;
-  if (std::filesystem::is_directory(folder, error) && ::access(folder.c_str(), W_OK | X_OK) == 0)
-    return folder;
+  if (std::filesystem::is_directory(folder, error) && ::access(folder.c_str(), W_OK | X_OK) == 0) return folder;
   throw std::runtime_error(
       fmt::format("TMPDIR: got {}, which is no folder that can be written into; expected one for "
                   "temporary files; set TMPDIR to one, or name a place with --output",
@@ -106,12 +103,10 @@ std::vector<std::string> parts_of(std::string_view path) {
 
 /// Whether a listed path names a result below the folder.
 bool is_result(std::string_view path) {
-  if (path == kFileList || path.ends_with(".journal") || path.ends_with(".lock") ||
-      path.find('\0') != path.npos)
+  if (path == kFileList || path.ends_with(".journal") || path.ends_with(".lock") || path.find('\0') != path.npos)
     return false;
-  return std::ranges::none_of(parts_of(path), [](const std::string& part) {
-    return part.empty() || part == "." || part == "..";
-  });
+  return std::ranges::none_of(parts_of(path),
+                              [](const std::string& part) { return part.empty() || part == "." || part == ".."; });
 }
 
 /// A file below an open folder, by its name in the last of the folders on the way to it.
@@ -119,17 +114,15 @@ struct Place {
   std::vector<FileDescriptor> folders;  ///< That of each part of the path but the last.
   std::vector<std::string> parts;
 
-  int parent(const FileDescriptor& top) const {
-    return folders.empty() ? top.get() : folders.back().get();
-  }
+  int parent(const FileDescriptor& top) const { return folders.empty() ? top.get() : folders.back().get(); }
 };
 
 /// Absent where a folder on the way is missing or a symbolic link.
 std::optional<Place> place_of(const FileDescriptor& top, const std::string& path) {
   Place place{{}, parts_of(path)};
   for (std::size_t k = 0; k + 1 < place.parts.size(); ++k) {
-    place.folders.emplace_back(::openat(place.parent(top), place.parts[k].c_str(),
-                                        O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    place.folders.emplace_back(
+        ::openat(place.parent(top), place.parts[k].c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     if (!place.folders.back().is_open()) return std::nullopt;
   }
   return place;
@@ -137,24 +130,20 @@ std::optional<Place> place_of(const FileDescriptor& top, const std::string& path
 
 /// SHA-256 of a regular file; empty where there is none.
 std::string digest_of(const FileDescriptor& top, const Place& place) {
-  const RegularFile opened =
-      open_regular(place.parts.back().c_str(), O_RDONLY, 0, place.parent(top));
+  const RegularFile opened = open_regular(place.parts.back().c_str(), O_RDONLY, 0, place.parent(top));
   return opened.file.is_open() ? sha256(opened.file).value_or("") : "";
 }
 
 enum class Removal { removed, changed, absent };
 
 /// Removes a file that is as it was listed, and the folders that are empty then.
-Removal remove_listed(const FileDescriptor& top, const std::string& path,
-                      const std::string& digest) {
+Removal remove_listed(const FileDescriptor& top, const std::string& path, const std::string& digest) {
   const std::optional<Place> place = place_of(top, path);
   struct stat status {};
-  if (!place ||
-      ::fstatat(place->parent(top), place->parts.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
+  if (!place || ::fstatat(place->parent(top), place->parts.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
     return Removal::absent;
   const std::string found = digest_of(top, *place);
-  if (found.empty() || found != digest ||
-      ::unlinkat(place->parent(top), place->parts.back().c_str(), 0) != 0)
+  if (found.empty() || found != digest || ::unlinkat(place->parent(top), place->parts.back().c_str(), 0) != 0)
     return Removal::changed;
   for (std::size_t k = place->folders.size(); k > 0; --k) {
     const int above = k > 1 ? place->folders[k - 2].get() : top.get();
@@ -184,8 +173,7 @@ std::string list_text(const std::vector<Listed>& runs) {
              "again; what was changed since stays."},
             {"runs", Json::array()}};
   for (const Listed& run : runs)
-    json["runs"].push_back(
-        {{"command", run.command}, {"case", run.case_digest}, {"files", run.files}});
+    json["runs"].push_back({{"command", run.command}, {"case", run.case_digest}, {"files", run.files}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
@@ -213,9 +201,7 @@ std::string without_comments(std::string_view text) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     std::string_view line = text.substr(begin, end - begin);
-    if (const std::size_t first = line.find_first_not_of(" \t");
-        first != line.npos && line[first] == '#')
-      line = {};
+    if (const std::size_t first = line.find_first_not_of(" \t"); first != line.npos && line[first] == '#') line = {};
     line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
     if (!line.empty()) kept.append(line).append("\n");
     begin = end + 1;
@@ -238,13 +224,10 @@ std::string digest_of_case_file(const fs::path& file, const std::vector<std::str
   }
 }
 
-std::string files_text(std::size_t count) {
-  return count == 1 ? "1 file" : fmt::format("{} files", count);
-}
+std::string files_text(std::size_t count) { return count == 1 ? "1 file" : fmt::format("{} files", count); }
 
 /// What the process wrote since the record began; from now on it records no more.
-Listed files_of_record(const FileDescriptor& folder, const fs::path& name,
-                       const std::string& command) {
+Listed files_of_record(const FileDescriptor& folder, const fs::path& name, const std::string& command) {
   Listed own{command, {}, {}};
   std::vector<fs::path> written;
   {
@@ -281,8 +264,7 @@ struct SortedRuns {
 
 /// `own` is the run that ends; one that did not come to its end makes nothing out of date, and the
 /// run that wrote the case stays.
-SortedRuns sorted_runs(std::vector<Listed> former, const Listed& own, bool complete,
-                       const std::string& case_path) {
+SortedRuns sorted_runs(std::vector<Listed> former, const Listed& own, bool complete, const std::string& case_path) {
   SortedRuns sorted;
   for (Listed& run : former) {
     for (const auto& [path, digest] : own.files) run.files.erase(path);
@@ -301,8 +283,8 @@ SortedRuns sorted_runs(std::vector<Listed> former, const Listed& own, bool compl
 }
 
 /// Removes what is as it was listed, and notes what was removed and what was not.
-void remove_stale(const FileDescriptor& folder, const fs::path& name,
-                  const std::vector<Listed>& stale, std::vector<std::string>& notes) {
+void remove_stale(const FileDescriptor& folder, const fs::path& name, const std::vector<Listed>& stale,
+                  std::vector<std::string>& notes) {
   std::size_t removed = 0;
   std::vector<std::string> changed;
   for (const Listed& run : stale)
@@ -317,9 +299,8 @@ void remove_stale(const FileDescriptor& folder, const fs::path& name,
   if (changed.empty()) return;
   const std::size_t count = changed.size();
   changed.resize(std::min(count, kMostNamed));
-  notes.push_back(
-      fmt::format("{} of earlier runs changed since and stayed; remove what you do not need: {}{}",
-                  files_text(count), fmt::join(changed, ", "), count > kMostNamed ? ", .." : ""));
+  notes.push_back(fmt::format("{} of earlier runs changed since and stayed; remove what you do not need: {}{}",
+                              files_text(count), fmt::join(changed, ", "), count > kMostNamed ? ", .." : ""));
 }
 
 }  // namespace
@@ -336,8 +317,7 @@ void record_case(const std::string& text, const std::vector<std::string>& overri
   r.case_digest = digest_of_case(text, overrides);
 }
 
-RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file,
-                   const std::vector<std::string>& overrides)
+RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file, const std::vector<std::string>& overrides)
     : folder_(std::move(folder)), command_(std::move(command)), case_file_(std::move(case_file)) {
   RunRecord& r = record();
   const std::lock_guard guard(r.mutex);
@@ -388,9 +368,8 @@ std::vector<std::string> RunFiles::update(bool complete) {
                     "stay, remove those that you do not need",
                     list));
 
-  SortedRuns sorted =
-      sorted_runs(std::move(former).value_or(std::vector<Listed>{}), own, complete,
-                  case_file_.empty() ? std::string() : path_below(folder_, case_file_));
+  SortedRuns sorted = sorted_runs(std::move(former).value_or(std::vector<Listed>{}), own, complete,
+                                  case_file_.empty() ? std::string() : path_below(folder_, case_file_));
   sorted.listed.push_back(std::move(own));
   StagedFile file(folder_ / kFileList);
   file.append(list_text(sorted.listed));
@@ -405,16 +384,14 @@ std::vector<std::string> RunFiles::update(bool complete) {
   return notes;
 }
 
-std::vector<OutputFile> files_of_run(const fs::path& folder, std::string_view command,
-                                     const input::Source& source) {
+std::vector<OutputFile> files_of_run(const fs::path& folder, std::string_view command, const input::Source& source) {
   std::vector<OutputFile> files;
   const FileDescriptor top(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!top.is_open()) return files;
   const auto content = [&](const std::string& path) -> std::optional<std::string> {
     const std::optional<Place> place = place_of(top, path);
     if (!place) return std::nullopt;
-    const RegularFile opened =
-        open_regular(place->parts.back().c_str(), O_RDONLY, 0, place->parent(top));
+    const RegularFile opened = open_regular(place->parts.back().c_str(), O_RDONLY, 0, place->parent(top));
     return opened.file.is_open() ? content_of(opened.file, kLongestList) : std::nullopt;
   };
   const std::optional<std::string> list = content(std::string(kFileList));

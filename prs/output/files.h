@@ -16,8 +16,7 @@ void write_case(const std::filesystem::path& file, const std::string& text);
 
 /// Writes `plots/NAME.svg` below `directory` for every figure, with `png` also `NAME.png`: all of
 /// them, or none. Throws std::system_error, with `png` also modules::Missing.
-void draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& directory,
-                  bool png = false);
+void draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& directory, bool png = false);
 
 /// The folder for temporary files: TMPDIR, or /tmp where it is not set. Throws std::runtime_error
 /// where that is no folder that can be written into.

@@ -83,14 +83,13 @@ std::string text_of(const FolderLock::Run& run) {
 bool is_in_place(const FileDescriptor& file, const fs::path& path) {
   struct stat opened {
   }, named{};
-  return ::fstat(file.get(), &opened) == 0 && ::lstat(path.c_str(), &named) == 0 &&
-         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+  return ::fstat(file.get(), &opened) == 0 && ::lstat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
 }
 
 [[noreturn]] void refuse_held(const fs::path& folder, const Holder& holder) {
   std::string who;
-  if (!holder.run.command.empty())
-    who = fmt::format(" ({}, number {})", holder.run.command, holder.process);
+  if (!holder.run.command.empty()) who = fmt::format(" ({}, number {})", holder.run.command, holder.process);
   throw StudyFolderError(
       fmt::format("{}: error: another process{} writes into this folder; expected a folder for "
                   "this run alone; wait for it, or give another folder with --output",
@@ -104,8 +103,7 @@ FileDescriptor locked(const fs::path& path, int kind, const FolderLock::Run& run
     struct OfAnotherCase {};
     const auto wait = [&] {
       const std::string other = Holder(file).run.case_digest;
-      if (!run.case_digest.empty() && !other.empty() && run.case_digest != other)
-        throw OfAnotherCase{};
+      if (!run.case_digest.empty() && !other.empty() && run.case_digest != other) throw OfAnotherCase{};
       wait_for_lock();
     };
     bool is_ours = false;
@@ -133,8 +131,8 @@ void remove_unfinished(const fs::path& folder) {
       const std::string name = entry.path().filename().string();
       std::smatch match;
       if (std::regex_match(name, kOwn) ||
-          (std::regex_match(name, match, kAny) &&
-           fs::is_regular_file(entry.symlink_status(error)) && !is_alive(std::stoi(match[1]))))
+          (std::regex_match(name, match, kAny) && fs::is_regular_file(entry.symlink_status(error)) &&
+           !is_alive(std::stoi(match[1]))))
         left.push_back(entry.path());
     }
     for (const fs::path& path : left) fs::remove_all(path, error);
@@ -189,8 +187,7 @@ StagedFile::StagedFile(std::filesystem::path target) : target_(std::move(target)
   for (int attempt = 0; !file_.is_open(); ++attempt) {
     temporary_ = target_;
     temporary_ += fmt::format(".{}-{}.tmp", ::getpid(), attempt);
-    file_ =
-        FileDescriptor(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    file_ = FileDescriptor(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file_.is_open() && errno != EEXIST) fail(errno);
   }
   unfinished_ = UnfinishedPath(temporary_);
@@ -220,8 +217,7 @@ void StagedFile::close() {
 
 void StagedFile::sync() {
   struct stat status {};
-  if (::fstat(file_.get(), &status) != 0 || ::ftruncate(file_.get(), status.st_size) != 0 ||
-      ::fsync(file_.get()) != 0)
+  if (::fstat(file_.get(), &status) != 0 || ::ftruncate(file_.get(), status.st_size) != 0 || ::fsync(file_.get()) != 0)
     fail(errno);
 }
 
@@ -232,8 +228,7 @@ void StagedFile::publish() {
 }
 
 void StagedFile::fail(int error) const {
-  throw std::system_error(error, std::generic_category(),
-                          fmt::format("cannot write '{}'", target_.string()));
+  throw std::system_error(error, std::generic_category(), fmt::format("cannot write '{}'", target_.string()));
 }
 
 void wait_for_lock() { std::this_thread::sleep_for(std::chrono::milliseconds(20)); }
@@ -243,17 +238,15 @@ bool lock_file(const FileDescriptor& file, int operation, const std::filesystem:
   for (int tries = 1; ::flock(file.get(), operation | LOCK_NB) != 0;) {
     if (errno == EINTR) continue;
     if (errno != EWOULDBLOCK)
-      throw std::runtime_error(
-          fmt::format("cannot lock '{}': {}; give a folder on another file system with --output",
-                      path.string(), std::generic_category().message(errno)));
+      throw std::runtime_error(fmt::format("cannot lock '{}': {}; give a folder on another file system with --output",
+                                           path.string(), std::generic_category().message(errno)));
     if (tries++ == kMostLockTries) return false;
     wait();
   }
   return true;
 }
 
-FolderLock::FolderLock(const fs::path& folder, int kind, const Run& run)
-    : path_(folder / kFolderLock) {
+FolderLock::FolderLock(const fs::path& folder, int kind, const Run& run) : path_(folder / kFolderLock) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw std::system_error(error, fmt::format("cannot write '{}'", folder.string()));
@@ -269,14 +262,13 @@ FolderLock::~FolderLock() {
 FileDescriptor open_study_file(const fs::path& path, int flags) {
   RegularFile opened = open_regular(path.c_str(), flags, 0666);
   if (!opened.obstacle.empty())
-    throw StudyFolderError(fmt::format(
-        "{}: error: got {}; expected the file itself; remove it, or put the file in its place",
-        path.string(), opened.obstacle));
+    throw StudyFolderError(
+        fmt::format("{}: error: got {}; expected the file itself; remove it, or put the file in its place",
+                    path.string(), opened.obstacle));
   if (!opened.file.is_open())
     throw std::system_error(
         opened.error, std::generic_category(),
-        fmt::format("cannot {} '{}'", (flags & O_ACCMODE) == O_RDONLY ? "read" : "write",
-                    path.string()));
+        fmt::format("cannot {} '{}'", (flags & O_ACCMODE) == O_RDONLY ? "read" : "write", path.string()));
   return std::move(opened.file);
 }
 

@@ -69,9 +69,8 @@ std::string base85(std::string_view bytes) {
 std::string deflated(std::string_view text) {
   uLongf size = compressBound(text.size());
   std::string packed(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                reinterpret_cast<const Bytef*>(text.data()), text.size(),
-                Z_BEST_COMPRESSION) != Z_OK)
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                text.size(), Z_BEST_COMPRESSION) != Z_OK)
     throw std::bad_alloc();
   packed.resize(size);
   return packed;
@@ -112,8 +111,7 @@ Json case_of(const input::Source& source) {
   Json json = texts_of(source);
   json["histories"] = Json::object();
   if (in.values.life && in.values.life->history)
-    json["histories"][in.values.life->history->file] =
-        input::force_history_text(*in.values.life->history, source);
+    json["histories"][in.values.life->history->file] = input::force_history_text(*in.values.life->history, source);
   return json;
 }
 
@@ -122,8 +120,7 @@ std::string css_string(std::string_view content) {
   std::string text = "\"";
   for (const char c : printable(content)) {
     const auto byte = static_cast<unsigned char>(c);
-    text += byte == ' ' || byte >= 0x80 || std::isalnum(byte) != 0 ? std::string(1, c)
-                                                                   : fmt::format("\\{:x} ", byte);
+    text += byte == ' ' || byte >= 0x80 || std::isalnum(byte) != 0 ? std::string(1, c) : fmt::format("\\{:x} ", byte);
   }
   return text + '"';
 }
@@ -145,26 +142,22 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
 
 /// What lets a page run its scripts, of which its own and that of the mechanism are packed in it.
 std::string script_policy(std::string_view packed_hash) {
-  return fmt::format(
-      "; script-src '{}' '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
-      policy_hash(start()), packed_hash, mechanism_hash());
+  return fmt::format("; script-src '{}' '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
+                     policy_hash(start()), packed_hash, mechanism_hash());
 }
 
 /// The style of all pages: their rules, those of pictures and the colours of scales.
 std::string style_of_pages() {
-  return fmt::format("{}{}:root{{--scale:{}}}\n", style_sheet(), svg_style(),
-                     fmt::join(kScaleColours, ","));
+  return fmt::format("{}{}:root{{--scale:{}}}\n", style_sheet(), svg_style(), fmt::join(kScaleColours, ","));
 }
 
 /// The whole file. `engine` is empty for a page without scripts.
-std::string page_html(const input::Source& source, const ReportParts& parts,
-                      std::string_view engine) {
+std::string page_html(const input::Source& source, const ReportParts& parts, std::string_view engine) {
   const bool live = !engine.empty();
   const std::string style = style_of_pages() + sheet_style(parts);
   std::string links, body;
   const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
-    links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id,
-                         section.title);
+    links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id, section.title);
     body += section_html(section, hidden, before);
   };
   for (const ReportSection& section : parts.sections) {
@@ -174,28 +167,24 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
   std::string data = data_block("data", parts.shown);
   if (live)
     data += data_block("case", case_of(source)) + data_block("threads", parts.threads) +
-            fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine),
-                        base85(report_script()), base85(mechanism_script()), start());
+            fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine), base85(report_script()),
+                        base85(mechanism_script()), start());
   const std::string policy = live ? script_policy(report_hash()) : "";
   return fmt::format(
-      fmt::runtime(page()),
-      fmt::arg("units", table_system() == UnitSystem::us ? " data-units=\"us\"" : ""),
-      fmt::arg("style_hash", policy_hash(style)), fmt::arg("scripts", policy),
-      fmt::arg("title", html(parts.title)), fmt::arg("style", style),
-      fmt::arg("changed", live ? "<p id=\"changed\" hidden></p>\n" : ""),
-      fmt::arg("kind", live ? " is-live" : ""), fmt::arg("head", parts.head),
-      fmt::arg("links", links),
+      fmt::runtime(page()), fmt::arg("units", table_system() == UnitSystem::us ? " data-units=\"us\"" : ""),
+      fmt::arg("style_hash", policy_hash(style)), fmt::arg("scripts", policy), fmt::arg("title", html(parts.title)),
+      fmt::arg("style", style), fmt::arg("changed", live ? "<p id=\"changed\" hidden></p>\n" : ""),
+      fmt::arg("kind", live ? " is-live" : ""), fmt::arg("head", parts.head), fmt::arg("links", links),
       // It is shown by the script alone.
-      fmt::arg("panel", live ? fmt::format(fmt::runtime(panel()), parts.controls) : ""),
-      fmt::arg("body", body), fmt::arg("foot", parts.foot), fmt::arg("data", data));
+      fmt::arg("panel", live ? fmt::format(fmt::runtime(panel()), parts.controls) : ""), fmt::arg("body", body),
+      fmt::arg("foot", parts.foot), fmt::arg("data", data));
 }
 
 }  // namespace
 
 std::string_view page_engine() { return engine(); }
 
-std::string workbench_page(const std::optional<input::Source>& opened,
-                           const std::vector<NamedText>& texts) {
+std::string workbench_page(const std::optional<input::Source>& opened, const std::vector<NamedText>& texts) {
   Json data{{"version", kVersion},
             {"schemas", {{"case", input::schema()}}},
             {"units", units_json()["quantities"]},
@@ -207,24 +196,21 @@ std::string workbench_page(const std::optional<input::Source>& opened,
             {"opened", nullptr}};
   for (const OtherFile& file : other_files()) {
     data["schemas"][std::string(file.name)] = file.schema();
-    data["commands"].push_back(
-        {{"name", name(file.command)}, {"help", file.help}, {"key", file.key}});
+    data["commands"].push_back({{"name", name(file.command)}, {"help", file.help}, {"key", file.key}});
   }
   for (const AnyAnalysis& row : analyses())
     if (row.run) data["commands"].push_back({{"name", name(row.command)}, {"help", row.help}});
-  for (const SectionRow& row : section_rows())
-    data["sections"].push_back({{"id", row.id}, {"title", row.title}});
+  for (const SectionRow& row : section_rows()) data["sections"].push_back({{"id", row.id}, {"title", row.title}});
   for (const NamedText& text : texts)
     data["lessons"].push_back({{"name", text.name}, {"title", text.title}, {"text", text.text}});
   if (opened) data["opened"] = texts_of(*opened);
   const std::string style = style_of_pages() + std::string(workbench_style());
-  return fmt::format(
-      fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
-      fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),
-      fmt::arg("loader", loader()), fmt::arg("worker", worker()),
-      fmt::arg("engine", base85(engine())), fmt::arg("mechanism", base85(mechanism_script())),
-      fmt::arg("data", base85(deflated(data.dump(-1, ' ', false, Json::error_handler_t::replace)))),
-      fmt::arg("script", base85(workbench_script())), fmt::arg("start", start()));
+  return fmt::format(fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
+                     fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),
+                     fmt::arg("loader", loader()), fmt::arg("worker", worker()), fmt::arg("engine", base85(engine())),
+                     fmt::arg("mechanism", base85(mechanism_script())),
+                     fmt::arg("data", base85(deflated(data.dump(-1, ' ', false, Json::error_handler_t::replace)))),
+                     fmt::arg("script", base85(workbench_script())), fmt::arg("start", start()));
 }
 
 Report make_report(const input::Source& source, const PageOptions& options) {

@@ -33,8 +33,7 @@ struct NamedText {
 
 /// The whole program as one page. `opened` is what it starts with, empty for the choice of a start;
 /// `texts` are the lessons that it offers and, without a title, the files that cases name.
-std::string workbench_page(const std::optional<input::Source>& opened,
-                           const std::vector<NamedText>& texts);
+std::string workbench_page(const std::optional<input::Source>& opened, const std::vector<NamedText>& texts);
 
 /// The engine for the page, a WebAssembly module, packed as .lzma; empty where this build has none.
 std::string_view page_engine();

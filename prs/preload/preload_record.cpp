@@ -32,19 +32,15 @@ namespace {
 
 bool is_at_rest(const PreloadResult& r) { return r.at_rest.solve.converged(); }
 bool has_heat(const WarmOf& w) { return w.result->load_case.has_value(); }
-bool is_known(const WarmOf& w) {
-  return w.result->heat_status == HeatStatus::converged && is_at_rest(*w.result);
-}
+bool is_known(const WarmOf& w) { return w.result->heat_status == HeatStatus::converged && is_at_rest(*w.result); }
 
 constexpr Quantity<SideOf> kSide[] = {
-    {"axial_load_N", of<[](auto& s) { return s.loads->axial_load.screw; }>,
-     "of all threads of this side"},
-    {"max_normal_load_N", of<[](auto& s) {
-       return std::max(s.loads->max_normal_load.screw, s.loads->max_normal_load.nut);
-     }>,
+    {"axial_load_N", of<[](auto& s) { return s.loads->axial_load.screw; }>, "of all threads of this side"},
+    {"max_normal_load_N",
+     of<[](auto& s) { return std::max(s.loads->max_normal_load.screw, s.loads->max_normal_load.nut); }>,
      "of a thread of one roller"},
-    {"peak_pressure_MPa", of<[](auto& s) { return s.result->peak_pressure(*s.loads); }>,
-     "largest of a thread", source::kHertz},
+    {"peak_pressure_MPa", of<[](auto& s) { return s.result->peak_pressure(*s.loads); }>, "largest of a thread",
+     source::kHertz},
 };
 
 constexpr Quantity<PerDirection<SideOf>> kSides[] = {
@@ -58,8 +54,7 @@ template <auto get>
 constexpr auto of_point_solve = of<[](auto& p) { return std::invoke(get, p.point->solve); }>;
 
 constexpr Quantity<PreloadPointOf> kPoint[] = {
-    {"axial_force_N", of<[](auto& p) { return p.point->axial_force; }>,
-     "external load, > 0 in tension"},
+    {"axial_force_N", of<[](auto& p) { return p.point->axial_force; }>, "external load, > 0 in tension"},
     {"converged", of<is_solved>, "whether there is an equilibrium"},
     {"status", of_point_solve<&fe::NewtonSummary::status>, "how the solve ended"},
     {"iterations", of_point_solve<&fe::NewtonSummary::iterations>, "linear solves"},
@@ -67,13 +62,11 @@ constexpr Quantity<PreloadPointOf> kPoint[] = {
      "largest force out of balance over the load"},
     {"axial_displacement_um", of<[](auto& p) { return p.point->axial_displacement; }, is_solved>,
      "of the loaded section, 0 without external load, > 0 in tension"},
-    {"tangent_stiffness_N_per_um",
-     of<[](auto& p) { return p.point->tangent_stiffness; }, is_solved>,
+    {"tangent_stiffness_N_per_um", of<[](auto& p) { return p.point->tangent_stiffness; }, is_solved>,
      "derivative of the force by the displacement; absent where the screw is loose"},
     {"sides",
      of<[](auto& p) {
-       return PerDirection<SideOf>{{p.result, &p.point->sides.tension},
-                                   {p.result, &p.point->sides.compression}};
+       return PerDirection<SideOf>{{p.result, &p.point->sides.tension}, {p.result, &p.point->sides.compression}};
      },
         is_solved>,
      "contacts by the sense of the load that they carry"},
@@ -85,24 +78,19 @@ constexpr Quantity<CurveOf> kCurve[] = {
     {"lost_motion_um", of<[](auto& c) { return c.curve->lost_motion; }>,
      "displacement between the lost-motion load in tension and in compression"},
     {"loads", of<[](auto& c) {
-       return each(c.curve->points, [&](const PreloadPoint& point) {
-         return PreloadPointOf{c.result, &point};
-       });
+       return each(c.curve->points, [&](const PreloadPoint& point) { return PreloadPointOf{c.result, &point}; });
      }>,
      "one equilibrium per external load"},
 };
 
 constexpr Quantity<WarmOf> kWarm[] = {
-    {"load_case", of<[](auto& w) { return w.result->load_case; }>,
-     "whose steady temperatures these are, by `heat`"},
+    {"load_case", of<[](auto& w) { return w.result->load_case; }>, "whose steady temperatures these are, by `heat`"},
     {"temperature_status", of<[](auto& w) { return w.result->heat_status; }, has_heat>,
      "how the search for them ended"},
-    {"temperature_degC", of<[](auto& w) { return celsius_of(*w.result->temperature); }, is_known>,
-     "of the parts"},
+    {"temperature_degC", of<[](auto& w) { return celsius_of(*w.result->temperature); }, is_known>, "of the parts"},
     {"preload_force_N", of<[](auto& w) { return w.result->force(); }, is_known>,
      "axial load of each side without external load"},
-    {"stiffness_at_zero_N_per_um",
-     of<[](auto& w) { return w.result->curve.stiffness_at_zero; }, is_known>,
+    {"stiffness_at_zero_N_per_um", of<[](auto& w) { return w.result->curve.stiffness_at_zero; }, is_known>,
      "tangent without external load, reached from either sense"},
     {"opening_force_N", of<[](auto& w) { return w.result->opening_force; }, is_known>,
      "external load at which the side that opposes it opens"},
@@ -111,19 +99,14 @@ constexpr Quantity<WarmOf> kWarm[] = {
 };
 
 constexpr Quantity<PreloadResult> kPreload[] = {
-    {"thread_loads", of<[](const PreloadResult&) { return "static"; }>,
-     "static: of a screw at rest, without friction"},
+    {"thread_loads", of<[](const PreloadResult&) { return "static"; }>, "static: of a screw at rest, without friction"},
     {"arrangement", of<[](auto& r) {
-       return r.preload.arrangement == Preload::Arrangement::single_nut ? "single_nut"
-                                                                        : "double_nut";
+       return r.preload.arrangement == Preload::Arrangement::single_nut ? "single_nut" : "double_nut";
      }>,
      "single_nut | double_nut"},
-    {"position_mm", of<[](auto& r) { return r.preload.position; }>,
-     "of the first roller contact on the nut"},
-    {"held_at_mm", of<&PreloadResult::section>,
-     "section at which the first nut is held, by the sense of the load"},
-    {"reference_temperature_degC",
-     of<[](auto& r) { return r.reference_temperature - kZeroCelsius; }>,
+    {"position_mm", of<[](auto& r) { return r.preload.position; }>, "of the first roller contact on the nut"},
+    {"held_at_mm", of<&PreloadResult::section>, "section at which the first nut is held, by the sense of the load"},
+    {"reference_temperature_degC", of<[](auto& r) { return r.reference_temperature - kZeroCelsius; }>,
      "of all parts where the fit is made"},
     {"preload_force_N", of<&PreloadResult::reference_force, is_at_rest>,
      "axial load of each side without external load, of the fit at the reference temperature"},
@@ -131,14 +114,12 @@ constexpr Quantity<PreloadResult> kPreload[] = {
      "oversize of the rollers' pitch diameter, or of the spacer, at the reference temperature; "
      "absent with play"},
     {"backlash_um", of<[](auto& r) { return r.preload.backlash; }>, "axial play"},
-    {"opening_force_N", of<&PreloadResult::opening_force>,
-     "external load at which the side that opposes it opens"},
+    {"opening_force_N", of<&PreloadResult::opening_force>, "external load at which the side that opposes it opens"},
     {"lost_motion_load_N", of<&PreloadResult::lost_motion_load>, "to both senses"},
     {"", of<[](auto& r) {
        return CurveOf{&r, &r.curve};
      }>},
-    {"at_temperature",
-     of<[](auto& r) { return r.temperature ? std::optional(WarmOf{&r}) : std::nullopt; }>,
+    {"at_temperature", of<[](auto& r) { return r.temperature ? std::optional(WarmOf{&r}) : std::nullopt; }>,
      "the same fit at the temperatures of the parts, of `deviations` or of `heat`"},
     {"without_preload", of<[](auto& r) {
        return r.without_preload ? std::optional(CurveOf{&r, &*r.without_preload}) : std::nullopt;
@@ -149,12 +130,10 @@ constexpr Quantity<PreloadResult> kPreload[] = {
 }  // namespace
 
 PRS_RECORD(SideOf, "PreloadSide", "Contacts that carry one sense of the load.", kSide);
-PRS_RECORD(PerDirection<SideOf>, "PreloadSides",
-           "Contacts by the sense of the load that they carry.", kSides);
+PRS_RECORD(PerDirection<SideOf>, "PreloadSides", "Contacts by the sense of the load that they carry.", kSides);
 PRS_RECORD(PreloadPointOf, "PreloadPoint", "Equilibrium under one external load.", kPoint);
 PRS_RECORD(CurveOf, "WithoutPreload", "The same nut without preload.", kCurve);
 PRS_RECORD(WarmOf, "WarmPreload", "A fit at the temperatures of the parts.", kWarm);
-PRS_RECORD(PreloadResult, "Preload",
-           "The preloaded nut: forces and displacements are > 0 in tension.", kPreload);
+PRS_RECORD(PreloadResult, "Preload", "The preloaded nut: forces and displacements are > 0 in tension.", kPreload);
 
 }  // namespace prs

@@ -9,9 +9,7 @@ namespace {
 
 using fe::Dof;
 
-fe::SpringElement& spring_of(PreloadSector& s, int k) {
-  return s.model.springs[static_cast<std::size_t>(k)];
-}
+fe::SpringElement& spring_of(PreloadSector& s, int k) { return s.model.springs[static_cast<std::size_t>(k)]; }
 
 /// How a nut is held: the section, and the sense of the external load that rests on it.
 struct Held {
@@ -20,13 +18,10 @@ struct Held {
 };
 
 /// The sector whose contacts lie on the flanks of one direction, its nut as it is held.
-Sector sector_of(const PreloadParts& p, Structure structure, Direction flanks, const Held& held,
-                 double position) {
+Sector sector_of(const PreloadParts& p, Structure structure, Direction flanks, const Held& held, double position) {
   const auto built = [&](Direction direction) {
-    (direction == Direction::tension ? structure.nut.thrust.tension
-                                     : structure.nut.thrust.compression) = held.section;
-    return build_sector(p.mechanism, structure, p.materials, p.options, p.laws, direction, position,
-                        p.deviations);
+    (direction == Direction::tension ? structure.nut.thrust.tension : structure.nut.thrust.compression) = held.section;
+    return build_sector(p.mechanism, structure, p.materials, p.options, p.laws, direction, position, p.deviations);
   };
   Sector sector = built(held.sense);
   if (flanks == held.sense) return sector;
@@ -55,8 +50,7 @@ Side side_of(const Sector& s, int first_spring) {
   for (const Interface i : kInterfaces)
     for (int k = 0; k < s.contacts(); ++k) side.springs[i].push_back(first_spring + s.spring(i, k));
   side.roller_nodes = s.roller_nodes;
-  side.roller_nodes.insert(side.roller_nodes.end(), s.roller_end_nodes.begin(),
-                           s.roller_end_nodes.end());
+  side.roller_nodes.insert(side.roller_nodes.end(), s.roller_end_nodes.begin(), s.roller_end_nodes.end());
   return side;
 }
 
@@ -79,8 +73,7 @@ PreloadSector single_nut(const PreloadParts& p, const Held& held) {
   s.screw_nodes = screw_nodes(pulled);
   s.loaded_node = pulled.loaded_node;
   s.model = std::move(pulled.model);
-  s.model.springs.insert(s.model.springs.end(), pushed.model.springs.begin(),
-                         pushed.model.springs.end());
+  s.model.springs.insert(s.model.springs.end(), pushed.model.springs.begin(), pushed.model.springs.end());
   return s;
 }
 
@@ -101,10 +94,8 @@ int nut_end(const Sector& s, int node, bool far) {
 /// Adds a model whose nodes `number` maps to those of the whole.
 template <class Number>
 void append(fe::Model& whole, const fe::Model& part, Number number) {
-  for (const fe::BarElement& e : part.bars)
-    whole.bars.push_back({number(e.first), number(e.second), e.bar});
-  for (const fe::BeamElement& e : part.beams)
-    whole.beams.push_back({number(e.first), number(e.second), e.beam});
+  for (const fe::BarElement& e : part.bars) whole.bars.push_back({number(e.first), number(e.second), e.bar});
+  for (const fe::BeamElement& e : part.beams) whole.beams.push_back({number(e.first), number(e.second), e.beam});
   for (const fe::ShellElement& e : part.shells)
     whole.shells.push_back({number(e.first), number(e.second), e.stiffness});
   for (fe::SpringElement e : part.springs) {
@@ -114,8 +105,7 @@ void append(fe::Model& whole, const fe::Model& part, Number number) {
   }
   for (const fe::ElasticSupport& s : part.elastic_supports)
     whole.elastic_supports.push_back({number(s.node), s.dof, s.stiffness});
-  for (const fe::FixedSupport& s : part.fixed_supports)
-    whole.fixed_supports.push_back({number(s.node), s.dof});
+  for (const fe::FixedSupport& s : part.fixed_supports) whole.fixed_supports.push_back({number(s.node), s.dof});
 }
 
 /// The second nut, held by nothing, on a screw that starts at the last contact of the first.
@@ -127,9 +117,8 @@ Sector free_second_nut(const PreloadParts& p) {
   Sector second = sector_of(p, structure, Direction::tension, {Direction::tension, 0.0},
                             second_position(p.mechanism, p.structure.nut, p.preload));
   const int near = nut_end(second, second.nut_nodes.front(), false);
-  std::erase_if(second.model.fixed_supports, [&](const fe::FixedSupport& support) {
-    return support.node == near && support.dof == Dof::u;
-  });
+  std::erase_if(second.model.fixed_supports,
+                [&](const fe::FixedSupport& support) { return support.node == near && support.dof == Dof::u; });
   return second;
 }
 
@@ -156,9 +145,8 @@ PreloadSector double_nut(const PreloadParts& p, const Held& held) {
   s.loaded_node = first.loaded_node;
 
   const Spacer& spacer = *p.preload.spacer;
-  const double rigidity = p.materials.nut.youngs_modulus *
-                          ring_area(spacer.outer_diameter, spacer.inner_diameter) /
-                          p.mechanism.rollers;
+  const double rigidity =
+      p.materials.nut.youngs_modulus * ring_area(spacer.outer_diameter, spacer.inner_diameter) / p.mechanism.rollers;
   const int from = nut_end(first, first.nut_nodes.back(), true);
   const int to = number(nut_end(second, second.nut_nodes.front(), false));
   s.model = std::move(first.model);
@@ -175,9 +163,7 @@ void add_expansion(PreloadSector& s, const PreloadParts& p) {
     const double rise = (*d.temperature)[part] - d.reference_temperature;
     return p.materials[part].thermal_expansion.value_or(0.0) * rise;
   };
-  const auto growth = [&](Part part) {
-    return strain(part) * 0.5 * p.mechanism.pitch_diameter[part].value();
-  };
+  const auto growth = [&](Part part) { return strain(part) * 0.5 * p.mechanism.pitch_diameter[part].value(); };
   const double pitch = axial_pitch(p.mechanism);
   const double middle = 0.5 * (p.mechanism.contacts_per_roller - 1) * pitch;
   const bool shared = p.preload.arrangement == Preload::Arrangement::single_nut;
@@ -188,16 +174,13 @@ void add_expansion(PreloadSector& s, const PreloadParts& p) {
       const double stretch = ahead * (strain(body_of(i)) - strain(Part::roller));
       const double closing = growth(Part::roller) + ahead * growth(body_of(i));
       // The second nut of two follows the first one.
-      const double first = !shared && side == Direction::tension
-                               ? 2.0 * middle + *p.preload.distance - middle
-                               : -middle;
+      const double first =
+          !shared && side == Direction::tension ? 2.0 * middle + *p.preload.distance - middle : -middle;
       for (std::size_t k = 0; k < s.sides[side].springs[i].size(); ++k)
         spring_of(s, s.sides[side].springs[i][k]).law.gap +=
-            -sense(side) * std::cos(psi) * stretch * (first + static_cast<double>(k) * pitch) -
-            std::sin(psi) * closing;
+            -sense(side) * std::cos(psi) * stretch * (first + static_cast<double>(k) * pitch) - std::sin(psi) * closing;
       if (shared && side == Direction::tension) s.expansion += closing;
-      if (!shared)
-        s.expansion += std::tan(psi) * closing + sense(side) * stretch * (first + middle);
+      if (!shared) s.expansion += std::tan(psi) * closing + sense(side) * stretch * (first + middle);
     }
 }
 
@@ -218,8 +201,7 @@ double root_between(const F& f, double low, double high) {
   if (at_high <= 0.0) return high;
   boost::uintmax_t evaluations = kMostEvaluations;
   const auto [a, b] = boost::math::tools::toms748_solve(
-      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(kRootBits),
-      evaluations);
+      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(kRootBits), evaluations);
   return 0.5 * (a + b);
 }
 
@@ -246,9 +228,8 @@ double rigid_interference(const PreloadSector& s, double axial_load) {
   for (const Interface i : kInterfaces) {
     const double psi = s.laws[i].normal_angle;
     // A wedged roller floats: its radial loads are in balance, not its axial ones.
-    const double load = s.rollers_are_shared()
-                            ? axial_load * std::tan(s.laws.screw.normal_angle) / std::tan(psi)
-                            : axial_load;
+    const double load =
+        s.rollers_are_shared() ? axial_load * std::tan(s.laws.screw.normal_angle) / std::tan(psi) : axial_load;
     const double along = s.rollers_are_shared() ? std::sin(psi) : 0.5 * std::cos(psi);
     sum += equal_approach(s, i, load) / along;
   }
@@ -274,8 +255,7 @@ Fit afloat(const PreloadSector& s, double interference) {
         most = std::max(most, -s.model.springs[static_cast<std::size_t>(k)].law.gap);
     return most / std::sin(s.laws[i].normal_angle);
   };
-  return fit(
-      root_between(imbalance, -closed(Interface::screw), interference + closed(Interface::nut)));
+  return fit(root_between(imbalance, -closed(Interface::screw), interference + closed(Interface::nut)));
 }
 
 Fit fit_of(const PreloadSector& s, double interference) {
@@ -285,25 +265,21 @@ Fit fit_of(const PreloadSector& s, double interference) {
 Fit play(const PreloadSector& s, double backlash) {
   if (!s.rollers_are_shared()) return {{}, -backlash};
   Fit fit;
-  for (const Interface i : kInterfaces)
-    fit.radial[i] = -0.25 * backlash / std::tan(s.laws[i].normal_angle);
+  for (const Interface i : kInterfaces) fit.radial[i] = -0.25 * backlash / std::tan(s.laws[i].normal_angle);
   return fit;
 }
 
 }  // namespace
 
-PreloadSector build_preload_sector(const PreloadParts& given, Direction sense, double section,
-                                   Play play) {
+PreloadSector build_preload_sector(const PreloadParts& given, Direction sense, double section, Play play) {
   const Held held{sense, section};
   Deviations cold = given.deviations;
   const bool expands = cold.temperature && play == Play::of_cold_parts;
   if (expands) cold.temperature.reset();
-  const PreloadParts parts{given.mechanism, given.structure, given.materials,
-                           given.options,   given.laws,      cold,
+  const PreloadParts parts{given.mechanism, given.structure, given.materials, given.options, given.laws, cold,
                            given.preload};
-  PreloadSector s = parts.preload.arrangement == Preload::Arrangement::single_nut
-                        ? single_nut(parts, held)
-                        : double_nut(parts, held);
+  PreloadSector s =
+      parts.preload.arrangement == Preload::Arrangement::single_nut ? single_nut(parts, held) : double_nut(parts, held);
   if (expands) add_expansion(s, given);
   s.laws = parts.laws;
   s.rollers = parts.mechanism.rollers;
@@ -315,8 +291,7 @@ PreloadSector fitted(PreloadSector s, const Fit& fit) {
   for (const Direction d : kDirections)
     for (const Interface i : kInterfaces) {
       const double psi = s.laws[i].normal_angle;
-      const bool at_spacer =
-          !s.rollers_are_shared() && d == Direction::tension && i == Interface::nut;
+      const bool at_spacer = !s.rollers_are_shared() && d == Direction::tension && i == Interface::nut;
       const double overlap = s.rollers_are_shared() ? fit.radial[i] * std::sin(psi)
                              : at_spacer            ? fit.axial * std::cos(psi)
                                                     : 0.0;
@@ -326,8 +301,7 @@ PreloadSector fitted(PreloadSector s, const Fit& fit) {
   return s;
 }
 
-std::vector<fe::NodalLoad> push_loads(const PreloadSector& s,
-                                      const PerDirection<RollerPush>& push) {
+std::vector<fe::NodalLoad> push_loads(const PreloadSector& s, const PerDirection<RollerPush>& push) {
   std::vector<fe::NodalLoad> loads;
   for (const Direction d : kDirections)
     for (fe::NodalLoad load : push_loads(*s.flanks[d].sector, push[d])) {
@@ -341,8 +315,7 @@ PreloadSector one_sided(PreloadSector s, Direction carrying) {
   const Side& open = s.sides[opposite(carrying)];
   for (const Interface i : kInterfaces)
     for (const int k : open.springs[i]) spring_of(s, k).law.stiffness = 0.0;
-  if (!s.rollers_are_shared())
-    s.model.fixed_supports.push_back({open.roller_nodes.front(), Dof::u});
+  if (!s.rollers_are_shared()) s.model.fixed_supports.push_back({open.roller_nodes.front(), Dof::u});
   return s;
 }
 
@@ -360,8 +333,7 @@ class PreloadSolver::Branch {
     fe::NewtonOptions options;
     options.force_scale = force_scale / sector_.rollers;
     options.length_scale = sector_.roller_radius;
-    return newton_.solve(axial_force / sector_.rollers * pull_ + equations_.load_vector(further),
-                         options, q);
+    return newton_.solve(axial_force / sector_.rollers * pull_ + equations_.load_vector(further), options, q);
   }
 
   /// Rigid bodies, each side compressed alike.
@@ -423,14 +395,11 @@ class PreloadSolver::Branch {
         closest[i] = std::max(closest[i], equations_.net_approach(q, k));
       closest[i] /= std::cos(sector_.laws[i].normal_angle);
     }
-    return sector_.rollers_are_shared() ? std::max(closest.screw, closest.nut)
-                                        : closest.screw + closest.nut;
+    return sector_.rollers_are_shared() ? std::max(closest.screw, closest.nut) : closest.screw + closest.nut;
   }
 
  private:
-  const fe::PowerLawSpring& law(int k) const {
-    return sector_.model.springs[static_cast<std::size_t>(k)].law;
-  }
+  const fe::PowerLawSpring& law(int k) const { return sector_.model.springs[static_cast<std::size_t>(k)].law; }
   void set(Eigen::VectorXd& q, const std::vector<int>& nodes, double u) const {
     for (const int node : nodes)
       if (const int n = equations_.number(node, Dof::u); n >= 0) q[n] = u;
@@ -474,8 +443,7 @@ double PreloadSolver::force_scale(double axial_force) const {
 
 void PreloadSolver::set_point(Branch& at_work, PreloadPoint& point) {
   if (!point.solve.converged()) return;
-  point.axial_displacement =
-      at_work.displacement(last_state_) - (preloaded_ ? both().displacement(rest_state_) : 0.0);
+  point.axial_displacement = at_work.displacement(last_state_) - (preloaded_ ? both().displacement(rest_state_) : 0.0);
   point.tangent_stiffness = at_work.tangent_stiffness(last_state_);
   for (const Direction d : kDirections) point.sides[d] = at_work.loads(last_state_, d);
 }
@@ -525,8 +493,7 @@ std::optional<double> PreloadSolver::opening_force(Direction sense) {
     return -b.overlap(q, opposite(sense));
   };
   // The side that carries has taken over at least what it held against the other.
-  const double opening =
-      root_above(clearance, 0.5 * rest_.sides[sense].axial_load.screw, kMostOpening);
+  const double opening = root_above(clearance, 0.5 * rest_.sides[sense].axial_load.screw, kMostOpening);
   if (solved && std::isfinite(opening)) opening_[sense] = opening;
   return opening_[sense];
 }

@@ -80,8 +80,7 @@ PreloadSector fitted(PreloadSector sector, const Fit& fit);
 
 /// Pushes on the rollers as loads, see `push_loads` of a sector. A single nut has one roller: its
 /// centrifugal force stands in one of them.
-std::vector<fe::NodalLoad> push_loads(const PreloadSector& sector,
-                                      const PerDirection<RollerPush>& push);
+std::vector<fe::NodalLoad> push_loads(const PreloadSector& sector, const PerDirection<RollerPush>& push);
 
 /// The sector once the other side has opened and takes no part: its contacts are without stiffness,
 /// rollers that only it touches are held where they are.

@@ -10,16 +10,14 @@ PerDirection<double> held_sections(const Structure::Thrust& thrust) {
           thrust.compression ? *thrust.compression : *thrust.tension};
 }
 
-PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts,
-                               const PerInterface<ContactLaw>& laws, double position, Play play) {
+PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                               double position, Play play) {
   Preload preload = *c.preload;
   preload.position = position;
-  const PreloadParts parts{contacts.mechanism, *c.structure, *c.materials, c.model, laws,
-                           c.deviations,       preload};
+  const PreloadParts parts{contacts.mechanism, *c.structure, *c.materials, c.model, laws, c.deviations, preload};
   const PerDirection<double> section = held_sections(c.structure->nut.thrust);
   PreloadSectors sectors;
-  for (const Direction d : kDirections)
-    sectors[d] = build_preload_sector(parts, d, section[d], play);
+  for (const Direction d : kDirections) sectors[d] = build_preload_sector(parts, d, section[d], play);
   return sectors;
 }
 
@@ -43,18 +41,16 @@ std::vector<double> loads_of(const LoadSweep& sweep) {
 }
 
 /// `where` introduces the reason why a load did not converge, which becomes a warning.
-PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& loads,
-                      double lost_motion_load, std::string_view where,
-                      std::vector<Warning>& warnings) {
+PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& loads, double lost_motion_load,
+                      std::string_view where, std::vector<Warning>& warnings) {
   const auto warn = [&](double load, const fe::NewtonSummary& summary) {
-    warnings.push_back(
-        Warning{"", "not_converged",
-                fmt::format("{}{:.6g} N: not converged: {}, relative residual {:.1e}", where, load,
-                            fe::name(summary.status), summary.relative_residual)}
-            .with(summary.relative_residual));
+    warnings.push_back(Warning{"", "not_converged",
+                               fmt::format("{}{:.6g} N: not converged: {}, relative residual {:.1e}", where, load,
+                                           fe::name(summary.status), summary.relative_residual)}
+                           .with(summary.relative_residual));
   };
-  const bool at_rest = std::ranges::all_of(
-      kDirections, [&](Direction d) { return solvers[d].at_rest().solve.converged(); });
+  const bool at_rest =
+      std::ranges::all_of(kDirections, [&](Direction d) { return solvers[d].at_rest().solve.converged(); });
   for (const Direction d : kDirections)
     if (!solvers[d].at_rest().solve.converged()) warn(0.0, solvers[d].at_rest().solve);
   const auto solve = [&](double load) {
@@ -64,8 +60,7 @@ PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& lo
   };
   PreloadCurve curve;
   for (const double load : loads) curve.points.push_back(solve(load));
-  for (const Direction d : kDirections)
-    curve.stiffness_at_zero[d] = solvers[d].at_rest().tangent_stiffness;
+  for (const Direction d : kDirections) curve.stiffness_at_zero[d] = solvers[d].at_rest().tangent_stiffness;
   const PreloadPoint pulled = solve(lost_motion_load);
   const PreloadPoint pushed = solve(-lost_motion_load);
   if (pulled.solve.converged() && pushed.solve.converged())
@@ -79,8 +74,7 @@ void warn_of_pressure(PreloadResult& result) {
     if (!contact.has_hertz()) continue;
     double load = 0.0;
     for (const PreloadPoint& point : result.curve.points)
-      for (const Direction d : kDirections)
-        load = std::max(load, point.sides[d].max_normal_load[i]);
+      for (const Direction d : kDirections) load = std::max(load, point.sides[d].max_normal_load[i]);
     const double pressure = contact::at_load(contact.hertz, load).peak_pressure;
     if (pressure > kStaticPressureLimit)
       result.warnings.push_back(static_pressure_warning("preload.load", i, pressure));
@@ -95,19 +89,16 @@ Fit preload_fit(const Conditions& c, const Contacts& contacts, const PreloadSect
   const double found = interference(sectors.tension, fit);
   const double most = kMostDeviation * axial_pitch(contacts.mechanism);
   if (found <= most) return warm ? at_temperature(sectors.tension, fit) : fit;
-  throw CaseError(
-      "preload.force",
-      fmt::format("asks for an interference of {:.4g} mm; expected at most {:.4g} mm, a "
-                  "quarter of the pitch; take less preload",
-                  1e3 * found, 1e3 * most));
+  throw CaseError("preload.force", fmt::format("asks for an interference of {:.4g} mm; expected at most {:.4g} mm, a "
+                                               "quarter of the pitch; take less preload",
+                                               1e3 * found, 1e3 * most));
 }
 
 Conditions with_interference(Conditions c, const Contacts& contacts) {
   if (!c.preload || !c.preload->force) return c;
   Conditions cold = c;
   cold.deviations.temperature.reset();
-  const PreloadSectors sectors =
-      preload_sectors(cold, contacts, contact_laws(cold, contacts), cold.preload->position);
+  const PreloadSectors sectors = preload_sectors(cold, contacts, contact_laws(cold, contacts), cold.preload->position);
   c.preload->interference = interference(sectors.tension, preload_fit(cold, contacts, sectors));
   c.preload->force.reset();
   return c;
@@ -115,9 +106,7 @@ Conditions with_interference(Conditions c, const Contacts& contacts) {
 
 double reference_preload(const Conditions& c, const Contacts& contacts) {
   const PreloadSector sector = reference_sector(c, contacts);
-  return PreloadSolver(fitted(sector, find_fit(sector, *c.preload)))
-      .at_rest()
-      .sides.tension.axial_load.screw;
+  return PreloadSolver(fitted(sector, find_fit(sector, *c.preload))).at_rest().sides.tension.axial_load.screw;
 }
 
 FlankSolver::FlankSolver(const Conditions& c, const Contacts& contacts)
@@ -146,13 +135,11 @@ LoadCaseResult both_flanks_result(const LoadCase& load_case, const Contacts& con
   for (const Interface i : kInterfaces) {
     FlankThreads& other = result.other_flank->threads[i];
     other.normal_load = std::move(point.sides[opposite(named)].normal_load[i]);
-    for (const double load : other.normal_load)
-      other.axial_load.push_back(load * std::cos(laws[i].normal_angle));
+    for (const double load : other.normal_load) other.axial_load.push_back(load * std::cos(laws[i].normal_angle));
   }
   if (load_case.axial_force == 0.0) {
     result.axial_stiffness.reset();
-    for (const Interface i : kInterfaces)
-      std::ranges::fill((*result.threads)[i].load_rate, kNoShare);
+    for (const Interface i : kInterfaces) std::ranges::fill((*result.threads)[i].load_rate, kNoShare);
   }
   return result;
 }
@@ -166,8 +153,7 @@ LoadCaseResult FlankSolver::solve(const LoadCase& load_case) {
                                        : preload_sectors(conditions_, contacts_, laws_, position);
     at = at_position_.emplace(position, At{PreloadedMechanism(sectors, fit_), {}}).first;
     for (const Direction d : kDirections)
-      if (const Sector& flank = *sectors.tension.flanks[d].sector; flank.bends())
-        at->second.guides[d].emplace(flank);
+      if (const Sector& flank = *sectors.tension.flanks[d].sector; flank.bends()) at->second.guides[d].emplace(flank);
   }
   last_ = &at->second;
   const Direction named = *load_case.direction;
@@ -183,19 +169,17 @@ LoadCaseResult FlankSolver::solve(const LoadCase& load_case) {
   PerDirection<RollerPush> none;
   for (const Direction d : kDirections)
     for (const Interface i : kInterfaces)
-      none[d].axial[i] = none[d].radial[i] =
-          std::vector<double>(point.sides[d].normal_load[i].size(), 0.0);
+      none[d].axial[i] = none[d].radial[i] = std::vector<double>(point.sides[d].normal_load[i].size(), 0.0);
   result.other_flank->guide_force = guide_forces(point, named, none);
   return result;
 }
 
 PreloadPoint FlankSolver::go_on(const LoadCase& load_case, const PerDirection<RollerPush>& push) {
-  return solver_->go_on(-sense(*load_case.direction) * load_case.axial_force,
-                        push_loads(solver_->sector(), push));
+  return solver_->go_on(-sense(*load_case.direction) * load_case.axial_force, push_loads(solver_->sector(), push));
 }
 
-std::vector<std::array<double, 2>> FlankSolver::guide_forces(
-    const PreloadPoint& point, Direction named, const PerDirection<RollerPush>& push) const {
+std::vector<std::array<double, 2>> FlankSolver::guide_forces(const PreloadPoint& point, Direction named,
+                                                             const PerDirection<RollerPush>& push) const {
   if (!last_->guides.tension) return {};
   std::vector<std::array<double, 2>> all;
   for (const Direction d : {named, opposite(named)})
@@ -208,18 +192,15 @@ std::optional<double> PreloadResult::peak_pressure(const SideLoads& loads) const
   double peak = 0.0;
   for (const Interface i : kInterfaces) {
     if (!contacts.interfaces[i].has_hertz()) return std::nullopt;
-    peak = std::max(
-        peak,
-        contact::at_load(contacts.interfaces[i].hertz, loads.max_normal_load[i]).peak_pressure);
+    peak = std::max(peak, contact::at_load(contacts.interfaces[i].hertz, loads.max_normal_load[i]).peak_pressure);
   }
   return peak;
 }
 
 bool PreloadResult::converged() const {
   const auto all = [](const PreloadCurve& c) {
-    return c.lost_motion && std::ranges::all_of(c.points, [](const PreloadPoint& point) {
-             return point.solve.converged();
-           });
+    return c.lost_motion &&
+           std::ranges::all_of(c.points, [](const PreloadPoint& point) { return point.solve.converged(); });
   };
   return heat_status == HeatStatus::converged && at_rest.solve.converged() && all(curve) &&
          (!without_preload || all(*without_preload));
@@ -239,21 +220,19 @@ PreloadResult analyze_preload(const Conditions& c, Contacts contacts) {
   result.at_rest = solvers[Direction::tension].at_rest();
   result.reference_temperature = c.deviations.reference_temperature;
   result.temperature = c.deviations.temperature;
-  result.reference_force =
-      c.deviations.temperature ? reference_preload(c, result.contacts) : result.force();
+  result.reference_force = c.deviations.temperature ? reference_preload(c, result.contacts) : result.force();
   if (!c.preload->backlash) result.interference = interference(sectors.tension, fit);
   for (const Direction d : kDirections) result.opening_force[d] = solvers[d].opening_force(d);
 
   const LoadSweep& sweep = c.preload->load;
-  result.lost_motion_load = c.preload->lost_motion_load.value_or(
-      kLostMotionShare * std::max(std::abs(sweep.from), std::abs(sweep.to)));
+  result.lost_motion_load =
+      c.preload->lost_motion_load.value_or(kLostMotionShare * std::max(std::abs(sweep.from), std::abs(sweep.to)));
   const std::vector<double> loads = loads_of(sweep);
   result.curve = curve_of(solvers, loads, result.lost_motion_load, "at ", result.warnings);
   if (!c.preload->backlash) {
-    PreloadedMechanism loose(
-        preload_sectors(c, result.contacts, laws, c.preload->position, Play::of_warm_parts), Fit{});
-    result.without_preload =
-        curve_of(loose, loads, result.lost_motion_load, "without preload at ", result.warnings);
+    PreloadedMechanism loose(preload_sectors(c, result.contacts, laws, c.preload->position, Play::of_warm_parts),
+                             Fit{});
+    result.without_preload = curve_of(loose, loads, result.lost_motion_load, "without preload at ", result.warnings);
   }
   warn_of_pressure(result);
   return result;

@@ -16,9 +16,8 @@ using PreloadSectors = PerDirection<PreloadSector>;
 PerDirection<double> held_sections(const Structure::Thrust& thrust);
 
 /// Both senses of a case with a block `preload`, its first contact at a position on the nut [m].
-PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts,
-                               const PerInterface<ContactLaw>& laws, double position,
-                               Play play = Play::of_cold_parts);
+PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                               double position, Play play = Play::of_cold_parts);
 
 /// The fit that the case asks for, with its first contact where `preload.position` has it, made at
 /// the reference temperature. The rollers float at the temperatures of the sectors. Throws
@@ -40,13 +39,10 @@ class PreloadedMechanism {
   PreloadedMechanism(const PreloadSectors& sectors, const Fit& fit)
       : tension_(fitted(sectors.tension, fit)), compression_(fitted(sectors.compression, fit)) {}
 
-  PreloadSolver& operator[](Direction d) {
-    return d == Direction::tension ? tension_ : compression_;
-  }
+  PreloadSolver& operator[](Direction d) { return d == Direction::tension ? tension_ : compression_; }
   /// Under an external load [N], > 0 in tension.
   PreloadPoint solve(double axial_force) {
-    return (*this)[axial_force < 0.0 ? Direction::compression : Direction::tension].solve(
-        axial_force);
+    return (*this)[axial_force < 0.0 ? Direction::compression : Direction::tension].solve(axial_force);
   }
 
  private:
@@ -106,14 +102,14 @@ struct PreloadCurve {
 struct PreloadResult {
   Preload preload;
   Contacts contacts;
-  PerDirection<double> section;  ///< Where the first nut is held, by the sense of the load [m].
-  PreloadPoint at_rest;          ///< At the temperatures of the case.
-  double reference_force = 0.0;  ///< Axial load of each side where the fit was made [N].
+  PerDirection<double> section;                    ///< Where the first nut is held, by the sense of the load [m].
+  PreloadPoint at_rest;                            ///< At the temperatures of the case.
+  double reference_force = 0.0;                    ///< Axial load of each side where the fit was made [N].
   double reference_temperature = 0.0;              ///< There [K].
   std::optional<PerPart<double>> temperature;      ///< Of the parts, where not that [K].
   std::optional<std::string> load_case;            ///< From whose heat they follow.
   HeatStatus heat_status = HeatStatus::converged;  ///< Of that heat.
-  std::optional<double> interference;  ///< As `Preload::interference`; absent with play [m].
+  std::optional<double> interference;              ///< As `Preload::interference`; absent with play [m].
   /// External load at which the side that opposes it opens [N], > 0.
   PerDirection<std::optional<double>> opening_force;
   double lost_motion_load = 0.0;  ///< [N]

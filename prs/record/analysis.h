@@ -62,8 +62,7 @@ struct Analysis {
 
 /// The document of a result: the origin, then what the analysis puts into it.
 template <class R>
-Json document_of(const Analysis<R>& analysis, const R& result, const DocumentInfo& info,
-                 bool is_whole = true) {
+Json document_of(const Analysis<R>& analysis, const R& result, const DocumentInfo& info, bool is_whole = true) {
   Json document = document_head(info, analysis.warnings(result));
   analysis.put(document, result);
   if (analysis.load_case && is_whole)
@@ -98,33 +97,29 @@ struct OtherFile {
   Json (*schema)() = nullptr;
   Json (*resolved_input)(const input::Source&) = nullptr;
   std::vector<std::string> (*files)(const input::Source&) = nullptr;  ///< Texts of those it names.
-  const RecordInfo& (*record)() = nullptr;  ///< The document of the command, behind its head.
-  std::string_view result_class = {};       ///< In Python.
+  const RecordInfo& (*record)() = nullptr;                            ///< The document of the command, behind its head.
+  std::string_view result_class = {};                                 ///< In Python.
 };
 
 /// All forms of a result; the analysis must outlive them. What `run` finds wrong with the case is
 /// reported where it stands.
 template <class R, class Run>
-Delivery delivered(const input::Source& source, const input::CaseInput& in,
-                   const Analysis<R>& analysis, const Run& run) {
+Delivery delivered(const input::Source& source, const input::CaseInput& in, const Analysis<R>& analysis,
+                   const Run& run) {
   R computed = input::compute_from(source, [&] { return run(source, in); });
   put_first(in.warnings, analysis.warnings(computed));
   Delivery d{std::string(analysis.file)};
   const auto result = std::make_shared<const R>(std::move(computed));
   d.held = result;
   d.result_type = &typeid(R);
-  d.document = [&analysis, result](const DocumentInfo& info) {
-    return document_of(analysis, *result, info);
-  };
+  d.document = [&analysis, result](const DocumentInfo& info) { return document_of(analysis, *result, info); };
   d.table = [&analysis, result] { return analysis.table(*result); };
   d.warnings = [&analysis, result] {
     return analysis.all_warnings ? analysis.all_warnings(*result) : analysis.warnings(*result);
   };
   d.notes = analysis.notes ? analysis.notes(*result) : as_notes(d.warnings());
-  if (analysis.full_table)
-    d.full_table = [&analysis, result] { return analysis.full_table(*result); };
-  if (analysis.files)
-    d.files = [&analysis, result](const CsvStyle& style) { return analysis.files(*result, style); };
+  if (analysis.full_table) d.full_table = [&analysis, result] { return analysis.full_table(*result); };
+  if (analysis.files) d.files = [&analysis, result](const CsvStyle& style) { return analysis.files(*result, style); };
   if (analysis.pictures)
     d.pictures = [&analysis, result, c = std::make_shared<const Case>(in.values)] {
       return analysis.pictures(*result, *c);
@@ -134,9 +129,7 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in,
   if (analysis.section) d.section = [&analysis, result] { return analysis.section(*result); };
   if (analysis.headlines) d.headlines = [&analysis, result] { return analysis.headlines(*result); };
   if (!analysis.load_case) return d;
-  d.outline = [&analysis, result](const DocumentInfo& info) {
-    return document_of(analysis, *result, info, false);
-  };
+  d.outline = [&analysis, result](const DocumentInfo& info) { return document_of(analysis, *result, info, false); };
   d.write = [&analysis, result](const Json& outline, const TextSink& sink) {
     write_with_list(
         outline, "load_cases", [&](std::size_t k) { return analysis.load_case(*result, k); }, sink);

@@ -101,8 +101,7 @@ bool is_number(std::string_view text) {
 
 /// Whether a spreadsheet would compute the text in place of showing it.
 bool is_formula(std::string_view text) {
-  return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != text.npos &&
-         !is_quantity(text);
+  return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != text.npos && !is_quantity(text);
 }
 
 }  // namespace
@@ -122,8 +121,7 @@ char* write_short(char* at, double value, int digits) {
     return by_fmt();
 
   const std::uint64_t high = whole / 100'000'000, low = whole % 100'000'000;
-  const std::uint64_t first = digits_of(high),
-                      last = digits_of(low / 10'000 | (low % 10'000) << 32U);
+  const std::uint64_t first = digits_of(high), last = digits_of(low / 10'000 | (low % 10'000) << 32U);
   const int zeros = last != 0 ? std::countl_zero(last) / 8 : 4 + std::countl_zero(first) / 8;
   constexpr std::uint64_t kZeros = 0x3030'3030'3030'3030;
   Characters text{(first | last << 32U) + kZeros, (last >> 32U) + kZeros};
@@ -202,9 +200,7 @@ void CsvWriter::take_number(const char* end) {
   size_ += length;
 }
 
-void load_header(CsvWriter& csv) {
-  csv.fields("case", "axial_force_N", "direction", "position_mm");
-}
+void load_header(CsvWriter& csv) { csv.fields("case", "axial_force_N", "direction", "position_mm"); }
 
 void load_fields(CsvWriter& csv, const LoadCase& load) {
   csv.fields(load.name, load.axial_force, load.direction ? name(*load.direction) : "",

@@ -28,8 +28,7 @@ Json document_head(const DocumentInfo& info, const std::vector<Warning>& warning
 std::string json_text(const Json& document) { return dumped(document) + '\n'; }
 
 void write_with_list(const Json& outline, std::string_view key,
-                     const std::function<std::optional<Json>(std::size_t)>& item,
-                     const TextSink& sink) {
+                     const std::function<std::optional<Json>(std::size_t)>& item, const TextSink& sink) {
   const std::string text = json_text(outline);
   // JSON escapes line ends in texts, so this line can only be the key of the document.
   const std::string empty = "\n  \"" + std::string(key) + "\": []";
@@ -52,8 +51,7 @@ void write_with_list(const Json& outline, std::string_view key,
 }
 
 void put_first(const std::vector<Warning>& values, std::vector<Warning>& warnings) {
-  for (const Warning& value : values)
-    std::erase_if(warnings, [&](const Warning& w) { return w.path == value.path; });
+  for (const Warning& value : values) std::erase_if(warnings, [&](const Warning& w) { return w.path == value.path; });
   warnings.insert(warnings.begin(), values.begin(), values.end());
 }
 

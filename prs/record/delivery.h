@@ -12,9 +12,9 @@ namespace prs {
 
 /// What every document says of its origin.
 struct DocumentInfo {
-  std::string version;         ///< Version of the program.
-  std::string schema_version;  ///< Version of the input's schema.
-  std::string input_sha256;    ///< Of file, overrides and history, `input::input_sha256`.
+  std::string version;                      ///< Version of the program.
+  std::string schema_version;               ///< Version of the input's schema.
+  std::string input_sha256;                 ///< Of file, overrides and history, `input::input_sha256`.
   std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
   std::string command = {};                 ///< The command that was run.
   std::string case_file = {};               ///< As it was given.
@@ -34,8 +34,7 @@ using TextSink = std::function<void(std::string_view)>;
 /// What `json_text` gives of a document whose list under `key` is empty in `outline` and filled by
 /// `item`, one after the other: memory for one of them is enough.
 void write_with_list(const Json& outline, std::string_view key,
-                     const std::function<std::optional<Json>(std::size_t)>& item,
-                     const TextSink& sink);
+                     const std::function<std::optional<Json>(std::size_t)>& item, const TextSink& sink);
 
 struct OutputFile {
   std::string name;  ///< Inside the output directory.
@@ -53,10 +52,9 @@ struct OpenRows {
 /// numbers stand open.
 struct PageSection {
   std::vector<OpenRows> in_cases = {}, in_document = {};
-  std::vector<std::string> folded = {};  ///< Pictures.
-  std::vector<std::string> estimates =
-      {};                 ///< Keys that are left out: each quantity has one headline.
-  std::string note = {};  ///< Above all.
+  std::vector<std::string> folded = {};     ///< Pictures.
+  std::vector<std::string> estimates = {};  ///< Keys that are left out: each quantity has one headline.
+  std::string note = {};                    ///< Above all.
 };
 
 /// The title of an analysis on the page, and where it stands among the others; none where another
@@ -84,12 +82,12 @@ struct Headline {
 struct Delivery {
   std::string file;  ///< Name of the document in the output folder: `slip.json`.
   std::function<Json(const DocumentInfo&)> document = {};
-  std::function<std::string()> table = {};              ///< On a terminal.
-  std::vector<std::string> notes = {};                  ///< To whom the document is printed.
-  std::function<std::vector<Warning>()> warnings = {};  ///< Those of load cases name them.
+  std::function<std::string()> table = {};                             ///< On a terminal.
+  std::vector<std::string> notes = {};                                 ///< To whom the document is printed.
+  std::function<std::vector<Warning>()> warnings = {};                 ///< Those of load cases name them.
   std::function<std::vector<OutputFile>(const CsvStyle&)> files = {};  ///< Beside the document.
-  std::function<Pictures()> pictures = {};  ///< They may refer to what the other forms hold.
-  bool keeps_figures = false;  ///< As data in a file too, for reports that are made later.
+  std::function<Pictures()> pictures = {};                             ///< They may refer to what the other forms hold.
+  bool keeps_figures = false;                    ///< As data in a file too, for reports that are made later.
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
   std::function<std::string()> full_table = {};  ///< With `--all`, where there is more.

@@ -87,8 +87,7 @@ void fit_y_range(Figure& figure, bool from_zero) {
         if (!r.vertical) range.include(r.at);
     }
   if (range.empty()) return;
-  figure.y =
-      fitted(figure.y, range, range.from >= 0.0 && (from_zero || range.from < 0.5 * range.to));
+  figure.y = fitted(figure.y, range, range.from >= 0.0 && (from_zero || range.from < 0.5 * range.to));
 }
 
 Figure only_panel(Figure figure, std::size_t panel) {
@@ -104,8 +103,7 @@ Figure only_panel(Figure figure, std::size_t panel) {
   std::erase_if(figure.legend, [&](const LegendEntry& entry) {
     const Panel& shown = figure.panels[0];
     return std::ranges::find(shown.series, entry.style, &Series::style) == shown.series.end() &&
-           std::ranges::find(shown.references, entry.style, &ReferenceLine::style) ==
-               shown.references.end();
+           std::ranges::find(shown.references, entry.style, &ReferenceLine::style) == shown.references.end();
   });
   return figure;
 }
@@ -147,8 +145,7 @@ Figure folded(const Figure& figure) {
 std::optional<std::size_t> add_behind(Figure& figure, const Figure& before) {
   if (figure.to_scale || figure.panels.size() != before.panels.size()) return std::nullopt;
   const Style grey = line_of(Colour::muted, Dash::solid, Weight::strong);
-  const std::size_t line = figure.add(grey),
-                    points = figure.add(points_of(Colour::muted, Mark::circle));
+  const std::size_t line = figure.add(grey), points = figure.add(points_of(Colour::muted, Mark::circle));
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     Panel& panel = figure.panels[k];
     std::vector<Series> behind;

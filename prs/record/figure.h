@@ -62,12 +62,8 @@ constexpr Style line_of(Colour colour, Dash dash = Dash::solid, Weight weight = 
 constexpr Style points_of(Colour colour, Mark mark, Weight weight = Weight::normal) {
   return {colour, Dash::none, mark, weight};
 }
-constexpr Style area_of(Colour colour) {
-  return {colour, Dash::solid, Mark::none, Weight::normal, Shape::area};
-}
-constexpr Style arrows_of(Colour colour) {
-  return {colour, Dash::solid, Mark::none, Weight::thin, Shape::arrows};
-}
+constexpr Style area_of(Colour colour) { return {colour, Dash::solid, Mark::none, Weight::normal, Shape::area}; }
+constexpr Style arrows_of(Colour colour) { return {colour, Dash::solid, Mark::none, Weight::thin, Shape::arrows}; }
 
 struct Series {
   std::size_t style = 0;  ///< Index into the figure's styles.
@@ -158,7 +154,7 @@ struct Label {
   std::string text;
   double x = 0.0;
   double y = 0.0;
-  bool in_panel = false;  ///< x, y are shares of the panel from its lower left, else coordinates.
+  bool in_panel = false;         ///< x, y are shares of the panel from its lower left, else coordinates.
   Anchor anchor = Anchor::left;  ///< Of the text at x; its middle lies at y.
 };
 
@@ -194,8 +190,7 @@ struct Figure {
   double aspect = 0.0;    ///< Height of a panel over its width; 0: the renderer chooses.
   double overview = 0.0;  ///< The first panel fills the first column, so many times as wide as the
                           ///< others; 0: it is one like the others.
-  bool to_scale =
-      false;  ///< A unit is as long on both axes: ranges are widened about their middle.
+  bool to_scale = false;  ///< A unit is as long on both axes: ranges are widened about their middle.
 
   /// Appends a style; returns its index.
   std::size_t add(const Style& style);

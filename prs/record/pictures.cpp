@@ -28,8 +28,7 @@ Pictures with(Pictures own, Pictures others) {
 Figures figures(const Pictures& pictures, bool all) {
   Figures drawn;
   for (const Picture& picture : pictures)
-    if (picture.drawn == Picture::Drawn::always ||
-        (all && picture.drawn == Picture::Drawn::with_all))
+    if (picture.drawn == Picture::Drawn::always || (all && picture.drawn == Picture::Drawn::with_all))
       for (Figure& figure : picture.make({})) drawn.push_back(std::move(figure));
   return drawn;
 }
@@ -57,14 +56,12 @@ bool has_data(const Figure& figure) {
 
 namespace {
 
-using schema_parts::link, schema_parts::list, schema_parts::names, schema_parts::object,
-    schema_parts::type;
+using schema_parts::link, schema_parts::list, schema_parts::names, schema_parts::object, schema_parts::type;
 
 // What a description holds, once for writing, reading and the schema.
 
 constexpr std::array<std::string_view, 11> names_of(Colour) {
-  return {"blue", "vermillion", "green",     "purple", "orange", "sky",
-          "ink",  "grey",       "reference", "muted",  "bad"};
+  return {"blue", "vermillion", "green", "purple", "orange", "sky", "ink", "grey", "reference", "muted", "bad"};
 }
 constexpr std::array<std::string_view, 5> names_of(Dash) {
   return {"none", "solid", "dashed", "dotted", "dash_dotted"};
@@ -74,9 +71,7 @@ constexpr std::array<std::string_view, 9> names_of(Mark) {
 }
 constexpr std::array<std::string_view, 3> names_of(Weight) { return {"thin", "normal", "strong"}; }
 constexpr std::array<std::string_view, 3> names_of(Shape) { return {"line", "area", "arrows"}; }
-constexpr std::array<std::string_view, 3> names_of(Label::Anchor) {
-  return {"left", "centre", "right"};
-}
+constexpr std::array<std::string_view, 3> names_of(Label::Anchor) { return {"left", "centre", "right"}; }
 
 /// A member and its key. It is absent where it has its default, unless it is required.
 template <class Owner, class Value>
@@ -88,56 +83,50 @@ struct Field {
   Json (*form)() = nullptr;  ///< In the schema, in place of that of its type.
 };
 template <class Owner, class Value>
-constexpr Field<Owner, Value> field(const char* key, Value Owner::*value,
-                                    const char* description = nullptr, Json (*form)() = nullptr) {
+constexpr Field<Owner, Value> field(const char* key, Value Owner::*value, const char* description = nullptr,
+                                    Json (*form)() = nullptr) {
   return {key, value, false, description, form};
 }
 template <class Owner, class Value>
-constexpr Field<Owner, Value> required(const char* key, Value Owner::*value,
-                                       const char* description = nullptr,
+constexpr Field<Owner, Value> required(const char* key, Value Owner::*value, const char* description = nullptr,
                                        Json (*form)() = nullptr) {
   return {key, value, true, description, form};
 }
 
 Json number_or_null() { return {{"type", {"number", "null"}}}; }
 
-constexpr auto fields_of(const Tick*) {
-  return std::tuple(required("at", &Tick::at), field("text", &Tick::text));
-}
+constexpr auto fields_of(const Tick*) { return std::tuple(required("at", &Tick::at), field("text", &Tick::text)); }
 constexpr auto fields_of(const Axis*) {
   return std::tuple(required("label", &Axis::label), field("unit", &Axis::unit),
-                    field("from", &Axis::from, "absent: fitted to what the panel shows"),
-                    field("to", &Axis::to), field("logarithmic", &Axis::logarithmic),
+                    field("from", &Axis::from, "absent: fitted to what the panel shows"), field("to", &Axis::to),
+                    field("logarithmic", &Axis::logarithmic),
                     field("whole", &Axis::whole, "ticks at whole numbers alone"),
-                    field("hidden", &Axis::hidden, "neither ticks nor label"),
-                    field("ticks", &Axis::ticks));
+                    field("hidden", &Axis::hidden, "neither ticks nor label"), field("ticks", &Axis::ticks));
 }
 constexpr auto fields_of(const Style*) {
-  return std::tuple(required("shape", &Style::shape), required("colour", &Style::colour),
-                    field("dash", &Style::dash), field("mark", &Style::mark),
-                    field("weight", &Style::weight), field("open", &Style::open, "marks outlined"),
+  return std::tuple(required("shape", &Style::shape), required("colour", &Style::colour), field("dash", &Style::dash),
+                    field("mark", &Style::mark), field("weight", &Style::weight),
+                    field("open", &Style::open, "marks outlined"),
                     field("pale", &Style::pale, "areas in a light shade"));
 }
 constexpr auto fields_of(const ColourScale*) {
   return std::tuple(required("label", &ColourScale::label), field("unit", &ColourScale::unit),
                     required("from", &ColourScale::from), required("to", &ColourScale::to),
-                    field("levels", &ColourScale::levels),
-                    field("logarithmic", &ColourScale::logarithmic),
+                    field("levels", &ColourScale::levels), field("logarithmic", &ColourScale::logarithmic),
                     field("whole", &ColourScale::whole));
 }
 constexpr auto fields_of(const Series*) {
-  return std::tuple(required("style", &Series::style), required("parts", &Series::parts),
-                    field(
-                        "values", &Series::values, "one per part: its colour on the scale",
-                        +[] { return list(number_or_null()); }));
+  return std::tuple(
+      required("style", &Series::style), required("parts", &Series::parts),
+      field(
+          "values", &Series::values, "one per part: its colour on the scale", +[] { return list(number_or_null()); }));
 }
 constexpr auto fields_of(const ReferenceLine*) {
   return std::tuple(required("style", &ReferenceLine::style), required("at", &ReferenceLine::at),
                     field("vertical", &ReferenceLine::vertical));
 }
 constexpr auto fields_of(const Label*) {
-  return std::tuple(required("text", &Label::text), required("x", &Label::x),
-                    required("y", &Label::y),
+  return std::tuple(required("text", &Label::text), required("x", &Label::x), required("y", &Label::y),
                     field("in_panel", &Label::in_panel, "x, y are shares of the panel"),
                     field("anchor", &Label::anchor));
 }
@@ -156,25 +145,23 @@ constexpr auto fields_of(const Surface*) {
 constexpr auto fields_of(const Panel*) {
   return std::tuple(field("title", &Panel::title), field("x", &Panel::x), field("y", &Panel::y),
                     field("series", &Panel::series), field("references", &Panel::references),
-                    field("labels", &Panel::labels), field("map", &Panel::map),
-                    field("surface", &Panel::surface));
+                    field("labels", &Panel::labels), field("map", &Panel::map), field("surface", &Panel::surface));
 }
 constexpr auto fields_of(const LegendEntry*) {
   return std::tuple(required("title", &LegendEntry::title), required("style", &LegendEntry::style));
 }
 constexpr auto fields_of(const Figure*) {
-  return std::tuple(required("name", &Figure::name), required("title", &Figure::title),
-                    required(
-                        "columns", &Figure::columns, "panels side by side, filled row by row",
-                        +[] { return type("integer"); }),
-                    field("aspect", &Figure::aspect, "height of a panel over its width"),
-                    field("overview", &Figure::overview,
-                          "the first panel fills the first column, so many times as wide as the "
-                          "others"),
-                    field("to_scale", &Figure::to_scale, "a unit is as long on both axes"),
-                    required("x", &Figure::x), required("y", &Figure::y),
-                    field("colours", &Figure::colours), field("styles", &Figure::styles),
-                    field("legend", &Figure::legend), required("panels", &Figure::panels));
+  return std::tuple(
+      required("name", &Figure::name), required("title", &Figure::title),
+      required(
+          "columns", &Figure::columns, "panels side by side, filled row by row", +[] { return type("integer"); }),
+      field("aspect", &Figure::aspect, "height of a panel over its width"),
+      field("overview", &Figure::overview,
+            "the first panel fills the first column, so many times as wide as the "
+            "others"),
+      field("to_scale", &Figure::to_scale, "a unit is as long on both axes"), required("x", &Figure::x),
+      required("y", &Figure::y), field("colours", &Figure::colours), field("styles", &Figure::styles),
+      field("legend", &Figure::legend), required("panels", &Figure::panels));
 }
 
 template <class T>
@@ -196,8 +183,7 @@ concept Items = !std::is_same_v<T, std::string> && requires(T & items) {
 
 template <class T>
 void for_each_field(const auto& use) {
-  std::apply([&](const auto&... fields) { (use(fields), ...); },
-             fields_of(static_cast<const T*>(nullptr)));
+  std::apply([&](const auto&... fields) { (use(fields), ...); }, fields_of(static_cast<const T*>(nullptr)));
 }
 
 // To JSON.
@@ -235,8 +221,7 @@ Json json_of(const T& value) {
     if constexpr (HasGrid<T>) put_grid(json, value.grid);
     const T plain{};
     for_each_field<T>([&](const auto& f) {
-      if (f.required || !is_left_out(value.*f.value, plain.*f.value))
-        json[f.key] = json_of(value.*f.value);
+      if (f.required || !is_left_out(value.*f.value, plain.*f.value)) json[f.key] = json_of(value.*f.value);
     });
     return json;
   } else if constexpr (Optional<T>) {
@@ -268,8 +253,7 @@ void read(const Json& json, T& value) {
     read(json.at("x"), value.grid.x);
     read(json.at("y"), value.grid.y);
     for (const Json& row : json.at("values")) read(row, value.grid.values);
-    if (value.grid.values.size() != value.grid.x.size() * value.grid.y.size())
-      throw std::runtime_error("values");
+    if (value.grid.values.size() != value.grid.x.size() * value.grid.y.size()) throw std::runtime_error("values");
   }
   if constexpr (Described<T>) {
     for_each_field<T>([&](const auto& f) {
@@ -363,9 +347,7 @@ Json schema_of() {
   else if constexpr (std::is_same_v<T, std::size_t>)
     return {{"type", "integer"}, {"minimum", 0}};
   else
-    return type(std::is_same_v<T, bool>       ? "boolean"
-                : std::is_floating_point_v<T> ? "number"
-                                              : "string");
+    return type(std::is_same_v<T, bool> ? "boolean" : std::is_floating_point_v<T> ? "number" : "string");
 }
 
 }  // namespace
@@ -395,9 +377,8 @@ Figures figures_of(std::string_view text) {
 Json figure_schema() {
   Json schema = object_schema<Figure>();
   schema["$schema"] = schema_parts::kDialect;
-  schema["$defs"] = {{"axis", object_schema<Axis>()},
-                     {"style", object_schema<Style>()},
-                     {"panel", object_schema<Panel>()}};
+  schema["$defs"] = {
+      {"axis", object_schema<Axis>()}, {"style", object_schema<Style>()}, {"panel", object_schema<Panel>()}};
   return schema;
 }
 
@@ -419,9 +400,8 @@ FigureOptions figure_options(const std::string& text) {
         if (key == name) take(value, option);
         return key == name;
       };
-      if (is("load_cases", options.load_cases) || is("load_case", options.load_case) ||
-          is("thread", options.thread) || is("panel", options.panel) ||
-          is("one_panel", options.one_panel) || is("response", options.response) ||
+      if (is("load_cases", options.load_cases) || is("load_case", options.load_case) || is("thread", options.thread) ||
+          is("panel", options.panel) || is("one_panel", options.one_panel) || is("response", options.response) ||
           is("x", options.x) || is("y", options.y))
         continue;
       if (key != "interface" || (value != "screw" && value != "nut"))
@@ -446,9 +426,7 @@ Style case_line(std::size_t k) {
   return style;
 }
 
-std::string interface_title(Interface i) {
-  return i == Interface::screw ? "Roller-screw" : "Roller-nut";
-}
+std::string interface_title(Interface i) { return i == Interface::screw ? "Roller-screw" : "Roller-nut"; }
 
 std::string shown_name(std::string_view name) {
   constexpr std::size_t kMost = 30;
@@ -479,8 +457,7 @@ Figure in_unit(Figure figure, const UnitChange& change) {
       for (const Series& series : panel.series)
         for (const Polyline& part : series.parts)
           for (const auto& point : part) shown[&axis_of(panel)].include(point[d]);
-    std::erase_if(shown,
-                  [&](const auto& axis) { return !is_large(axis.first->unit, axis.second); });
+    std::erase_if(shown, [&](const auto& axis) { return !is_large(axis.first->unit, axis.second); });
     for (const auto& axis : shown) {
       Axis& a = *axis.first;
       a.unit = change.to;
@@ -502,9 +479,7 @@ Figure in_unit(Figure figure, const UnitChange& change) {
       for (SurfacePoint& point : panel.surface->points) scale(d == 0 ? point.x : point.y);
     }
   }
-  if (!figure.colours ||
-      !is_large(figure.colours->unit, {figure.colours->from, figure.colours->to}))
-    return figure;
+  if (!figure.colours || !is_large(figure.colours->unit, {figure.colours->from, figure.colours->to})) return figure;
   figure.colours->unit = change.to;
   scale(figure.colours->from, figure.colours->to);
   scale_all(figure.colours->levels);
@@ -527,8 +502,7 @@ std::vector<std::array<double, 2>> points_of_style(const Panel& panel, std::size
   std::vector<std::array<double, 2>> points;
   for (const Series& series : panel.series)
     if (series.style == style)
-      for (const Polyline& part : series.parts)
-        points.insert(points.end(), part.begin(), part.end());
+      for (const Polyline& part : series.parts) points.insert(points.end(), part.begin(), part.end());
   return points;
 }
 
@@ -544,8 +518,7 @@ bool are_alike(const Figure& figure, std::size_t a, std::size_t b) {
     if (const Axis& y = panel.y ? *panel.y : figure.y; std::isfinite(y.from + y.to))
       range = {std::min(y.from, y.to), std::max(y.from, y.to)};
     for (std::size_t k = 0; k < left.size(); ++k)
-      if (left[k][0] != right[k][0] ||
-          !(std::abs(left[k][1] - right[k][1]) <= kSeen * (range.to - range.from)))
+      if (left[k][0] != right[k][0] || !(std::abs(left[k][1] - right[k][1]) <= kSeen * (range.to - range.from)))
         return false;
   }
   return shown;
@@ -581,8 +554,7 @@ Figure with_true_legend(Figure figure) {
 
 Axis thread_axis(std::size_t threads) {
   const std::size_t step = threads <= 10 ? 1 : threads <= 30 ? 5 : 10 * ((threads + 99) / 100);
-  Axis axis{"Thread, from the loaded end of the screw", "", 0.4,
-            static_cast<double>(threads) + 0.6};
+  Axis axis{"Thread, from the loaded end of the screw", "", 0.4, static_cast<double>(threads) + 0.6};
   axis.whole = true;
   axis.ticks.push_back({1.0});
   for (std::size_t tick = step; tick <= threads; tick += step)
@@ -592,8 +564,7 @@ Axis thread_axis(std::size_t threads) {
 
 Polyline over_threads(const std::vector<double>& values, double factor) {
   Polyline points;
-  for (const double value : values)
-    points.push_back({static_cast<double>(points.size() + 1), value * factor});
+  for (const double value : values) points.push_back({static_cast<double>(points.size() + 1), value * factor});
   return points;
 }
 
@@ -622,8 +593,7 @@ double rank_position(std::size_t k, std::size_t count) { return static_cast<doub
 
 Axis ranked_axis(const std::vector<std::string>& names) {
   Axis axis{"", "", 0.5, static_cast<double>(names.size()) + 0.5};
-  for (std::size_t k = 0; k < names.size(); ++k)
-    axis.ticks.push_back({rank_position(k, names.size()), names[k]});
+  for (std::size_t k = 0; k < names.size(); ++k) axis.ticks.push_back({rank_position(k, names.size()), names[k]});
   return axis;
 }
 
@@ -651,8 +621,7 @@ std::vector<double> round_levels(const Range& range, std::size_t most_steps) {
   double step = round_step((largest - least) / most);
   while (std::ceil(largest / step) - std::floor(least / step) > most) step = round_step(1.5 * step);
   std::vector<double> levels;
-  for (double k = std::floor(least / step); k <= std::ceil(largest / step); k += 1.0)
-    levels.push_back(k * step);
+  for (double k = std::floor(least / step); k <= std::ceil(largest / step); k += 1.0) levels.push_back(k * step);
   return levels;
 }
 

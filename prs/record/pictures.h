@@ -46,9 +46,7 @@ Figures in_kilonewtons(Figures figures);
 /// A picture that a function makes of the result, which must outlive it.
 template <class R>
 auto of_result(const R& result, Figures (*make)(const R&, const FigureOptions&)) {
-  return [&result, make](const FigureOptions& options) {
-    return in_kilonewtons(make(result, options));
-  };
+  return [&result, make](const FigureOptions& options) { return in_kilonewtons(make(result, options)); };
 }
 template <class R>
 auto of_result(const R& result, Figures (*make)(const R&)) {
@@ -58,9 +56,7 @@ auto of_result(const R& result, Figures (*make)(const R&)) {
 /// Those of another analysis, asked for by their names alone.
 Pictures with(Pictures own, Pictures others);
 
-constexpr Picture::Drawn drawn_if(bool suitable) {
-  return suitable ? Picture::Drawn::always : Picture::Drawn::by_name;
-}
+constexpr Picture::Drawn drawn_if(bool suitable) { return suitable ? Picture::Drawn::always : Picture::Drawn::by_name; }
 
 /// Whether a figure shows any number.
 bool has_data(const Figure& figure);
@@ -113,9 +109,7 @@ constexpr Style kMeanStyle = line_of(Colour::reference, Dash::dashed, Weight::th
 constexpr Style kZeroStyle = line_of(Colour::reference, Dash::solid, Weight::thin);
 
 constexpr Colour colour_of(Part part) {
-  return part == Part::screw    ? Colour::blue
-         : part == Part::roller ? Colour::green
-                                : Colour::vermillion;
+  return part == Part::screw ? Colour::blue : part == Part::roller ? Colour::green : Colour::vermillion;
 }
 
 constexpr std::string_view title(Part part) {

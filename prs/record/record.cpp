@@ -52,19 +52,15 @@ Extreme extreme_of(std::span<const double> v, F f) {
     of[0] = std::max(of[0], f(v[k]));
     zero[0] += 0.0 * v[k];
   }
-  return {std::max(std::max(of[0], of[1]), std::max(of[2], of[3])),
-          (zero[0] + zero[1]) + (zero[2] + zero[3]) == 0.0};
+  return {std::max(std::max(of[0], of[1]), std::max(of[2], of[3])), (zero[0] + zero[1]) + (zero[2] + zero[3]) == 0.0};
 }
 
 }  // namespace
 
 std::optional<double> SeriesReader::operator()(std::span<const double> v) const {
   // A document has null in place of a number that is not finite, and no summary of such a list.
-  const auto shown = [&](double value, bool finite) {
-    return finite ? std::optional(value * factor) : std::nullopt;
-  };
-  if (word == Word::one)
-    return index < v.size() ? shown(v[index], std::isfinite(v[index])) : std::nullopt;
+  const auto shown = [&](double value, bool finite) { return finite ? std::optional(value * factor) : std::nullopt; };
+  if (word == Word::one) return index < v.size() ? shown(v[index], std::isfinite(v[index])) : std::nullopt;
   if (v.empty()) return std::nullopt;
   if (word == Word::smallest) {
     const Extreme e = extreme_of(v, std::negate());
@@ -101,8 +97,7 @@ Json array_of(std::span<const double> si, const ShownUnit& unit) {
 Json arrays_of(std::span<const double> si, std::size_t row, const ShownUnit& unit) {
   if (row == 0) return array_of(si, unit);
   auto rows = Json::array();
-  for (std::size_t first = 0; first < si.size(); first += row)
-    rows.push_back(array_of(si.subspan(first, row), unit));
+  for (std::size_t first = 0; first < si.size(); first += row) rows.push_back(array_of(si.subspan(first, row), unit));
   return rows;
 }
 

@@ -182,9 +182,7 @@ struct Quantity {
   Reach delivery = Reach::numbers;
   const ShownUnit& unit = unit_of(key);  ///< kNoUnit: that of the record it stands in, if any.
 
-  const ShownUnit& shown_in(const ShownUnit& inherited) const {
-    return unit.suffix.empty() ? inherited : unit;
-  }
+  const ShownUnit& shown_in(const ShownUnit& inherited) const { return unit.suffix.empty() ? inherited : unit; }
 };
 
 /// A quantity whose numbers are already in the unit of its key.
@@ -251,8 +249,7 @@ std::string title_of(const Quantity<Owner>& q) {
 
 /// As documents show it.
 template <class Owner>
-std::optional<double> shown_number(const Quantity<Owner>& q, const Owner& owner,
-                                   const ShownUnit& inherited = kNoUnit) {
+std::optional<double> shown_number(const Quantity<Owner>& q, const Owner& owner, const ShownUnit& inherited = kNoUnit) {
   const std::optional<double> si = q.value.number(owner);
   if (!si || !std::isfinite(*si)) return std::nullopt;
   return *si * q.shown_in(inherited).factor;

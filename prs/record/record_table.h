@@ -37,8 +37,7 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
 template <class Owner>
 const RecordInfo& describe();
 template <class Owner>
-RecordInfo described(std::string_view name, std::string_view meaning,
-                     std::span<const Quantity<Owner>> quantities);
+RecordInfo described(std::string_view name, std::string_view meaning, std::span<const Quantity<Owner>> quantities);
 
 namespace detail {
 
@@ -108,8 +107,7 @@ Json json_of(const T& value, const ShownUnit& unit) {
       if (const auto* item = pointer_to(held))
         if (auto json = json_of(*item, unit); !json.is_null()) object[key] = std::move(json);
     return object;
-  } else if constexpr (std::is_integral_v<T> || is_whole_series<T> ||
-                       std::is_same_v<T, std::vector<std::string>>) {
+  } else if constexpr (std::is_integral_v<T> || is_whole_series<T> || std::is_same_v<T, std::vector<std::string>>) {
     return value;
   } else if constexpr (std::is_floating_point_v<T>) {
     return std::isfinite(value) ? Json(value * unit.factor) : nullptr;
@@ -155,17 +153,14 @@ template <class T>
 std::optional<Reader<T>> series_reader(std::string_view word, double factor) {
   const SeriesReader read = summary_named(word, factor);
   if (!read) return std::nullopt;
-  return Reader<T>{[read](const T& values) {
-    return read({values.data(), static_cast<std::size_t>(values.size())});
-  }};
+  return Reader<T>{[read](const T& values) { return read({values.data(), static_cast<std::size_t>(values.size())}); }};
 }
 
 /// Reads rows of numbers: `[j]` and a word for one of them, or a word for all.
 template <class T>
 std::optional<Reader<T>> matrix_reader(std::string_view path, double factor) {
   const std::optional<std::size_t> row = take_index(path);
-  const SeriesReader read =
-      row || !path.starts_with('[') ? summary_named(path, factor) : SeriesReader();
+  const SeriesReader read = row || !path.starts_with('[') ? summary_named(path, factor) : SeriesReader();
   if (!read) return std::nullopt;
   return Reader<T>{[read, row](const T& rows) -> std::optional<double> {
     if (row) return *row < rows.size() ? read(rows[*row]) : std::nullopt;
@@ -178,8 +173,7 @@ std::optional<Reader<T>> matrix_reader(std::string_view path, double factor) {
 /// The number at what follows the key of an item: `.screw.max`, `[2].thread`, or nothing.
 template <class T>
 std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& unit) {
-  if constexpr (is_by_key<T> || std::is_same_v<T, bool> || Text<T> ||
-                std::is_same_v<T, std::vector<std::string>>) {
+  if constexpr (is_by_key<T> || std::is_same_v<T, bool> || Text<T> || std::is_same_v<T, std::vector<std::string>>) {
     return std::nullopt;
   } else if constexpr (std::is_integral_v<T>) {
     if (!path.empty()) return std::nullopt;
@@ -187,9 +181,7 @@ std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& uni
   } else if constexpr (is_whole_series<T>) {
     const SeriesReader read = summary_named(path, 1.0);
     if (!read) return std::nullopt;
-    return Reader<T>{[read](const T& values) {
-      return read(std::vector<double>(values.begin(), values.end()));
-    }};
+    return Reader<T>{[read](const T& values) { return read(std::vector<double>(values.begin(), values.end())); }};
   } else if constexpr (Numbers<T>) {
     return series_reader<T>(path, unit.factor);
   } else if constexpr (is_vector<T>) {
@@ -198,8 +190,7 @@ std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& uni
       return matrix_reader<T>(path, unit.factor);
     } else {
       const std::optional<std::size_t> index = take_index(path);
-      std::optional<Reader<Inner>> inner =
-          index ? item_reader<Inner>(path, unit) : std::optional<Reader<Inner>>();
+      std::optional<Reader<Inner>> inner = index ? item_reader<Inner>(path, unit) : std::optional<Reader<Inner>>();
       if (!inner) return std::nullopt;
       return Reader<T>{[index, read = std::move(inner->read)](const T& items) {
                          return *index < items.size() ? read(items[*index]) : std::nullopt;
@@ -241,8 +232,7 @@ struct Access {
   }
 
   static std::span<const double> series(const Owner& owner) {
-    return used(owner, std::span<const double>(),
-                [](const std::vector<double>& values) { return std::span(values); });
+    return used(owner, std::span<const double>(), [](const std::vector<double>& values) { return std::span(values); });
   }
 
   static Json json(const Owner& owner, const ShownUnit& unit) {
@@ -252,17 +242,15 @@ struct Access {
   static std::optional<Reader<Owner>> reader(std::string_view path, const ShownUnit& unit) {
     const std::optional<Reader<Item>> inner = item_reader<Item>(path, unit);
     if (!inner) return std::nullopt;
-    return Reader<Owner>{[read = inner->read](const Owner& owner) {
-                           return used(owner, std::optional<double>(), read);
-                         },
-                         inner->delivery};
+    return Reader<Owner>{
+        [read = inner->read](const Owner& owner) { return used(owner, std::optional<double>(), read); },
+        inner->delivery};
   }
 
   static constexpr Getter<Owner> getter() {
     constexpr Kind kind = kind_of<Item>();
     // An array that lives on is read in place.
-    constexpr bool in_place =
-        std::is_same_v<Item, std::vector<double>> && std::is_reference_v<Given>;
+    constexpr bool in_place = std::is_same_v<Item, std::vector<double>> && std::is_reference_v<Given>;
     Getter<Owner> getter{kind};
     getter.form = {.required = always && !kGuarded,
                    .finite = always,
@@ -278,8 +266,7 @@ struct Access {
       getter.json = json;
       getter.reader = reader;
       if constexpr (is_by_key<Item>) {
-        if constexpr (kind == Kind::record)
-          getter.record = describe<Held<typename Item::value_type::second_type>>;
+        if constexpr (kind == Kind::record) getter.record = describe<Held<typename Item::value_type::second_type>>;
       } else if constexpr (kind == Kind::record) {
         getter.record = describe<Item>;
       } else if constexpr (kind == Kind::records) {
@@ -324,8 +311,7 @@ struct OfTable {
     Getter<Owner> getter{is_vector<Item> && !is_by_key<Item> ? Kind::records : Kind::record};
     getter.form = {.required = always, .by_key = is_by_key<Item>, .optional = All::kOptional};
     getter.json = [](const Owner& owner, const ShownUnit& unit) {
-      return All::used(owner, Json(),
-                       [&](const Item& item) { return json_by<quantities>(item, unit); });
+      return All::used(owner, Json(), [&](const Item& item) { return json_by<quantities>(item, unit); });
     };
     getter.record = []() -> const RecordInfo& {
       static const RecordInfo info = described<decltype(owner_of(quantities))>({}, {}, quantities);
@@ -348,8 +334,7 @@ template <auto get, auto guard = nullptr>
 inline constexpr detail::Of<get, guard, true> always;
 
 template <auto get>
-inline constexpr auto is_filled =
-    [](const auto& owner) { return !std::invoke(get, owner).empty(); };
+inline constexpr auto is_filled = [](const auto& owner) { return !std::invoke(get, owner).empty(); };
 
 /// As `of`; nothing where it is empty.
 template <auto get>
@@ -385,8 +370,7 @@ std::vector<Within<Whole, T>> within(const Whole& whole, const std::vector<T>& i
 
 /// What to get of the part: `of<its<&FactorEffect::coefficient>>`.
 template <auto get>
-inline constexpr auto its =
-    [](const auto& part) -> decltype(auto) { return std::invoke(get, *part.item); };
+inline constexpr auto its = [](const auto& part) -> decltype(auto) { return std::invoke(get, *part.item); };
 
 /// Values under keys, one for each.
 template <class T>
@@ -408,10 +392,8 @@ void put_quantities(Json& document, std::span<const Quantity<Owner>> quantities,
       if (const auto value = shown_number(q, owner, inherited)) document[q.key] = *value;
     } else if (q.value.series) {
       if (const auto series = q.value.series(owner); !series.empty())
-        document[q.key] =
-            detail::arrays_of(series, detail::row_length(owner), q.shown_in(inherited));
-    } else if (Json json = q.value.json(owner, q.shown_in(inherited));
-               q.key.empty() && !json.is_null()) {
+        document[q.key] = detail::arrays_of(series, detail::row_length(owner), q.shown_in(inherited));
+    } else if (Json json = q.value.json(owner, q.shown_in(inherited)); q.key.empty() && !json.is_null()) {
       document.update(json);
     } else if (!json.is_null()) {
       document[q.key] = std::move(json);
@@ -439,21 +421,19 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
     std::string_view rest = path.substr(q.key.size());
     if (!rest.empty() && rest.front() != '.' && rest.front() != '[') continue;
     if (q.value.number && rest.empty())
-      return Reader<Owner>{
-          [&q, &inherited](const Owner& owner) { return shown_number(q, owner, inherited); },
-          q.delivery};
+      return Reader<Owner>{[&q, &inherited](const Owner& owner) { return shown_number(q, owner, inherited); },
+                           q.delivery};
     if (q.value.series) {
       const auto [row, place] = split_row(rest);
       if (const SeriesReader summary = summary_named(place, unit.factor))
-        return Reader<Owner>{
-            [&q, summary, row = row, indexed = place.starts_with('[')](const Owner& owner) {
-              const std::span<const double> values = q.value.series(owner);
-              const std::size_t length = detail::row_length(owner);
-              if (!row && (!indexed || length == 0)) return summary(values);
-              const bool there = row && length > 0 && *row < values.size() / length;
-              return there ? summary(values.subspan(*row * length, length)) : std::nullopt;
-            },
-            q.delivery};
+        return Reader<Owner>{[&q, summary, row = row, indexed = place.starts_with('[')](const Owner& owner) {
+                               const std::span<const double> values = q.value.series(owner);
+                               const std::size_t length = detail::row_length(owner);
+                               if (!row && (!indexed || length == 0)) return summary(values);
+                               const bool there = row && length > 0 && *row < values.size() / length;
+                               return there ? summary(values.subspan(*row * length, length)) : std::nullopt;
+                             },
+                             q.delivery};
     }
     std::optional<Reader<Owner>> reader;
     if (q.value.reader) reader = q.value.reader(rest, unit);
@@ -464,8 +444,7 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
 }
 
 template <class Owner>
-RecordInfo described(std::string_view name, std::string_view meaning,
-                     std::span<const Quantity<Owner>> quantities) {
+RecordInfo described(std::string_view name, std::string_view meaning, std::span<const Quantity<Owner>> quantities) {
   RecordInfo info{name, meaning, {}};
   for (const Quantity<Owner>& q : quantities)
     if (q.key.empty())
@@ -475,8 +454,8 @@ RecordInfo described(std::string_view name, std::string_view meaning,
         info.quantities.push_back(std::move(among));
       }
     else
-      info.quantities.push_back({q.key, q.value.kind, title_of(q), q.unit.text, q.meaning, q.source,
-                                 q.group, q.validity, q.value.record, q.delivery, q.value.form});
+      info.quantities.push_back({q.key, q.value.kind, title_of(q), q.unit.text, q.meaning, q.source, q.group,
+                                 q.validity, q.value.record, q.delivery, q.value.form});
   return info;
 }
 
@@ -492,8 +471,7 @@ const RecordInfo& describe() {
 /// Whether it has a column: numbers, counts, flags and texts do.
 template <class Owner>
 bool is_scalar(const Quantity<Owner>& q) {
-  return q.value.number || q.value.kind == Kind::count || q.value.kind == Kind::flag ||
-         q.value.kind == Kind::text;
+  return q.value.number || q.value.kind == Kind::count || q.value.kind == Kind::flag || q.value.kind == Kind::text;
 }
 
 /// Those from a key on.
@@ -512,8 +490,7 @@ void scalar_header(CsvWriter& csv, std::string_view prefix = {}, std::string_vie
 
 /// Its fields, empty where there is no such record.
 template <class Owner>
-void scalar_fields(CsvWriter& csv, const std::type_identity_t<Owner>* owner,
-                   std::string_view from = {}) {
+void scalar_fields(CsvWriter& csv, const std::type_identity_t<Owner>* owner, std::string_view from = {}) {
   for (const Quantity<Owner>& q : rows_from<Owner>(from)) {
     if (!is_scalar(q)) continue;
     if (q.value.number) {
@@ -521,9 +498,7 @@ void scalar_fields(CsvWriter& csv, const std::type_identity_t<Owner>* owner,
       continue;
     }
     const auto json = owner ? q.value.json(*owner, q.unit) : Json();
-    csv.text(json.is_null()     ? std::string()
-             : json.is_string() ? json.template get<std::string>()
-                                : json.dump());
+    csv.text(json.is_null() ? std::string() : json.is_string() ? json.template get<std::string>() : json.dump());
   }
 }
 
@@ -539,8 +514,7 @@ void series_fields(CsvWriter& csv, const Owner& owner, std::size_t thread) {
   for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
     if (!q.value.series) continue;
     const std::span<const double> values = q.value.series(owner);
-    csv.number(thread < values.size() ? std::optional(values[thread]) : std::nullopt,
-               q.unit.factor);
+    csv.number(thread < values.size() ? std::optional(values[thread]) : std::nullopt, q.unit.factor);
   }
 }
 

@@ -14,8 +14,7 @@ namespace prs::schema_parts {
 inline constexpr std::string_view kDialect = "https://json-schema.org/draft/2020-12/schema";
 
 /// A map with these keys and no other.
-inline Json object(Json properties, std::vector<std::string> required,
-                   std::string_view description = {}) {
+inline Json object(Json properties, std::vector<std::string> required, std::string_view description = {}) {
   Json json{{"type", "object"}};
   if (!description.empty()) json["description"] = description;
   json["properties"] = std::move(properties);
@@ -33,13 +32,9 @@ inline Json map_of(Json values, std::string_view description = {}) {
 }
 
 inline Json list(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
-inline Json link(std::string_view definition) {
-  return {{"$ref", std::string("#/$defs/").append(definition)}};
-}
+inline Json link(std::string_view definition) { return {{"$ref", std::string("#/$defs/").append(definition)}}; }
 inline Json type(const char* name) { return {{"type", name}}; }
-inline Json type(const char* name, const char* description) {
-  return {{"type", name}, {"description", description}};
-}
+inline Json type(const char* name, const char* description) { return {{"type", name}, {"description", description}}; }
 inline Json names(const auto& all) { return {{"enum", all}}; }
 
 }  // namespace prs::schema_parts

@@ -21,8 +21,7 @@ std::string take_index(std::string_view& key, std::string_view what) {
   if (at == std::string_view::npos) return {};
   const auto [end, error] = std::from_chars(key.data() + at + 1, key.data() + key.size(), index);
   if (error != std::errc{} || end + 1 != key.data() + key.size()) return {};
-  const std::string shown =
-      what.empty() ? std::string(key.substr(at)) : fmt::format(", {} {}", what, index + 1);
+  const std::string shown = what.empty() ? std::string(key.substr(at)) : fmt::format(", {} {}", what, index + 1);
   key.remove_suffix(key.size() - at);
   return shown;
 }
@@ -34,8 +33,8 @@ bool is_zero(std::string_view text) { return text.find_first_not_of("+-0.") == t
 
 ResponseTitle response_title(std::string_view path) {
   ResponseTitle title;
-  const bool of_threads = path.starts_with("screw.") || path.starts_with("nut.") ||
-                          path.starts_with("slip.screw.") || path.starts_with("slip.nut.");
+  const bool of_threads = path.starts_with("screw.") || path.starts_with("nut.") || path.starts_with("slip.screw.") ||
+                          path.starts_with("slip.nut.");
   std::string& name = title.name;
   while (!path.empty()) {
     const std::size_t end = std::min(path.find('.'), path.size());
@@ -50,8 +49,7 @@ ResponseTitle response_title(std::string_view path) {
     }
     if (key == "slip" || key == "contact" || key == "measures") continue;
     const bool is_summary = path.empty() && (key == "max" || key == "min" || key == "mean");
-    const bool is_part =
-        key == "screw" || key == "roller" || key == "nut" || key.starts_with("carrier_");
+    const bool is_part = key == "screw" || key == "roller" || key == "nut" || key.starts_with("carrier_");
     const std::string_view space = name.empty() ? "" : " ";
     name = is_summary || is_part ? fmt::format("{}{}{}", key, space, name)
                                  : fmt::format("{}{}{}{}", name, space, key, index);
@@ -125,8 +123,8 @@ std::regex quantity_in_sentence() {
       units += c;
     }
   }
-  return std::regex(fmt::format(
-      R"((^|[ (]|−)({0})(?:( to | and | or | x | × )({0}))? ({1})(?![\w/^(²³]))", kNumber, units));
+  return std::regex(
+      fmt::format(R"((^|[ (]|−)({0})(?:( to | and | or | x | × )({0}))? ({1})(?![\w/^(²³]))", kNumber, units));
 }
 
 /// With as many digits as it had, three at least.
@@ -245,13 +243,10 @@ std::string significant(std::optional<double> value, int digits) {
 }
 
 std::string digits(std::optional<double> value, int digits) {
-  return value && std::isfinite(*value) ? fmt::format("{:.{}g}", *value, digits)
-                                        : std::string(kAbsent);
+  return value && std::isfinite(*value) ? fmt::format("{:.{}g}", *value, digits) : std::string(kAbsent);
 }
 
-std::string all_in(std::string_view file) {
-  return fmt::format("all in {}, with --output DIR", file);
-}
+std::string all_in(std::string_view file) { return fmt::format("all in {}, with --output DIR", file); }
 
 std::string padded(const std::string& text, std::size_t columns, bool left_aligned) {
   const std::string space(columns - std::min(columns, width(text)), ' ');
@@ -265,14 +260,12 @@ std::string fitted(std::string_view text, std::size_t columns, bool left_aligned
 std::string TableRows::operator()(const std::string& label, const std::vector<std::string>& cells,
                                   std::string_view remark) const {
   std::string line = padded(label, label_width, true);
-  for (const std::string& cell : cells)
-    line.append(gap, ' ').append(padded(cell, cell_width, false));
+  for (const std::string& cell : cells) line.append(gap, ' ').append(padded(cell, cell_width, false));
   return ended(line.append(remark));
 }
 
 std::string hanging(const std::string& label, std::size_t columns, std::string_view text) {
-  return wrapped(text, std::string(columns, ' '), kTableWidth)
-      .replace(0, columns, padded(label, columns, true));
+  return wrapped(text, std::string(columns, ' '), kTableWidth).replace(0, columns, padded(label, columns, true));
 }
 
 std::string ended(std::string line) {
@@ -314,16 +307,14 @@ double largest_of(const PerInterface<std::vector<double>>& values) {
 
 }  // namespace
 
-std::string bar_chart(const PerInterface<std::vector<double>>& values, int decimals,
-                      std::string_view unit) {
+std::string bar_chart(const PerInterface<std::vector<double>>& values, int decimals, std::string_view unit) {
   const double largest = largest_of(values);
   const auto bar_and_value = [&](double value) {
     return fmt::format("{} {:.{}f} {}", bar(value, largest), value, decimals, unit);
   };
   std::string chart = fmt::format("     {}  nut\n", padded("screw", kBarColumn, true));
   for (std::size_t k = 0; k < values.screw.size(); ++k)
-    chart += fmt::format("{:3}  {}  {}\n", k + 1,
-                         padded(bar_and_value(values.screw[k]), kBarColumn, true),
+    chart += fmt::format("{:3}  {}  {}\n", k + 1, padded(bar_and_value(values.screw[k]), kBarColumn, true),
                          bar_and_value(values.nut[k]));
   return chart;
 }

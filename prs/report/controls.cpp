@@ -34,10 +34,8 @@ constexpr Control kControls[] = {
     {kLoads, "load_cases[].axial_force", "Axial force", Span::factor, 0.05, 2.0},
     {kLoads, "load_cases[].axial_force.to", "Largest axial force", Span::factor, 0.1, 2.0},
     {kLoads, kSpectrum, "Load of the life", Span::factor, 0.05, 2.0},
-    {kLoads, "load_cases[].misalignment.nut_tilt.y", "Tilt of the nut about y", Span::about, -0.2,
-     0.2},
-    {kLoads, "load_cases[].misalignment.nut_tilt.z", "Tilt of the nut about z", Span::about, -0.2,
-     0.2},
+    {kLoads, "load_cases[].misalignment.nut_tilt.y", "Tilt of the nut about y", Span::about, -0.2, 0.2},
+    {kLoads, "load_cases[].misalignment.nut_tilt.z", "Tilt of the nut about z", Span::about, -0.2, 0.2},
     {kLoads, "load_cases[].side_force.y", "Side force along y", Span::about, -0.1, 0.1, true},
     {kLoads, "load_cases[].side_force.z", "Side force along z", Span::about, -0.1, 0.1, true},
     {kLoads, "load_cases[].moment.y", "Moment about y", Span::about, -0.003, 0.003, true},
@@ -59,10 +57,8 @@ constexpr Control kControls[] = {
     {kBodies, "structure.nut.length", "Length of the nut", Span::factor, 0.8, 1.6},
     {kBodies, "structure.nut.outer_diameter", "Diameter of the nut", Span::factor, 0.85, 1.5},
     {kBodies, "materials.youngs_modulus", "Young's modulus", Span::factor, 0.3, 1.5},
-    {kErrors, "deviations.pitch_error.screw.linear", "Pitch error of the screw", Span::about,
-     -0.004, 0.004},
-    {kErrors, "deviations.pitch_error.nut.linear", "Pitch error of the nut", Span::about, -0.004,
-     0.004},
+    {kErrors, "deviations.pitch_error.screw.linear", "Pitch error of the screw", Span::about, -0.004, 0.004},
+    {kErrors, "deviations.pitch_error.nut.linear", "Pitch error of the nut", Span::about, -0.004, 0.004},
     {kErrors, "deviations.crowning", "Crowning of the rollers", Span::about, 0.0, 0.02},
     {kRunning, "operation.speed", "Speed", Span::factor, 0.02, 3.0},
     {kRunning, "load_cases[].speed", "Speed", Span::factor, 0.02, 3.0},
@@ -70,10 +66,8 @@ constexpr Control kControls[] = {
     {kRunning, "friction.model.mixed.boundary", "Boundary friction", Span::factor, 0.2, 2.0},
     {kRunning, "lubricant.temperature", "Temperature of the oil", Span::about, -30.0, 60.0},
     {kRunning, "heat.ambient", "Ambient temperature", Span::about, -40.0, 60.0},
-    {kRunning, "heat.conductance.nut_ambient", "Conductance, nut to ambient", Span::factor, 0.2,
-     5.0},
-    {kRunning, "heat.conductance.screw_ambient", "Conductance, screw to ambient", Span::factor, 0.2,
-     5.0},
+    {kRunning, "heat.conductance.nut_ambient", "Conductance, nut to ambient", Span::factor, 0.2, 5.0},
+    {kRunning, "heat.conductance.screw_ambient", "Conductance, screw to ambient", Span::factor, 0.2, 5.0},
 };
 
 /// A number and what stands behind it: `45 deg`; absent where a text is no such value.
@@ -93,8 +87,7 @@ std::optional<Written> number_and_unit(std::string_view text) {
 }
 
 /// The values within one: `{coulomb: 0.11}` has one below `coulomb`.
-std::vector<std::pair<std::string, std::string>> values_in(const std::string& path,
-                                                           std::string_view value) {
+std::vector<std::pair<std::string, std::string>> values_in(const std::string& path, std::string_view value) {
   if (!value.starts_with('{')) return {{path, std::string(value)}};
   std::vector<std::pair<std::string, std::string>> all;
   value = value.substr(1, value.size() - 2);
@@ -109,8 +102,7 @@ std::vector<std::pair<std::string, std::string>> values_in(const std::string& pa
     while (entry.starts_with(' ')) entry.remove_prefix(1);
     const std::size_t colon = entry.find(": ");
     if (colon == entry.npos) continue;
-    for (auto& inner :
-         values_in(path + "." + std::string(entry.substr(0, colon)), entry.substr(colon + 2)))
+    for (auto& inner : values_in(path + "." + std::string(entry.substr(0, colon)), entry.substr(colon + 2)))
       all.push_back(std::move(inner));
   }
   return all;
@@ -207,9 +199,9 @@ std::string slider_html(const Findings& all, const Slider& slider, int index) {
       "for=\"v{2}\">{3}</label><input id=\"v{2}\" type=\"text\" value=\"{1}\" autocomplete=\"off\" "
       "spellcheck=\"false\"><input type=\"range\" aria-label=\"{3}, slider\" min=\"{4}\" "
       "max=\"{5}\" step=\"{6}\" value=\"{7}\" data-unit=\"{8}\"></div>\n",
-      html(fmt::format("{}", fmt::join(slider.paths, " "))), html(short_text(slider.shown, shown)),
-      index, html(title), in_shown_unit(least), in_shown_unit(most),
-      control.kind == Span::whole ? "1" : "any", shown.number, html(shown.unit));
+      html(fmt::format("{}", fmt::join(slider.paths, " "))), html(short_text(slider.shown, shown)), index, html(title),
+      in_shown_unit(least), in_shown_unit(most), control.kind == Span::whole ? "1" : "any", shown.number,
+      html(shown.unit));
 }
 
 /// The item of a list that an input belongs to, `load_cases[0]`; empty where there is none.
@@ -228,9 +220,8 @@ struct Follower {
 };
 
 std::size_t count_of(const Findings& all, std::string_view pattern) {
-  return static_cast<std::size_t>(std::ranges::count_if(all.check["input"], [&](const Json& entry) {
-    return any_item(entry["path"].get<std::string>()) == pattern;
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      all.check["input"], [&](const Json& entry) { return any_item(entry["path"].get<std::string>()) == pattern; }));
 }
 
 /// Every load of the spectrum; none where one of them is no load case's.
@@ -249,8 +240,7 @@ std::vector<Follower> followers(const Findings& all) {
       loads[item_of(path)].direction = entry["value"];
   }
   std::map<std::pair<std::string, std::string>, std::string> leaders;
-  for (const auto& [item, load] : cases)
-    leaders.try_emplace({load.force, load.direction}, load.path);
+  for (const auto& [item, load] : cases) leaders.try_emplace({load.force, load.direction}, load.path);
   std::vector<Follower> found;
   if (spectrum.size() > kMostAtOnce) return found;
   for (const auto& [item, load] : spectrum) {
@@ -273,8 +263,7 @@ std::string controls_html(const Findings& all) {
   const bool own_loads = led.empty() && count_of(all, kSpectrum) <= kMostAtOnce;
   for (const Control& control : kControls) {
     const std::string_view wanted = control.path;
-    const bool is_of_all =
-        control.kind == Span::about && wanted.starts_with("load_cases[].");  // Full alone.
+    const bool is_of_all = control.kind == Span::about && wanted.starts_with("load_cases[].");  // Full alone.
     if ((is_of_all && !full) || (wanted == kSpectrum && !own_loads)) continue;
     std::vector<Slider> own;
     for (const Json& entry : all.check["input"]) {
@@ -288,14 +277,12 @@ std::string controls_html(const Findings& all) {
         if (std::ranges::find(all.void_paths, path) != all.void_paths.end()) continue;
         auto same = std::ranges::find(own, value, &Slider::value);
         if (same == own.end()) {
-          const auto written =
-              std::ranges::find(of_file, path, &std::pair<std::string, std::string>::first);
+          const auto written = std::ranges::find(of_file, path, &std::pair<std::string, std::string>::first);
           const std::string text = written == of_file.end() ? "" : written->second;
           same = own.insert(own.end(), {&control, value, shown_text(value, text), {}, {}});
         }
         same->paths.push_back(path);
-        if (std::string name = name_of_item(all, path); !name.empty())
-          same->cases.push_back(std::move(name));
+        if (std::string name = name_of_item(all, path); !name.empty()) same->cases.push_back(std::move(name));
         for (const auto& [follower, leader] : led)
           if (leader == path) same->paths.push_back(follower);
       }
@@ -310,8 +297,7 @@ std::string controls_html(const Findings& all) {
   for (std::size_t k = 0; k < sliders.size(); ++k) {
     const Slider& slider = sliders[k];
     if (slider.control->group != group)
-      text += fmt::format("{}<fieldset><legend>{}</legend>\n", group ? "</fieldset>\n" : "",
-                          slider.control->group);
+      text += fmt::format("{}<fieldset><legend>{}</legend>\n", group ? "</fieldset>\n" : "", slider.control->group);
     group = slider.control->group;
     text += slider_html(all, slider, static_cast<int>(k));
   }
@@ -336,8 +322,8 @@ std::vector<Json> flat(const Json& array) {
 
 /// What a record has of one thread at both interfaces: the entries of series as long as that of
 /// the loads.
-void add_thread_rows(const RecordInfo& info, const Json& json, std::size_t thread,
-                     std::size_t threads, ThreadRows& rows) {
+void add_thread_rows(const RecordInfo& info, const Json& json, std::size_t thread, std::size_t threads,
+                     ThreadRows& rows) {
   const Json& screw = under(json, "screw");
   const Json& nut = under(json, "nut");
   const RecordInfo* side = record_in(info, "screw");
@@ -352,8 +338,7 @@ void add_thread_rows(const RecordInfo& info, const Json& json, std::size_t threa
       for (const Json* one : {&screw_value, &nut_value})
         if (one->is_number()) largest = std::max(largest, std::abs(one->get<double>()));
       const ReportUnit unit = report_unit(q.key, q.unit, largest);
-      const std::string at_screw = report_value(screw_value, unit),
-                        at_nut = report_value(nut_value, unit);
+      const std::string at_screw = report_value(screw_value, unit), at_nut = report_value(nut_value, unit);
       if (at_screw.empty() && at_nut.empty()) continue;
       rows.push_back({html(capitalised(q.title)), at_screw, at_nut, html(unit.text)});
     }
@@ -378,8 +363,8 @@ std::string thread_html(Findings& all, const ThreadChoice& choice) {
   if (threads == 0) return "<p>The loads of this case are not known.</p>\n";
   if (choice.thread >= threads) return "<p>There is no such thread.</p>\n";
   ThreadRows rows;
-  add_thread_rows(*record_at("load_cases[]"), numbers->document["load_cases"][choice.load_case],
-                  choice.thread, threads, rows);
+  add_thread_rows(*record_at("load_cases[]"), numbers->document["load_cases"][choice.load_case], choice.thread, threads,
+                  rows);
   std::string text;
   const FigureOptions options{.load_case = choice.load_case, .thread = choice.thread};
   const auto add = [&](const CommandAnswer* answer, const char* name) {
@@ -407,8 +392,7 @@ Json thread_choices(const Findings& all) {
     if (!load_case.threads || load_case.threads->screw.normal_load.empty()) continue;
     const InterfaceLoads& screw = load_case.threads->screw;
     const std::size_t count = screw.normal_load.size();
-    const auto row =
-        screw.threads_per_roller > 0 ? static_cast<std::size_t>(screw.threads_per_roller) : count;
+    const auto row = screw.threads_per_roller > 0 ? static_cast<std::size_t>(screw.threads_per_roller) : count;
     const auto largest = std::ranges::max_element(screw.normal_load);
     if (*largest <= most) continue;
     most = *largest;
@@ -443,8 +427,7 @@ bool is_same(const input::Source& a, const input::Source& b) {
 }
 
 Findings findings_for(const input::Source& source, bool quick, Kept& kept) {
-  return quick ? quick_findings_of(source, kept.full)
-               : findings_of(source, {}, reported_commands());
+  return quick ? quick_findings_of(source, kept.full) : findings_of(source, {}, reported_commands());
 }
 
 /// The findings of the report with its figures.
@@ -467,9 +450,7 @@ Findings& report_of(const input::Source& report, bool quick, Kept& kept) {
 
 /// What has loads of its own that are still the report's, while the load cases have others.
 std::map<Command, std::string> unmoved(const input::Source& report, const input::Source& changed) {
-  const auto values = [](const input::Source& source) {
-    return input::read_case_input(source, Command::check).values;
-  };
+  const auto values = [](const input::Source& source) { return input::read_case_input(source, Command::check).values; };
   const Case before = values(report), now = values(changed);
   const auto told = [](std::string_view key) {
     return fmt::format(
@@ -478,15 +459,10 @@ std::map<Command, std::string> unmoved(const input::Source& report, const input:
         key);
   };
   std::map<Command, std::string> all;
-  const auto same_force = [](const LoadCase& a, const LoadCase& b) {
-    return a.axial_force == b.axial_force;
-  };
-  const auto same_load = [](const SpectrumLoad& a, const SpectrumLoad& b) {
-    return a.force == b.force;
-  };
+  const auto same_force = [](const LoadCase& a, const LoadCase& b) { return a.axial_force == b.axial_force; };
+  const auto same_load = [](const SpectrumLoad& a, const SpectrumLoad& b) { return a.force == b.force; };
   if (std::ranges::equal(before.load_cases, now.load_cases, same_force)) return all;
-  if (now.life && before.life &&
-      std::ranges::equal(before.life->spectrum, now.life->spectrum, same_load))
+  if (now.life && before.life && std::ranges::equal(before.life->spectrum, now.life->spectrum, same_load))
     all[Command::life] = told(now.life->history ? "life.history" : "life.spectrum");
   if (now.preload && before.preload && before.preload->load.from == now.preload->load.from &&
       before.preload->load.to == now.preload->load.to)
@@ -526,8 +502,7 @@ LiveAnswer live_sections(const input::Source& source, const LiveQuestion& questi
     LiveAnswer answer;
     answer.head = std::move(parts.head);
     answer.notes = std::move(parts.notes);
-    for (ReportSection& section : parts.sections)
-      answer.sections[section.id] = std::move(section.body);
+    for (ReportSection& section : parts.sections) answer.sections[section.id] = std::move(section.body);
     return answer;
   }
   if (question.sections == std::vector{std::string(kThread)}) {

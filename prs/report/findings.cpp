@@ -22,10 +22,8 @@ std::vector<WarningGroup> warnings_of(const Findings& all) {
 }
 
 /// By what was computed; `failures` of commands that found the case wrong.
-CaseVerdict verdict_of(const Findings& all, const input::CaseInput& in,
-                       std::vector<Attempt> failures = {}) {
-  for (const CommandAnswer& answer : all.answers)
-    failures.push_back({answer.command, &answer.delivery});
+CaseVerdict verdict_of(const Findings& all, const input::CaseInput& in, std::vector<Attempt> failures = {}) {
+  for (const CommandAnswer& answer : all.answers) failures.push_back({answer.command, &answer.delivery});
   return verdict_by(in, failures);
 }
 
@@ -36,8 +34,7 @@ std::string date_of_report() {
     char* end = nullptr;
     const long long seconds = std::strtoll(fixed, &end, 10);
     constexpr long long kYear10000 = 253'402'300'800;
-    if (end != fixed && *end == '\0' && seconds >= 0 && seconds < kYear10000)
-      now = static_cast<std::time_t>(seconds);
+    if (end != fixed && *end == '\0' && seconds >= 0 && seconds < kYear10000) now = static_cast<std::time_t>(seconds);
   }
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
 }
@@ -65,21 +62,15 @@ std::string number_html(const std::string& value, std::string_view unit) {
 }
 
 /// Also where a page moved values away from those of the report.
-std::string tile_html(std::string_view key, std::string_view classes, std::string_view title,
-                      const std::string& number, const std::string& before,
-                      const std::string& below) {
+std::string tile_html(std::string_view key, std::string_view classes, std::string_view title, const std::string& number,
+                      const std::string& before, const std::string& below) {
   return fmt::format(
       "<div data-tile=\"{}\"{}><dt>{}</dt><dd><div class=\"value\">{}</div>{}{}</dd></div>\n", key,
       classes.empty() ? "" : fmt::format(" class=\"{}\"", classes), html(title), number,
-      before.empty() || before == number
-          ? ""
-          : fmt::format("<div class=\"before\">report: {}</div>", before),
-      below);
+      before.empty() || before == number ? "" : fmt::format("<div class=\"before\">report: {}</div>", before), below);
 }
 
-std::string where_html(std::string_view text) {
-  return fmt::format("<div class=\"where\">{}</div>", html(text));
-}
+std::string where_html(std::string_view text) { return fmt::format("<div class=\"where\">{}</div>", html(text)); }
 
 // Numbers that keep their load while a page moves that of the load cases.
 constexpr std::string_view kStale = "stale", kStays = "does not follow the load cases";
@@ -87,8 +78,7 @@ constexpr std::string_view kStale = "stale", kStays = "does not follow the load 
 std::string shown(const Headline& headline) {
   const ShownUnit& unit = unit_of(headline.key);
   const ReportUnit of_page = report_unit(headline.key, unit.text);
-  return number_html(report_number(headline.value * unit.factor * of_page.factor, of_page.text),
-                     of_page.text);
+  return number_html(report_number(headline.value * unit.factor * of_page.factor, of_page.text), of_page.text);
 }
 
 std::string headlines_html(const Findings& all) {
@@ -96,14 +86,12 @@ std::string headlines_html(const Findings& all) {
   for (const CommandAnswer& answer : all.answers) {
     if (!answer.delivery.headlines) continue;
     const CommandAnswer* other = all.before ? all.before->answer(answer.command) : nullptr;
-    const std::vector<Headline> before =
-        other ? other->delivery.headlines() : std::vector<Headline>{};
+    const std::vector<Headline> before = other ? other->delivery.headlines() : std::vector<Headline>{};
     const bool stays = all.unmoved.contains(answer.command);
     for (const Headline& headline : answer.delivery.headlines()) {
       const auto same = std::ranges::find(before, headline.title, &Headline::title);
       tiles += tile_html(headline.title, stays ? kStale : "", headline.title, shown(headline),
-                         same == before.end() ? "" : shown(*same),
-                         where_html(stays ? kStays : headline.where));
+                         same == before.end() ? "" : shown(*same), where_html(stays ? kStays : headline.where));
     }
   }
   return tiles;
@@ -136,8 +124,7 @@ std::string place_of(const Findings& all, const Criterion& c) {
   std::string where = c.load_case;
   if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + c.reason;
   if (c.name == "efficiency" && has_cycle(all)) return where;
-  if (c.standing == Standing::no_limit && c.best &&
-      std::abs(*c.best - *c.value) > kSame * std::abs(*c.value)) {
+  if (c.standing == Standing::no_limit && c.best && std::abs(*c.best - *c.value) > kSame * std::abs(*c.value)) {
     const ReportUnit unit = card_unit(c);
     where += fmt::format("; best {}", report_number(*c.best * unit.factor, unit.text));
   }
@@ -148,10 +135,8 @@ std::string card_html(const Findings& all, const Criterion& c) {
   const auto [unit, factor] = card_unit(c);
   std::string below;
   if (c.limit)
-    below += fmt::format("<div class=\"where\">{} {}{}{}, {}</div>",
-                         c.sense == Sense::least ? "at least" : "at most",
-                         report_number(*c.limit * factor, unit), unit.empty() ? "" : " ",
-                         html(unit), html(origin(c)));
+    below += fmt::format("<div class=\"where\">{} {}{}{}, {}</div>", c.sense == Sense::least ? "at least" : "at most",
+                         report_number(*c.limit * factor, unit), unit.empty() ? "" : " ", html(unit), html(origin(c)));
   std::string before;
   if (all.before)
     for (const Criterion& other : all.before->verdict.criteria)
@@ -159,10 +144,8 @@ std::string card_html(const Findings& all, const Criterion& c) {
   // Its worst load is one of `life`, in a spectrum or history of its own.
   if (c.load_case.starts_with("life.") && all.unmoved.contains(Command::life))
     return tile_html(c.name, kStale, c.title, value_html(c), before, where_html(kStays));
-  if (c.limit)
-    below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c.standing));
-  return tile_html(c.name, name(c.standing), c.title, value_html(c), before,
-                   below + where_html(place_of(all, c)));
+  if (c.limit) below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c.standing));
+  return tile_html(c.name, name(c.standing), c.title, value_html(c), before, below + where_html(place_of(all, c)));
 }
 
 }  // namespace
@@ -187,8 +170,7 @@ std::span<const Command> reported_commands() {
   return all;
 }
 
-Findings findings_of(input::Source source, ReportOptions options,
-                     std::span<const Command> commands) {
+Findings findings_of(input::Source source, ReportOptions options, std::span<const Command> commands) {
   const input::CaseInput in = input::read_case_input(source, Command::check);
   Findings all = nothing_of(std::move(source), in);
   all.options = std::move(options);
@@ -275,16 +257,14 @@ std::vector<std::string> unconverged(const Findings& all) {
 
 std::string verdict_html(const Findings& all) {
   const CaseVerdict& verdict = all.verdict;
-  std::string text = fmt::format("<span class=\"state {}\">{}</span> ", name(verdict.standing()),
-                                 html(summary(verdict)));
+  std::string text =
+      fmt::format("<span class=\"state {}\">{}</span> ", name(verdict.standing()), html(summary(verdict)));
   if (const Result* solve = all.result<Result>(Command::solve)) {
     const auto failed = std::ranges::count(solve->load_cases, false, &LoadCaseResult::converged);
     const std::size_t count = solve->load_cases.size();
-    text +=
-        failed == 0
-            ? fmt::format("{} load case{} solved. ", count, count == 1 ? "" : "s")
-            : fmt::format("<span class=\"state red\">{} of {} load cases did not converge.</span> ",
-                          failed, count);
+    text += failed == 0
+                ? fmt::format("{} load case{} solved. ", count, count == 1 ? "" : "s")
+                : fmt::format("<span class=\"state red\">{} of {} load cases did not converge.</span> ", failed, count);
   }
   for (const CommandAnswer& answer : all.answers)
     if (!answer.delivery.converged && answer.command != Command::solve)
@@ -305,9 +285,8 @@ std::string warning_list(const Findings& all) {
   if (all.warnings.empty()) return {};
   std::string text = "<ul class=\"warnings\">\n";
   for (const WarningGroup& warning : all.warnings)
-    text += fmt::format(
-        "<li>{}{}</li>\n", html(in_table_units(warning.text())),
-        warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
+    text += fmt::format("<li>{}{}</li>\n", html(in_table_units(warning.text())),
+                        warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
   return text + "</ul>\n";
 }
 

@@ -69,8 +69,7 @@ std::span<const Command> reported_commands();
 /// Runs those of the commands for which the case has all that it needs; of studies and
 /// optimizations, takes what `results` of the options hold. Throws InputError where the case is
 /// wrong.
-Findings findings_of(input::Source source, ReportOptions options,
-                     std::span<const Command> commands);
+Findings findings_of(input::Source source, ReportOptions options, std::span<const Command> commands);
 
 /// What sections need that follow a moving value: the loads where the case has all for `solve`,
 /// else the contacts, and of the check its warnings. `full` solves one full mechanism after the

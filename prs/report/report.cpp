@@ -17,8 +17,7 @@ std::string data_url(std::string_view type, std::string_view content) {
   std::string url = fmt::format("data:{};charset=utf-8,", type);
   for (const char c : content) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte <= 0x20 || byte >= 0x7f ||
-        std::string_view("%#\"'<>&\\^`{|}").find(c) != std::string_view::npos)
+    if (byte <= 0x20 || byte >= 0x7f || std::string_view("%#\"'<>&\\^`{|}").find(c) != std::string_view::npos)
       url += fmt::format("%{:02X}", byte);
     else
       url += c;
@@ -43,18 +42,14 @@ std::vector<RecordColumn> case_columns(const Json& document) {
     for (std::size_t first = 0; first < chosen.size();) {
       const std::string name = base_name(chosen[first]->value("name", ""));
       std::size_t last = first;
-      while (last + 1 < chosen.size() && base_name(chosen[last + 1]->value("name", "")) == name)
-        ++last;
-      for (const std::size_t k : std::set{first, (first + last) / 2, last})
-        few.push_back(chosen[k]);
+      while (last + 1 < chosen.size() && base_name(chosen[last + 1]->value("name", "")) == name) ++last;
+      for (const std::size_t k : std::set{first, (first + last) / 2, last}) few.push_back(chosen[k]);
       first = last + 1;
     }
     few.resize(std::min(few.size(), kMostColumns));
     chosen = std::move(few);
   }
-  return each(chosen, [](const Json* load_case) {
-    return RecordColumn{load_case->value("name", ""), load_case};
-  });
+  return each(chosen, [](const Json* load_case) { return RecordColumn{load_case->value("name", ""), load_case}; });
 }
 
 std::string case_table_html(const Json& document, const RecordChoice& choice) {
@@ -62,8 +57,7 @@ std::string case_table_html(const Json& document, const RecordChoice& choice) {
   const std::size_t count = under(document, "load_cases").size();
   std::string text = record_table(*record_at("load_cases[]"), columns, choice);
   if (!text.empty() && columns.size() < count)
-    text += fmt::format("<p class=\"default\">{} of {} load cases; the files have all.</p>\n",
-                        columns.size(), count);
+    text += fmt::format("<p class=\"default\">{} of {} load cases; the files have all.</p>\n", columns.size(), count);
   return text;
 }
 
@@ -82,32 +76,24 @@ std::string pictures_html(Findings& all, const CommandAnswer* answer, const Choo
 }
 
 /// One by its name for each of the first load cases that it exists for.
-std::string each_case_html(Findings& all, const CommandAnswer& answer, std::string_view name,
-                           bool narrow) {
+std::string each_case_html(Findings& all, const CommandAnswer& answer, std::string_view name, bool narrow) {
   constexpr std::size_t kMost = 4;
   const auto picture = std::ranges::find(answer.pictures, name, &Picture::name);
   if (picture == answer.pictures.end()) return {};
   const std::size_t count = under(answer.document, "load_cases").size();
   std::string text;
   for (std::size_t k = 0; k < std::min(kMost, count); ++k)
-    for (const Figure& figure : picture->make({.load_case = k}))
-      text += figure_html(all, figure, narrow);
+    for (const Figure& figure : picture->make({.load_case = k})) text += figure_html(all, figure, narrow);
   return text;
 }
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
   return std::ranges::find(names, name) != names.end();
 }
-bool is_of_stiffness(std::string_view name) {
-  return is_one_of(name, {"stiffness", "displacement"});
-}
-bool is_of_pressure(std::string_view name) {
-  return is_one_of(name, {"peak_pressure", "ellipses"});
-}
+bool is_of_stiffness(std::string_view name) { return is_one_of(name, {"stiffness", "displacement"}); }
+bool is_of_pressure(std::string_view name) { return is_one_of(name, {"peak_pressure", "ellipses"}); }
 bool is_of_solution(std::string_view name) { return name == "convergence"; }
-bool is_of_rollers(std::string_view name) {
-  return is_one_of(name, {"roller_loads", "roller_shares"});
-}
+bool is_of_rollers(std::string_view name) { return is_one_of(name, {"roller_loads", "roller_shares"}); }
 
 // Sections
 
@@ -121,9 +107,7 @@ std::string rollers_of(const Findings& all) {
 }
 
 /// A text of the case's block `report`.
-std::string told(const Findings& all, const char* key) {
-  return input_value(all, fmt::format("report.{}", key));
-}
+std::string told(const Findings& all, const char* key) { return input_value(all, fmt::format("report.{}", key)); }
 
 std::string title_of(const Findings& all) {
   const std::string title = told(all, "title");
@@ -134,15 +118,13 @@ std::string title_of(const Findings& all) {
 std::string mark_of_sheets(const Findings& all) {
   std::string mark = title_of(all);
   for (const auto& [key, before] : {std::pair{"number", "No. "}, std::pair{"revision", "rev. "}})
-    if (const std::string text = told(all, key); !text.empty())
-      mark += fmt::format(" · {}{}", before, text);
+    if (const std::string text = told(all, key); !text.empty()) mark += fmt::format(" · {}{}", before, text);
   return mark + " · " + all.date;
 }
 
 /// A link by which the browser saves a text as a file.
 std::string download_link(std::string_view name, std::string_view type, std::string_view content) {
-  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", html(name),
-                     data_url(type, content));
+  return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", html(name), data_url(type, content));
 }
 
 }  // namespace
@@ -160,8 +142,7 @@ std::string head_html(const Findings& all) {
   const std::string starts = input_value(all, "mechanism.starts.screw");
   std::string block;
   const auto add = [&](const char* title, const std::string& text) {
-    if (!text.empty())
-      block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, html(text));
+    if (!text.empty()) block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, html(text));
   };
   add("Customer", told(all, "customer"));
   add("Number", told(all, "number"));
@@ -174,10 +155,9 @@ std::string head_html(const Findings& all) {
       "<p class=\"eyebrow\">Planetary roller screw · report</p>\n<h1>{}</h1>\n<dl "
       "class=\"block\">\n{}</dl>\n<p class=\"lead\">{} mechanism, {} rollers with {} threads each. "
       "Lead {}, {} start{} on the screw. Pitch diameters: screw {}, roller {}, nut {}.</p>\n",
-      html(title_of(all)), block, html(capitalised(input_value(all, "mechanism.type"))),
-      html(rollers_of(all)), html(input_value(all, "mechanism.contacts_per_roller")),
-      length(lead.value_or(kNone)), html(starts), starts == "1" ? "" : "s", diameter("screw"),
-      diameter("roller"), diameter("nut"));
+      html(title_of(all)), block, html(capitalised(input_value(all, "mechanism.type"))), html(rollers_of(all)),
+      html(input_value(all, "mechanism.contacts_per_roller")), length(lead.value_or(kNone)), html(starts),
+      starts == "1" ? "" : "s", diameter("screw"), diameter("roller"), diameter("nut"));
 }
 
 namespace {
@@ -189,14 +169,12 @@ std::string mechanism_html(Findings& all) {
     return figure_html(all, figure(answer->pictures, name, {}), narrow);
   };
   std::string text = draw("section", false);
-  return all.is_full ? text + each_case_html(all, *answer, "end_view", true)
-                     : text + draw("end_view", true);
+  return all.is_full ? text + each_case_html(all, *answer, "end_view", true) : text + draw("end_view", true);
 }
 
 /// Stiffness and pressure of each model, a row per load case.
 std::string comparison_html(const ModelComparison& comparison) {
-  std::vector<std::string> head{"Load case",        "Model",
-                                "Stiffness, N/µm",  "Displacement, µm",
+  std::vector<std::string> head{"Load case",        "Model",          "Stiffness, N/µm", "Displacement, µm",
                                 "Largest share, %", "Peak pressure, "};
   const ReportUnit pressure = report_unit("", "MPa");
   std::ranges::transform(head, head.begin(), with_table_unit);
@@ -219,8 +197,8 @@ std::string comparison_html(const ModelComparison& comparison) {
       for (const Interface i : kInterfaces)
         if (r.threads && !(*r.threads)[i].load_rate.empty())
           share = std::fmax(share, std::ranges::max((*r.threads)[i].load_rate));
-      rows.push_back({html(r.load_case.name), html(m.model_name()),
-                      number("axial_stiffness_N_per_um"), number("axial_displacement_um"),
+      rows.push_back({html(r.load_case.name), html(m.model_name()), number("axial_stiffness_N_per_um"),
+                      number("axial_displacement_um"),
                       std::isfinite(share) ? report_number(share * per_si::percent, "%") : "–",
                       number("largest_peak_pressure_MPa")});
     }
@@ -243,16 +221,13 @@ std::string loads_table_html(const Json& document) {
                      case_table_html(document, {.without = others}));
 }
 
-std::string stiffness_html(Findings& all) {
-  return pictures_html(all, all.answer(Command::solve), is_of_stiffness);
-}
+std::string stiffness_html(Findings& all) { return pictures_html(all, all.answer(Command::solve), is_of_stiffness); }
 
 std::string loads_html(Findings& all) {
   const CommandAnswer* solve = all.answer(Command::solve);
   if (!solve) return {};
   std::string text = pictures_html(all, solve, [](std::string_view name) {
-    return !is_of_stiffness(name) && !is_of_pressure(name) && !is_of_solution(name) &&
-           !is_of_rollers(name);
+    return !is_of_stiffness(name) && !is_of_pressure(name) && !is_of_solution(name) && !is_of_rollers(name);
   });
   if (all.is_full) {
     text += each_case_html(all, *solve, "roller_loads", false);
@@ -274,8 +249,7 @@ std::string heading_html(std::string_view title) {
 
 /// The records of a document that are its own, and what its load cases have besides those of
 /// `solve`.
-std::string document_html(const Findings& all, const CommandAnswer& answer,
-                          const PageSection& section) {
+std::string document_html(const Findings& all, const CommandAnswer& answer, const PageSection& section) {
   std::string text;
   const auto heading_of = [&](std::string_view record) {
     const auto found = std::ranges::find(section.in_document, record, &OpenRows::record);
@@ -295,13 +269,11 @@ std::string document_html(const Findings& all, const CommandAnswer& answer,
 }
 
 /// Rows of a record of the document or, as in `life.system`, of one within it, under its title.
-std::string part_of_document(const Json& document, const std::string& path,
-                             const RecordChoice& choice) {
+std::string part_of_document(const Json& document, const std::string& path, const RecordChoice& choice) {
   const std::size_t dot = std::min(path.find('.'), path.size());
   const Json& outer = under(document, path.substr(0, dot));
   const RecordInfo* info = record_at(path.substr(0, dot));
-  if (dot == path.size())
-    return outer.is_object() ? record_table(*info, {{"", &outer}}, choice) : std::string();
+  if (dot == path.size()) return outer.is_object() ? record_table(*info, {{"", &outer}}, choice) : std::string();
   const auto inner = std::ranges::find(info->quantities, path.substr(dot + 1), &QuantityInfo::key);
   if (inner == info->quantities.end() || !outer.contains(inner->key)) return {};
   const Json& record = outer[std::string(inner->key)];
@@ -324,11 +296,9 @@ std::string answer_html(Findings& all, Command command) {
   };
   for (const auto& [key, only, heading] : section.in_cases)
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
-      add(heading,
-          record_table(*info, columns_in(cases, key), {.only = only, .hidden = section.estimates}));
+      add(heading, record_table(*info, columns_in(cases, key), {.only = only, .hidden = section.estimates}));
   for (const auto& [key, only, heading] : section.in_document)
-    add(heading,
-        part_of_document(answer->document, key, {.only = only, .hidden = section.estimates}));
+    add(heading, part_of_document(answer->document, key, {.only = only, .hidden = section.estimates}));
   const bool is_open = section.in_cases.empty() && section.in_document.empty();
   const std::string every = document_html(all, *answer, section);
   return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
@@ -344,12 +314,9 @@ std::string contact_html(Findings& all) {
   std::vector<RecordColumn> sides;
   for (const char* side : {"screw", "nut"})
     if (contact.contains(side)) sides.push_back({fmt::format("roller-{}", side), &contact[side]});
-  std::string folded =
-      pictures_html(all, answer, [&](std::string_view name) { return !is_first(name); });
-  if (const RecordInfo* side = record_in(info, "screw"); side && !sides.empty())
-    folded += record_table(*side, sides);
-  return pictures_html(all, answer, is_first) +
-         record_table(info, {{"", &contact}}, {.without = {"screw", "nut"}}) +
+  std::string folded = pictures_html(all, answer, [&](std::string_view name) { return !is_first(name); });
+  if (const RecordInfo* side = record_in(info, "screw"); side && !sides.empty()) folded += record_table(*side, sides);
+  return pictures_html(all, answer, is_first) + record_table(info, {{"", &contact}}, {.without = {"screw", "nut"}}) +
          folded_html("Points, curvatures and clearances of the contacts", folded);
 }
 
@@ -360,16 +327,13 @@ std::string with_short_numbers(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
     const bool begins = is_digit(text.front()) &&
-                        (shown.empty() ||
-                         std::string_view(" -+[{(,:").find(shown.back()) != std::string_view::npos);
+                        (shown.empty() || std::string_view(" -+[{(,:").find(shown.back()) != std::string_view::npos);
     double value = 0.0;
     std::size_t size = 1;
     if (begins)
-      size = static_cast<std::size_t>(
-          std::from_chars(text.data(), text.data() + text.size(), value).ptr - text.data());
+      size = static_cast<std::size_t>(std::from_chars(text.data(), text.data() + text.size(), value).ptr - text.data());
     const std::string_view number = text.substr(0, size);
-    const bool is_long =
-        number.find('.') != number.npos && std::ranges::count_if(number, is_digit) > kDigits;
+    const bool is_long = number.find('.') != number.npos && std::ranges::count_if(number, is_digit) > kDigits;
     if (is_long && value < 1e5)
       shown += fmt::format("{:.{}g}", value, kDigits);
     else if (is_long && number.find('e') == number.npos)
@@ -408,8 +372,8 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
   std::string told;  // The reason of the row above: not repeated.
   const auto end_block = [&] {
     if (of_block > kMostOfBlock)
-      rows.push_back({fmt::format("… and {} more", of_block - kMostOfBlock),
-                      "<code>prs check --all</code> shows them"});
+      rows.push_back(
+          {fmt::format("… and {} more", of_block - kMostOfBlock), "<code>prs check --all</code> shows them"});
     of_block = 0;
     if (!rows.empty()) tables += plain_table({}, rows);
     rows.clear();
@@ -437,25 +401,19 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
 
 std::string inputs_html(const Findings& all) {
   std::size_t stated = 0, defaults = 0;
-  const std::string of_file = input_table_html(all, false, stated),
-                    others = input_table_html(all, true, defaults);
-  const auto assumed = std::ranges::count_if(
-      all.check["input"], [](const Json& entry) { return entry["basis"] == "assumed"; });
-  std::string text =
-      fmt::format("<p>{} values given", static_cast<std::ptrdiff_t>(stated) - assumed);
+  const std::string of_file = input_table_html(all, false, stated), others = input_table_html(all, true, defaults);
+  const auto assumed =
+      std::ranges::count_if(all.check["input"], [](const Json& entry) { return entry["basis"] == "assumed"; });
+  std::string text = fmt::format("<p>{} values given", static_cast<std::ptrdiff_t>(stated) - assumed);
   if (assumed > 0) text += fmt::format(", {} assumed as comments in the file say", assumed);
   text += ".</p>\n";
-  text += of_file +
-          folded_html(fmt::format("{} values that the file does not state: defaults", defaults),
-                      others);
+  text += of_file + folded_html(fmt::format("{} values that the file does not state: defaults", defaults), others);
   std::vector<std::vector<std::string>> derived;
   for (const auto& [key, value] : under(all.check, "derived").items()) {
     const ReportUnit unit = report_unit(key, unit_of(key).text);
-    derived.push_back(
-        {html(capitalised(words_of(key))), report_value(value, unit), html(unit.text)});
+    derived.push_back({html(capitalised(words_of(key))), report_value(value, unit), html(unit.text)});
   }
-  if (!derived.empty())
-    text += "<h3>What follows from them</h3>\n" + plain_table({"", "Value", "Unit"}, derived);
+  if (!derived.empty()) text += "<h3>What follows from them</h3>\n" + plain_table({"", "Value", "Unit"}, derived);
   return text;
 }
 
@@ -472,8 +430,7 @@ std::string optimization_html(const Json& document) {
     for (const auto& entry : under(after, block).items()) {
       const std::string& path = entry.key();
       const auto shown = [&](const Json& v) {
-        return v.is_object() ? html(v.value("value", ""))
-                             : report_value(v, report_unit(path, unit_in(path)));
+        return v.is_object() ? html(v.value("value", "")) : report_value(v, report_unit(path, unit_in(path)));
       };
       rows.push_back({html(path), shown(number_of(before, block, path)), shown(entry.value())});
     }
@@ -484,8 +441,7 @@ std::string studies_html(Findings& all) {
   std::string text;
   std::size_t room = all.options.room.pictures;
   for (const StoredRun& study : all.studies) {
-    text +=
-        fmt::format("<h3>{}</h3>\n", study.command == Command::study ? "Study" : "Optimization");
+    text += fmt::format("<h3>{}</h3>\n", study.command == Command::study ? "Study" : "Optimization");
     std::size_t left_out = 0;
     for (const OutputFile& file : study.files) {
       if (file.name == "optimize.json")
@@ -503,9 +459,8 @@ std::string studies_html(Findings& all) {
       }
     }
     if (left_out > 0)
-      text += fmt::format(
-          "<p class=\"default\">{} more picture{} stand{} in the folder of the results.</p>\n",
-          left_out, left_out == 1 ? "" : "s", left_out == 1 ? "s" : "");
+      text += fmt::format("<p class=\"default\">{} more picture{} stand{} in the folder of the results.</p>\n",
+                          left_out, left_out == 1 ? "" : "s", left_out == 1 ? "s" : "");
   }
   return text;
 }
@@ -535,10 +490,9 @@ std::string provenance_html(Findings& all) {
   }
   text += "</dl>\n";
   if (solve) {
-    text += folded_html(
-        "How the load cases were solved",
-        case_table_html(solve->document, {.without = {"name"}, .reach = Reach::document}) +
-            pictures_html(all, solve, is_of_solution));
+    text += folded_html("How the load cases were solved",
+                        case_table_html(solve->document, {.without = {"name"}, .reach = Reach::document}) +
+                            pictures_html(all, solve, is_of_solution));
   }
   return text;
 }
@@ -547,8 +501,7 @@ std::string provenance_html(Findings& all) {
 std::string files_html(Findings& all) {
   std::vector<OutputFile> files;
   const auto add = [&](OutputFile file) {
-    if (std::ranges::find(files, file.name, &OutputFile::name) == files.end())
-      files.push_back(std::move(file));
+    if (std::ranges::find(files, file.name, &OutputFile::name) == files.end()) files.push_back(std::move(file));
   };
   for (const CommandAnswer& answer : all.answers)
     if (answer.delivery.files)
@@ -570,8 +523,7 @@ std::string files_html(Findings& all) {
   std::string links, absent;
   for (std::size_t k = 0; k < files.size(); ++k)
     if (carried.contains(k))
-      links +=
-          fmt::format("<li>{}</li>\n", download_link(files[k].name, "text/csv", files[k].content));
+      links += fmt::format("<li>{}</li>\n", download_link(files[k].name, "text/csv", files[k].content));
     else
       absent += (absent.empty() ? "" : ", ") + files[k].name;
   std::string text =
@@ -588,9 +540,7 @@ std::string files_html(Findings& all) {
   return text;
 }
 
-std::string pressures_html(Findings& all) {
-  return pictures_html(all, all.answer(Command::solve), is_of_pressure);
-}
+std::string pressures_html(Findings& all) { return pictures_html(all, all.answer(Command::solve), is_of_pressure); }
 std::string warnings_html(Findings& all) {
   std::string refused;
   for (const std::string& note : all.notes) refused += fmt::format("<p>{}</p>\n", html(note));
@@ -612,8 +562,7 @@ Json data_of(const Findings& all, std::optional<std::size_t> room) {
   data["overrides"] = all.source.overrides;
   data["results"] = Json::object();
   for (const CommandAnswer& answer : all.answers)
-    if (takes(answer.document))
-      data["results"][std::string(name(answer.command))] = answer.document;
+    if (takes(answer.document)) data["results"][std::string(name(answer.command))] = answer.document;
   return data;
 }
 
@@ -629,21 +578,17 @@ std::vector<SectionRow> analysis_rows() {
     if (!analysis.place.title.empty()) shown.push_back(&analysis);
   std::ranges::stable_sort(shown, {}, [](const AnyAnalysis* a) { return a->place.order; });
   return each(shown, [](const AnyAnalysis* analysis) {
-    return SectionRow{
-        name(analysis->command), analysis->place.title,
-        [command = analysis->command](Findings& all) { return answer_html(all, command); }};
+    return SectionRow{name(analysis->command), analysis->place.title,
+                      [command = analysis->command](Findings& all) { return answer_html(all, command); }};
   });
 }
 
 std::span<const SectionRow> section_rows() {
   static const std::vector<SectionRow> all = [] {
     std::vector<SectionRow> rows{
-        {"verdict", "Verdict", verdict_html, true},
-        {"warnings", "Warnings", warnings_html},
-        {"mechanism", "Mechanism", mechanism_html, true},
-        {"inputs", "Inputs and assumptions", inputs_html},
-        {"loads", "Load distribution", loads_html, true},
-        {"pressures", "Pressures", pressures_html, true},
+        {"verdict", "Verdict", verdict_html, true},       {"warnings", "Warnings", warnings_html},
+        {"mechanism", "Mechanism", mechanism_html, true}, {"inputs", "Inputs and assumptions", inputs_html},
+        {"loads", "Load distribution", loads_html, true}, {"pressures", "Pressures", pressures_html, true},
         {"stiffness", "Stiffness", stiffness_html, true},
     };
     std::ranges::move(analysis_rows(), std::back_inserter(rows));
@@ -672,9 +617,8 @@ ReportParts report_parts(const input::Source& source, const ReportOptions& optio
   parts.mark = mark_of_sheets(all);
   parts.head = head_html(all);
   for (const SectionRow& row : section_rows()) parts.sections.push_back(section_of(all, row));
-  parts.foot = fmt::format(
-      "<p>Made by prs {} on {}. SHA-256 of the case: <span class=\"mono\">{}</span></p>",
-      html(kVersion), all.date, all.check.value("input_sha256", ""));
+  parts.foot = fmt::format("<p>Made by prs {} on {}. SHA-256 of the case: <span class=\"mono\">{}</span></p>",
+                           html(kVersion), all.date, all.check.value("input_sha256", ""));
   parts.controls = controls_html(all);
   parts.threads = thread_choices(all);
   parts.data = documents_of(all);

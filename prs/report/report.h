@@ -59,8 +59,8 @@ struct ThreadChoice {
 
 /// What a page whose reader moves values wants to see anew.
 struct LiveQuestion {
-  std::size_t own = 0;  ///< So many of the overrides are the report's.
-  bool quick = false;   ///< Only what follows while a value moves, from `solve` or `contact`.
+  std::size_t own = 0;                     ///< So many of the overrides are the report's.
+  bool quick = false;                      ///< Only what follows while a value moves, from `solve` or `contact`.
   std::vector<std::string> sections = {};  ///< Empty: all.
   std::optional<ThreadChoice> thread = {};
   UnitSystem units = UnitSystem::si;

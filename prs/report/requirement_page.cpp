@@ -65,32 +65,29 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
       "<p class=\"eyebrow\">Planetary roller screw · sizing</p>\n<h1>{}</h1>\n<p "
       "class=\"lead\">{}</p>\n",
       html(stem),
-      result.passing() > 0
-          ? html(fmt::format("{} of {} candidates pass; the first is {}.", result.passing(),
-                             result.candidates.size() + result.invalid.size(), first.name))
-          : html(fmt::format("Nothing passes; the nearest is {}.", first.name)));
+      result.passing() > 0 ? html(fmt::format("{} of {} candidates pass; the first is {}.", result.passing(),
+                                              result.candidates.size() + result.invalid.size(), first.name))
+                           : html(fmt::format("Nothing passes; the nearest is {}.", first.name)));
   const auto picture = [&](std::string_view name) {
     std::string text;
     for (const Picture& p : delivery.pictures())
       if (p.name == name)
-        for (const Figure& figure : p.make({}))
-          text += "<figure>" + svg(figure, std::string(name)) + "</figure>\n";
+        for (const Figure& figure : p.make({})) text += "<figure>" + svg(figure, std::string(name)) + "</figure>\n";
     return text;
   };
   const RecordInfo& asked = *record_in(describe<SizeResult>(), "requirement");
   parts.sections = {
       {"requirement", "Requirement",
        record_table(asked, {{"", &document["requirement"]}}) +
-           items_html(*record_in(asked, "segments"), document["requirement"]["segments"],
-                      {"name", "duration_s", "start_speed_mm_per_s", "end_speed_mm_per_s",
-                       "travel_mm", "axial_force_N"}) +
+           items_html(
+               *record_in(asked, "segments"), document["requirement"]["segments"],
+               {"name", "duration_s", "start_speed_mm_per_s", "end_speed_mm_per_s", "travel_mm", "axial_force_N"}) +
            requirement_inputs_html(result)},
       {"first", "First candidate: " + html(first.name),
        items_html(describe<SizeCriterion>(), document["candidates"][0]["criteria"],
                   {"name", "unit", "value", "limit", "margin", "status", "reason"}) +
            picture("size_curve") +
-           folded_html("Every value", record_table(describe<SizedCandidate>(),
-                                                   {{"", &document["candidates"][0]}}))},
+           folded_html("Every value", record_table(describe<SizedCandidate>(), {{"", &document["candidates"][0]}}))},
       {"candidates", "Candidates",
        picture("size_map") +
            items_html(describe<SizedCandidate>(), document["candidates"],
@@ -103,8 +100,7 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
   parts.foot = fmt::format(
       "<p>Made by prs {}{}. SHA-256 of the requirement: <span "
       "class=\"mono\">{}</span></p>",
-      html(kVersion), options.command.empty() ? "" : ": " + html(options.command),
-      info.input_sha256);
+      html(kVersion), options.command.empty() ? "" : ": " + html(options.command), info.input_sha256);
   return parts;
 }
 

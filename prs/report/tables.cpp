@@ -17,8 +17,8 @@ struct Rows {
 };
 
 std::string heading(std::string_view title, std::size_t columns) {
-  return fmt::format("<tr class=\"group\"><th colspan=\"{}\" scope=\"colgroup\">{}</th></tr>\n",
-                     columns + 2, html(capitalised(std::string(title))));
+  return fmt::format("<tr class=\"group\"><th colspan=\"{}\" scope=\"colgroup\">{}</th></tr>\n", columns + 2,
+                     html(capitalised(std::string(title))));
 }
 
 bool any(const std::vector<RecordColumn>& columns) {
@@ -48,8 +48,8 @@ double largest_of(const std::vector<RecordColumn>& columns) {
   return largest;
 }
 
-void add_row(Rows& rows, const std::string& title, const QuantityInfo& q,
-             std::string_view document_unit, const std::vector<RecordColumn>& columns) {
+void add_row(Rows& rows, const std::string& title, const QuantityInfo& q, std::string_view document_unit,
+             const std::vector<RecordColumn>& columns) {
   const ReportUnit unit = report_unit(q.key, document_unit, largest_of(columns));
   std::string cells;
   const bool is_range = q.key.find("range") != q.key.npos;
@@ -67,12 +67,12 @@ void add_row(Rows& rows, const std::string& title, const QuantityInfo& q,
                            html(capitalised(title)), cells, html(unit.text));
 }
 
-void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns,
-              const RecordChoice& choice, const std::string& prefix, std::string_view unit);
+void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
+              const std::string& prefix, std::string_view unit);
 
 /// A record within another: one of numbers with one unit continues the rows, others get a heading.
-void add_record(Rows& rows, const QuantityInfo& q, const std::vector<RecordColumn>& columns,
-                const RecordChoice& choice, const std::string& prefix, std::string_view unit) {
+void add_record(Rows& rows, const QuantityInfo& q, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
+                const std::string& prefix, std::string_view unit) {
   const RecordInfo& info = q.record();
   const std::string title = prefix.empty() ? q.title : prefix + ", " + q.title;
   const RecordChoice inside{.hidden = choice.hidden, .reach = choice.reach};
@@ -84,8 +84,8 @@ void add_record(Rows& rows, const QuantityInfo& q, const std::vector<RecordColum
   rows.group = "-";  // What follows has left the group.
 }
 
-void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns,
-              const RecordChoice& choice, const std::string& prefix, std::string_view unit) {
+void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns, const RecordChoice& choice,
+              const std::string& prefix, std::string_view unit) {
   for (const bool nested : {false, true})
     for (const QuantityInfo& q : info.quantities) {
       const bool is_record = q.kind == Kind::record;
@@ -94,9 +94,7 @@ void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn
       const auto is_in = [&](const std::vector<std::string>& keys) {
         return std::ranges::find(keys, q.key) != keys.end();
       };
-      if (is_in(choice.without) || is_in(choice.hidden) ||
-          (!choice.only.empty() && !is_in(choice.only)))
-        continue;
+      if (is_in(choice.without) || is_in(choice.hidden) || (!choice.only.empty() && !is_in(choice.only))) continue;
       const bool about_solution = q.delivery == Reach::document;
       if (about_solution != (choice.reach == Reach::document) && !is_record) continue;
       const std::vector<RecordColumn> values = columns_in(columns, q.key);
@@ -188,29 +186,22 @@ std::string report_value(const Json& value, const ReportUnit& unit, bool is_rang
   return low == high ? low : low + " … " + high;
 }
 
-std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>& columns,
-                         const RecordChoice& choice) {
+std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>& columns, const RecordChoice& choice) {
   Rows rows;
   add_rows(rows, info, columns, choice, "", "");
   if (rows.text.empty()) return {};
   std::string head;
-  const bool titled =
-      std::ranges::any_of(columns, [](const RecordColumn& c) { return !c.title.empty(); });
-  for (const RecordColumn& column : columns)
-    head += fmt::format("<th scope=\"col\">{}</th>", html(column.title));
+  const bool titled = std::ranges::any_of(columns, [](const RecordColumn& c) { return !c.title.empty(); });
+  for (const RecordColumn& column : columns) head += fmt::format("<th scope=\"col\">{}</th>", html(column.title));
   return fmt::format(
       "<div class=\"wide\" tabindex=\"0\"><table "
       "class=\"quantities\">\n{}<tbody>\n{}</tbody></table></div>\n",
-      titled
-          ? fmt::format(
-                "<thead><tr><td></td>{}<th scope=\"col\" class=\"unit\">unit</th></tr></thead>\n",
-                head)
-          : "",
+      titled ? fmt::format("<thead><tr><td></td>{}<th scope=\"col\" class=\"unit\">unit</th></tr></thead>\n", head)
+             : "",
       rows.text);
 }
 
-std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns,
-                                     std::string_view key) {
+std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns, std::string_view key) {
   std::vector<RecordColumn> all;
   for (const RecordColumn& column : columns) {
     const bool has = column.record && column.record->is_object() && column.record->contains(key);
@@ -229,10 +220,10 @@ const RecordInfo* record_in(const RecordInfo& info, std::string_view key) {
   return found == info.quantities.end() || !found->record ? nullptr : &found->record();
 }
 
-std::string plain_table(const std::vector<std::string>& head,
-                        const std::vector<std::vector<std::string>>& rows, bool of_numbers) {
-  std::string text = fmt::format("<div class=\"wide\" tabindex=\"0\"><table{}>\n",
-                                 of_numbers ? " class=\"quantities\"" : "");
+std::string plain_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
+                        bool of_numbers) {
+  std::string text =
+      fmt::format("<div class=\"wide\" tabindex=\"0\"><table{}>\n", of_numbers ? " class=\"quantities\"" : "");
   if (!head.empty()) {
     text += "<thead><tr>";
     for (const std::string& cell : head)
@@ -242,9 +233,8 @@ std::string plain_table(const std::vector<std::string>& head,
   text += "<tbody>\n";
   for (const std::vector<std::string>& row : rows) {
     if (row.size() == 1) {
-      text +=
-          fmt::format("<tr class=\"group\"><th colspan=\"{}\" scope=\"colgroup\">{}</th></tr>\n",
-                      head.size(), row.front());
+      text += fmt::format("<tr class=\"group\"><th colspan=\"{}\" scope=\"colgroup\">{}</th></tr>\n", head.size(),
+                          row.front());
       continue;
     }
     text += fmt::format("<tr><th scope=\"row\">{}</th>", row.front());
@@ -263,17 +253,15 @@ std::string legend_html(const Figure& figure) {
   if (figure.legend.empty()) return {};
   std::string all = "<ul class=\"legend\">";
   for (const LegendEntry& entry : figure.legend)
-    all += fmt::format("<li><svg viewBox=\"0 0 {} 16\" aria-hidden=\"true\">{}</svg>{}</li>",
-                       kLegendSymbolWidth, legend_symbol(figure.styles[entry.style]),
-                       html(entry.title));
+    all += fmt::format("<li><svg viewBox=\"0 0 {} 16\" aria-hidden=\"true\">{}</svg>{}</li>", kLegendSymbolWidth,
+                       legend_symbol(figure.styles[entry.style]), html(entry.title));
   return all + "</ul>";
 }
 
 /// Whether a panel is drawn half as wide as the page: others are flat, or have words at their axes.
 bool is_half(const Figure& figure, const Panel& panel) {
   constexpr double kWord = 50.0;  // Pixels.
-  if (longest_text(x_axis(figure, panel)) > kWord || longest_text(y_axis(figure, panel)) > kWord)
-    return false;
+  if (longest_text(x_axis(figure, panel)) > kWord || longest_text(y_axis(figure, panel)) > kWord) return false;
   return figure.columns > 1 || figure.aspect == 0.0 || figure.aspect >= 0.5;
 }
 
@@ -303,30 +291,25 @@ std::string image(const Figure& figure, std::size_t index, const std::string& id
   const bool half = is_half(figure, figure.panels[index]);
   const Layout layout(one, half ? kHalfWidth : kImageWidth);
   one.colours = figure.colours;
-  const bool titled =
-      std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
+  const bool titled = std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
   const int top = titled ? kTitleTop - 6 : kTitleTop + 20;  // The page has the title.
   const std::string& title = figure.panels[index].title;
   constexpr int kSecondLine = 26;  // Room below the axis that few labels need.
   const Axis& x = x_axis(one, one.panels[0]);
   const bool is_short =
       !one.panels[0].surface &&
-      (x.hidden ||
-       (longest_text(x) == 0.0 && fitted_lines(text_of(x), layout.panel(0).width()).size() < 2));
+      (x.hidden || (longest_text(x) == 0.0 && fitted_lines(text_of(x), layout.panel(0).width()).size() < 2));
   const int height = layout.height() - top - (is_short && !x.hidden ? kSecondLine : 0);
-  return fmt::format("<svg viewBox=\"0 {} {} {}\" class=\"{}\" role=\"img\" aria-label=\"{}\">",
-                     top, layout.width(), height, half ? "half" : "whole",
+  return fmt::format("<svg viewBox=\"0 {} {} {}\" class=\"{}\" role=\"img\" aria-label=\"{}\">", top, layout.width(),
+                     height, half ? "half" : "whole",
                      html(title.empty() ? figure.title : figure.title + ": " + title)) +
-         panel_svg(one, layout, 0, fmt::format("{}-{}", id, index)) +
-         pick_svg(frame_of(one, layout, 0)) + "</svg>";
+         panel_svg(one, layout, 0, fmt::format("{}-{}", id, index)) + pick_svg(frame_of(one, layout, 0)) + "</svg>";
 }
 
 /// The scale of the colours, an image of its own.
 std::string colour_bar(const ColourScale& scale) {
-  return fmt::format(
-      "<svg viewBox=\"0 0 {} 76\" class=\"half\" role=\"img\" aria-label=\"{}\">{}</svg>",
-      kHalfWidth, html(text_of({scale.label, scale.unit})),
-      colour_bar_svg(scale, {40, kHalfWidth - 40, 8, 22}));
+  return fmt::format("<svg viewBox=\"0 0 {} 76\" class=\"half\" role=\"img\" aria-label=\"{}\">{}</svg>", kHalfWidth,
+                     html(text_of({scale.label, scale.unit})), colour_bar_svg(scale, {40, kHalfWidth - 40, 8, 22}));
 }
 
 /// Axes, colours and texts in the units of tables.
@@ -348,8 +331,8 @@ Figure with_table_units(Figure figure) {
 }  // namespace
 
 std::string svg(const Figure& drawn, const std::string& id) {
-  const Figure figure = with_ranges(with_true_legend(
-      table_system() == UnitSystem::us ? with_table_units(drawn) : in_page_units(drawn)));
+  const Figure figure =
+      with_ranges(with_true_legend(table_system() == UnitSystem::us ? with_table_units(drawn) : in_page_units(drawn)));
   std::string all = "<div class=\"panels\">";
   for (std::size_t k = 0; k < figure.panels.size(); ++k) all += image(figure, k, id);
   all += "</div>";
@@ -360,9 +343,8 @@ std::string svg(const Figure& drawn, const std::string& id) {
 std::string svg_style() {
   std::string light, dark;
   // On dark paper, what is black or blue must be lighter.
-  constexpr std::string_view kOnDark[] = {"#56b4e9", "#ff8a3c", "#2fc79b", "#e6a3cb",
-                                          "#f0b73c", "#9bd4f5", "#e8e8e6", "#a5a5a5",
-                                          "#b5b5b5", "#6b6b6b", "#ff6b4a"};
+  constexpr std::string_view kOnDark[] = {"#56b4e9", "#ff8a3c", "#2fc79b", "#e6a3cb", "#f0b73c", "#9bd4f5",
+                                          "#e8e8e6", "#a5a5a5", "#b5b5b5", "#6b6b6b", "#ff6b4a"};
   for (std::size_t k = 0; k < std::size(kColours); ++k) {
     light += fmt::format("--c{}:{};", k, kColours[k]);
     dark += fmt::format("--c{}:{};", k, kOnDark[k]);

@@ -49,8 +49,7 @@ std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>
                          const RecordChoice& choice = {});
 
 /// The values under a key of each column; null where it has none.
-std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns,
-                                     std::string_view key);
+std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns, std::string_view key);
 
 /// The record under a key; null where there is none.
 const RecordInfo* record_in(const RecordInfo& info, std::string_view key);
@@ -60,7 +59,7 @@ std::string folded_html(std::string_view title, const std::string& body);
 
 /// A table of texts that are HTML; the first cell of each row is its heading. A row of one cell is
 /// a heading over the next ones.
-std::string plain_table(const std::vector<std::string>& head,
-                        const std::vector<std::vector<std::string>>& rows, bool of_numbers = false);
+std::string plain_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
+                        bool of_numbers = false);
 
 }  // namespace prs

@@ -23,21 +23,17 @@ namespace {
 /// Lengths that follow from the mechanism.
 constexpr Quantity<Mechanism> kDerived[] = {
     {"axial_pitch_mm", always<axial_pitch>},
-    {"contact_length_mm",
-     always<[](auto& m) { return (m.contacts_per_roller - 1) * axial_pitch(m); }>},
-    {"roller_spacing_mm", always<[](auto& m) {
-       return 2.0 * *m.centre_distance * std::sin(std::numbers::pi / m.rollers);
-     }>},
-    {"turns_until_repeat",
-     of<[](const Mechanism& m) { return turns_until_repeat(m, slip_ratio(m, Travel{})); }>},
+    {"contact_length_mm", always<[](auto& m) { return (m.contacts_per_roller - 1) * axial_pitch(m); }>},
+    {"roller_spacing_mm",
+     always<[](auto& m) { return 2.0 * *m.centre_distance * std::sin(std::numbers::pi / m.rollers); }>},
+    {"turns_until_repeat", of<[](const Mechanism& m) { return turns_until_repeat(m, slip_ratio(m, Travel{})); }>},
 };
 
 std::vector<const Problem*> problems_of(const CheckResult& result) {
   std::vector<const Problem*> all;
   for (const CommandNeeds& command : result.commands)
     for (const Problem& problem : command.unmet)
-      if (std::ranges::none_of(all, [&](const Problem* p) { return p->path == problem.path; }))
-        all.push_back(&problem);
+      if (std::ranges::none_of(all, [&](const Problem* p) { return p->path == problem.path; })) all.push_back(&problem);
   return all;
 }
 
@@ -72,8 +68,7 @@ std::string readiness(const CheckResult& result) {
 }
 
 /// What a value rests on, and the reason of an assumed one.
-std::pair<std::string_view, std::string_view> basis_of(const input::EchoEntry& f,
-                                                       const CheckResult& result) {
+std::pair<std::string_view, std::string_view> basis_of(const input::EchoEntry& f, const CheckResult& result) {
   if (f.is_default) return {"default", {}};
   const auto found = result.assumed.find(f.path);
   if (found == result.assumed.end()) return {"given", {}};
@@ -86,10 +81,9 @@ std::string input_list(const CheckResult& result) {
   std::string_view told;
   for (const input::EchoEntry& f : result.fields) {
     const auto [basis, reason] = basis_of(f, result);
-    text += fmt::format("  {:<42} {}   ({}{}{})\n", f.path, printable(f.value), basis,
-                        f.origin.empty() ? "" : " ", f.origin);
-    if (!reason.empty() && reason != told)
-      text += wrapped(printable(reason), std::string(6, ' '), kTableWidth);
+    text += fmt::format("  {:<42} {}   ({}{}{})\n", f.path, printable(f.value), basis, f.origin.empty() ? "" : " ",
+                        f.origin);
+    if (!reason.empty() && reason != told) text += wrapped(printable(reason), std::string(6, ' '), kTableWidth);
     told = reason;
   }
   return text;
@@ -119,17 +113,14 @@ std::string derived(const Contacts& contacts) {
   const Json json = object_of(contacts);
   line("centre_distance_mm", json["centre_distance_mm"]);
   for (const char* key : {"pitch_diameter_mm", "helix_angle_deg"})
-    for (const auto& [part, value] : json[key].items())
-      line(fmt::format("{}.{}", key, part), value);
+    for (const auto& [part, value] : json[key].items()) line(fmt::format("{}.{}", key, part), value);
   line("max_rollers", json["max_rollers"]);
   const Json threads = object_of(contacts.threads);
   for (const auto& [part, widths] : threads.items())
-    for (const auto& [key, value] : widths.items())
-      line(fmt::format("threads.{}.{}", part, key), value);
+    for (const auto& [key, value] : widths.items()) line(fmt::format("threads.{}.{}", part, key), value);
   for (const char* interface : {"screw", "nut"})
-    for (const char* key :
-         {"normal_angle_deg", "backlash_mm", "flank_clearance_mm", "body_crest_clearance_mm",
-          "roller_crest_clearance_mm", "hertz_constant_N_per_mm1_5"})
+    for (const char* key : {"normal_angle_deg", "backlash_mm", "flank_clearance_mm", "body_crest_clearance_mm",
+                            "roller_crest_clearance_mm", "hertz_constant_N_per_mm1_5"})
       if (json.contains(interface) && json[interface].contains(key))
         line(fmt::format("contact.{}.{}", interface, key), json[interface][key]);
   return text;
@@ -160,8 +151,7 @@ constexpr Quantity<Input> kInput[] = {
     {"origin", filled<its<&input::EchoEntry::origin>>, "of a default that a name stands for"},
     {"basis", always<[](auto& i) { return basis_of(*i.item, *i.whole).first; }>,
      "given, assumed (as a comment of the file says) or default"},
-    {"reason", filled<[](auto& i) { return basis_of(*i.item, *i.whole).second; }>,
-     "why it was assumed"},
+    {"reason", filled<[](auto& i) { return basis_of(*i.item, *i.whole).second; }>, "why it was assumed"},
 };
 
 constexpr Quantity<CheckResult> kCheck[] = {
@@ -176,10 +166,8 @@ constexpr Quantity<CheckResult> kCheck[] = {
      "by their names"},
     {"input", always_table<kInput, [](auto& result) { return within(result, result.fields); }>},
     {"verdict", of<&CheckResult::verdict>},
-    {"derived", always_table<kDerived,
-                             [](auto& result) -> const Mechanism& {
-                               return result.geometry.contacts.mechanism;
-                             }>},
+    {"derived",
+     always_table<kDerived, [](auto& result) -> const Mechanism& { return result.geometry.contacts.mechanism; }>},
 };
 
 constexpr std::size_t kTitleWidth = 30;
@@ -197,9 +185,7 @@ std::string verdict_table(const CaseVerdict& verdict) {
       return std::abs(shown) < 1e4 ? fmt::format("{:.4g}", shown) : fmt::format("{:.0f}", shown);
     };
     std::string limit;
-    if (c.limit)
-      limit = fmt::format("{} {} ({})", c.sense == Sense::least ? ">=" : "<=", number(*c.limit),
-                          origin(c));
+    if (c.limit) limit = fmt::format("{} {} ({})", c.sense == Sense::least ? ">=" : "<=", number(*c.limit), origin(c));
     std::string where = printable(c.load_case);
     if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + printable(c.reason);
     std::string line = padded("  " + std::string(c.title), kTitleWidth, true) +
@@ -221,9 +207,7 @@ std::string head(const CheckResult& result) {
 }
 
 /// Readiness by command and what to add, warnings, derived values.
-std::string check_table(const CheckResult& result) {
-  return head(result) + derived(result.geometry.contacts);
-}
+std::string check_table(const CheckResult& result) { return head(result) + derived(result.geometry.contacts); }
 
 /// The same, with every value of the input: given, assumed or a default.
 std::string full_check_table(const CheckResult& result) {
@@ -238,14 +222,12 @@ void put_check(Json& document, const CheckResult& result) {
 /// What `solve` gives of the largest loads.
 std::vector<LoadCaseResult> solved_largest(const input::CaseInput& in, double largest) {
   Case c = in.values;
-  std::erase_if(c.load_cases,
-                [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
+  std::erase_if(c.load_cases, [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
   return analyze(c).load_cases;
 }
 
 /// What `solve` finds unusual about the largest loads, and `life` about those of its block.
-std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in,
-                                          double largest) {
+std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in, double largest) {
   std::vector<Warning> warnings = all_warnings({}, solved_largest(in, largest));
   if (input::unmet(in, Command::life).empty())
     std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
@@ -254,8 +236,7 @@ std::vector<Warning> solved_load_warnings(const input::Source& source, const inp
 
 /// What parts without errors of the pitch hide: a start of the screw that stands off, whichever way
 /// is worse for the largest load.
-std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in,
-                                     double largest) {
+std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in, double largest) {
   constexpr double kOff = 3e-6;  ///< [m]
   const int starts = in.values.mechanism.starts.screw;
   const auto has_error = [&](Part part) {
@@ -266,16 +247,14 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
   const auto with_start = [&](double off) {
     input::CaseInput changed = in;
     std::vector<double>& list = changed.values.deviations.pitch_error.screw.list;
-    for (int k = 0; k < in.values.mechanism.contacts_per_roller; ++k)
-      list.push_back(k % starts == 0 ? off : 0.0);
+    for (int k = 0; k < in.values.mechanism.contacts_per_roller; ++k) list.push_back(k % starts == 0 ? off : 0.0);
     return changed;
   };
   const auto largest_load = [&](const input::CaseInput& at) {
     double most = 0.0;
     for (const LoadCaseResult& loaded : solved_largest(at, largest))
       if (loaded.threads)
-        for (const Interface i : kInterfaces)
-          most = std::max(most, std::ranges::max((*loaded.threads)[i].normal_load));
+        for (const Interface i : kInterfaces) most = std::max(most, std::ranges::max((*loaded.threads)[i].normal_load));
     return most;
   };
   const double perfect = largest_load(in), ahead = largest_load(with_start(kOff)),
@@ -285,8 +264,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
   if (input::unmet(in, Command::life).empty()) {
     const double whole = life_of(source, in).system_life,
                  left = life_of(source, with_start(ahead > behind ? kOff : -kOff)).system_life;
-    if (left > 0.0 && left < whole)
-      life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / whole));
+    if (left > 0.0 && left < whole) life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / whole));
   }
   return Warning{"deviations.pitch_error", "perfect_parts",
                  fmt::format("parts are perfect: a start of the screw that stands off by {:g} um "
@@ -310,8 +288,8 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   const Case& c = in.values;
   const auto force = [](const LoadCase& load) { return std::abs(load.axial_force); };
   const auto largest = std::ranges::max_element(c.load_cases, {}, force);
-  const bool is_quick = c.model.mechanism == ModelOptions::Mechanism::sector &&
-                        c.model.bodies != ModelOptions::Bodies::influence;
+  const bool is_quick =
+      c.model.mechanism == ModelOptions::Mechanism::sector && c.model.bodies != ModelOptions::Bodies::influence;
   std::vector<Warning> warnings;
   try {
     if (is_quick && input::unmet(in, Command::solve).empty()) {
@@ -331,8 +309,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
 /// The loads of threads that a command takes.
 std::optional<ModelOptions::Loads> thread_loads_of(const Case& c, Command command) {
   const auto any = [&](bool (*runs)(const ModelOptions&, LoadCase::Share)) {
-    return std::ranges::any_of(c.load_cases,
-                               [&](const LoadCase& load) { return runs(c.model, load.share); });
+    return std::ranges::any_of(c.load_cases, [&](const LoadCase& load) { return runs(c.model, load.share); });
   };
   bool running = false;
   if (command == Command::solve)
@@ -341,8 +318,8 @@ std::optional<ModelOptions::Loads> thread_loads_of(const Case& c, Command comman
     running = any(slip_takes_running_loads);
   else if (command == Command::life)
     running = c.life && life_takes_running_loads(c);
-  else if (command != Command::contact && command != Command::compare &&
-           command != Command::preload && command != Command::measures)
+  else if (command != Command::contact && command != Command::compare && command != Command::preload &&
+           command != Command::measures)
     return std::nullopt;
   return running ? ModelOptions::Loads::running : ModelOptions::Loads::at_rest;
 }
@@ -363,8 +340,7 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
   // What odd values bring about is not told again.
   if (in.warnings.empty()) warn_of_loads(source, in, geometry);
-  if (std::optional<Warning> note = unknown_film_ratio(c))
-    geometry.warnings.push_back(std::move(*note));
+  if (std::optional<Warning> note = unknown_film_ratio(c)) geometry.warnings.push_back(std::move(*note));
   for (Warning& note : void_input_warnings(c)) geometry.warnings.push_back(std::move(note));
   return result;
 }
@@ -422,8 +398,7 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
 PRS_RECORD(CheckResult, "Check", "What a case is ready for, and what follows from it.", kCheck);
 
 const Analysis<CheckResult>& check_analysis() {
-  static const std::vector<Place> places =
-      with_contacts({{"verdict", describe<CaseVerdict>, false}});
+  static const std::vector<Place> places = with_contacts({{"verdict", describe<CaseVerdict>, false}});
   static const Analysis<CheckResult> analysis{
       .command = Command::check,
       .help = "Validate a case: what it is ready for, its verdict, what is unusual, derived values",

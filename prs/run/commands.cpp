@@ -32,8 +32,7 @@ std::span<const AnyAnalysis> analyses() {
 
 const AnyAnalysis& analysis_of(Command command) {
   const auto found = std::ranges::find(analyses(), command, &AnyAnalysis::command);
-  if (found == analyses().end())
-    throw std::logic_error(std::string(name(command)) + " is in no list of analyses");
+  if (found == analyses().end()) throw std::logic_error(std::string(name(command)) + " is in no list of analyses");
   return *found;
 }
 
@@ -51,11 +50,9 @@ const OtherFile* other_file(const input::Source& source) {
   return found == other_files().end() ? nullptr : &*found;
 }
 
-Delivery run_solve(const input::Source& source, const input::CaseInput& in,
-                   const AnalysisOptions& options) {
-  return delivered(
-      source, in, solve_analysis(),
-      [&](const input::Source&, const input::CaseInput& of) { return solved(of.values, options); });
+Delivery run_solve(const input::Source& source, const input::CaseInput& in, const AnalysisOptions& options) {
+  return delivered(source, in, solve_analysis(),
+                   [&](const input::Source&, const input::CaseInput& of) { return solved(of.values, options); });
 }
 
 Delivery run(const AnyAnalysis& analysis, const input::Source& source) {
@@ -72,9 +69,7 @@ DocumentInfo document_info(const input::Source& source, Command command) {
           source.overrides,
           std::string(name(command)),
           source.name,
-          [source, file] {
-            return file ? file->resolved_input(source) : input::resolved_input(source);
-          }};
+          [source, file] { return file ? file->resolved_input(source) : input::resolved_input(source); }};
 }
 
 }  // namespace prs

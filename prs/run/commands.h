@@ -17,8 +17,7 @@ std::span<const OtherFile> other_files();
 const OtherFile* other_file(const input::Source& source);
 
 /// `solve` by other means than those of its row, on a case that has all for it.
-Delivery run_solve(const input::Source& source, const input::CaseInput& in,
-                   const AnalysisOptions& options);
+Delivery run_solve(const input::Source& source, const input::CaseInput& in, const AnalysisOptions& options);
 
 /// Reads a case, or for `check` another file, for a command and runs it. Throws InputError, also
 /// where the case lacks something.

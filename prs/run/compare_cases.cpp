@@ -20,17 +20,13 @@ const std::vector<Headlines>& headlines() {
   static const std::vector<Headlines> all = {
       {Command::contact, {}, {"contact.screw.backlash_mm", "contact.nut.backlash_mm"}},
       {Command::solve, default_responses(Command::solve)},
-      {Command::slip,
-       {"slip.efficiency", "slip.power_loss_W", "slip.torque_screw_Nm",
-        "heat.temperature_degC.nut"}},
+      {Command::slip, {"slip.efficiency", "slip.power_loss_W", "slip.torque_screw_Nm", "heat.temperature_degC.nut"}},
       {Command::preload, {}, {"preload.lost_motion_um"}},
       {Command::life,
        {},
-       {"life.static_safety", "life.system.l10_revolutions", "life.system.l10_hours",
-        "life.catalogue.l10_revolutions", "life.catalogue.l10_hours"}},
-      {Command::measures,
-       {"measures.solved_static_safety"},
-       {"measures.dynamic_capacity_N", "measures.weight_kg"}},
+       {"life.static_safety", "life.system.l10_revolutions", "life.system.l10_hours", "life.catalogue.l10_revolutions",
+        "life.catalogue.l10_hours"}},
+      {Command::measures, {"measures.solved_static_safety"}, {"measures.dynamic_capacity_N", "measures.weight_kg"}},
   };
   return all;
 }
@@ -65,21 +61,17 @@ struct CaseComparison {
 
 /// From the first to the second, of the first: 0.02 is 2 % more. Absent where the sign differs.
 std::optional<double> change(const Both<double>& value) {
-  if (!value[0] || !value[1] || *value[0] == 0.0 || *value[0] * *value[1] < 0.0)
-    return std::nullopt;
+  if (!value[0] || !value[1] || *value[0] == 0.0 || *value[0] * *value[1] < 0.0) return std::nullopt;
   return (*value[1] - *value[0]) / std::abs(*value[0]);
 }
 
 std::optional<double> change(const input::EchoEntry& a, const input::EchoEntry& b) {
-  if (a.dimension != b.dimension || (a.dimension && zero_depends_on_unit(*a.dimension)))
-    return std::nullopt;
+  if (a.dimension != b.dimension || (a.dimension && zero_depends_on_unit(*a.dimension))) return std::nullopt;
   return change({a.number, b.number});
 }
 
 /// As the file has it.
-std::string told(const input::EchoEntry& entry) {
-  return entry.written.empty() ? entry.value : entry.written;
-}
+std::string told(const input::EchoEntry& entry) { return entry.written.empty() ? entry.value : entry.written; }
 
 std::vector<InputRow> differing_inputs(const std::vector<input::EchoEntry>& first,
                                        const std::vector<input::EchoEntry>& second) {
@@ -91,8 +83,7 @@ std::vector<InputRow> differing_inputs(const std::vector<input::EchoEntry>& firs
     if (!other)
       rows.push_back({entry.path, {told(entry), std::nullopt}, {}});
     else if (other.mapped()->value != entry.value)
-      rows.push_back(
-          {entry.path, {told(entry), told(*other.mapped())}, change(entry, *other.mapped())});
+      rows.push_back({entry.path, {told(entry), told(*other.mapped())}, change(entry, *other.mapped())});
   }
   for (const input::EchoEntry& entry : second)
     if (others.contains(entry.path)) rows.push_back({entry.path, {std::nullopt, told(entry)}, {}});
@@ -113,8 +104,7 @@ std::vector<std::pair<std::size_t, std::size_t>> paired(const Json& first, const
         break;
       }
   if (pairs.empty())
-    for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
-      pairs.emplace_back(k, k);
+    for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k) pairs.emplace_back(k, k);
   return pairs;
 }
 
@@ -129,13 +119,11 @@ bool is_life_in_use(const std::string& path, const std::array<Json, 2>& document
 }
 
 void add_results(const Headlines& of, std::array<Json, 2> documents, CaseComparison& c) {
-  const auto add = [&](const std::string& load_case, const std::string& path, const Json& first,
-                       const Json& second) {
+  const auto add = [&](const std::string& load_case, const std::string& path, const Json& first, const Json& second) {
     const Both<double> value{response(first, path), response(second, path)};
     if (!value[0] && !value[1]) return;
     const bool is_temperature = path.find("_degC") != std::string::npos;
-    c.results.push_back(
-        {of.command, load_case, path, value, is_temperature ? std::nullopt : change(value)});
+    c.results.push_back({of.command, load_case, path, value, is_temperature ? std::nullopt : change(value)});
   };
   std::array<Json, 2> loads;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -144,15 +132,13 @@ void add_results(const Headlines& of, std::array<Json, 2> documents, CaseCompari
   }
   for (const auto& [i, k] : paired(loads[0], loads[1])) {
     const std::string a = name_of(loads[0][i]), b = name_of(loads[1][k]);
-    for (const std::string& path : of.of_load_case)
-      add(a == b ? a : a + " / " + b, path, loads[0][i], loads[1][k]);
+    for (const std::string& path : of.of_load_case) add(a == b ? a : a + " / " + b, path, loads[0][i], loads[1][k]);
   }
   for (const std::string& path : of.of_whole)
     if (is_life_in_use(path, documents)) add("", path, documents[0], documents[1]);
 }
 
-void add_figures(const Figures& first, const Figures& second, const std::string& other,
-                 Figures& overlaid) {
+void add_figures(const Figures& first, const Figures& second, const std::string& other, Figures& overlaid) {
   for (Figure figure : first) {
     const auto of_name = [&](const Figure& f) { return f.name == figure.name; };
     const auto behind = std::ranges::find_if(second, of_name);
@@ -179,11 +165,10 @@ CaseComparison compared(const input::Source& first, const input::Source& second)
   }
   c.inputs = differing_inputs(in[0].fields, in[1].fields);
   for (const Headlines& of : headlines()) {
-    const bool ready[] = {input::unmet(in[0], of.command).empty(),
-                          input::unmet(in[1], of.command).empty()};
+    const bool ready[] = {input::unmet(in[0], of.command).empty(), input::unmet(in[1], of.command).empty()};
     if (ready[0] != ready[1])
-      c.notes.push_back(fmt::format("{}: {} alone has all for it; `prs check` says what to add",
-                                    name(of.command), sources[ready[0] ? 0 : 1]->name));
+      c.notes.push_back(fmt::format("{}: {} alone has all for it; `prs check` says what to add", name(of.command),
+                                    sources[ready[0] ? 0 : 1]->name));
     if (!ready[0] || !ready[1]) continue;
     std::array<Json, 2> documents;
     std::array<Figures, 2> drawn;
@@ -238,14 +223,11 @@ Json document(const CaseComparison& c, const DocumentInfo& info) {
   return json;
 }
 
-std::string line(const std::string& what, const Both<std::string>& value,
-                 const std::optional<double>& change) {
+std::string line(const std::string& what, const Both<std::string>& value, const std::optional<double>& change) {
   constexpr std::size_t kName = 50, kValue = 21, kChange = 11;
   std::string text = "  " + fitted(printable(what), kName, true);
-  for (const auto& v : value)
-    text += "  " + fitted(v ? printable(*v) : std::string(kAbsent), kValue);
-  return ended(text +
-               padded(change ? fixed_change(100.0 * *change, 2) + " %" : "", kChange, false));
+  for (const auto& v : value) text += "  " + fitted(v ? printable(*v) : std::string(kAbsent), kValue);
+  return ended(text + padded(change ? fixed_change(100.0 * *change, 2) + " %" : "", kChange, false));
 }
 
 std::string table(const CaseComparison& c) {
@@ -255,8 +237,7 @@ std::string table(const CaseComparison& c) {
   const ResultRow* before = nullptr;
   for (const ResultRow& row : c.results) {
     if (!before || before->command != row.command || before->load_case != row.load_case)
-      text += fmt::format("\n{}{}{}\n", name(row.command), row.load_case.empty() ? "" : ": ",
-                          printable(row.load_case));
+      text += fmt::format("\n{}{}{}\n", name(row.command), row.load_case.empty() ? "" : ": ", printable(row.load_case));
     before = &row;
     const TableResponse shown = table_response(row.path);
     Both<std::string> value;
@@ -270,10 +251,8 @@ std::string table(const CaseComparison& c) {
     std::string alone;
     const std::vector<std::string> others = sentences(c.warnings[1 - k]);
     for (const std::string& warning : sentences(c.warnings[k]))
-      if (std::ranges::find(others, warning) == others.end())
-        alone += wrapped(printable(warning), "  ", kTableWidth);
-    if (!alone.empty())
-      text += fmt::format("\nWarnings of {} alone\n{}", printable(c.info[k].case_file), alone);
+      if (std::ranges::find(others, warning) == others.end()) alone += wrapped(printable(warning), "  ", kTableWidth);
+    if (!alone.empty()) text += fmt::format("\nWarnings of {} alone\n{}", printable(c.info[k].case_file), alone);
   }
   return text;
 }
@@ -282,8 +261,7 @@ std::string csv(const CaseComparison& c, const CsvStyle& style) {
   CsvWriter csv(style);
   csv.row("command", "load_case", "path", "value", "other_value", "change_percent");
   for (const InputRow& row : c.inputs)
-    csv.row("input", "", row.path, row.value[0].value_or(""), row.value[1].value_or(""),
-            scaled(row.change, 100.0));
+    csv.row("input", "", row.path, row.value[0].value_or(""), row.value[1].value_or(""), scaled(row.change, 100.0));
   for (const ResultRow& row : c.results)
     csv.row(name(row.command), row.load_case, row.path, row.value, scaled(row.change, 100.0));
   return csv.take();
@@ -298,14 +276,10 @@ const RecordInfo& case_comparison_record() {
 
 Delivery compare_cases(const input::Source& first, const input::Source& second) {
   const auto c = std::make_shared<const CaseComparison>(compared(first, second));
-  Delivery d{"comparison.json", [=](const DocumentInfo& info) { return document(*c, info); },
-             [=] { return table(*c); }, c->notes, [=] { return c->warnings[0]; }};
-  d.files = [=](const CsvStyle& style) {
-    return std::vector<OutputFile>{{"differences.csv", csv(*c, style)}};
-  };
-  d.pictures = [=] {
-    return Pictures{{"curves", "two cases", [=](const FigureOptions&) { return c->figures; }}};
-  };
+  Delivery d{"comparison.json", [=](const DocumentInfo& info) { return document(*c, info); }, [=] { return table(*c); },
+             c->notes, [=] { return c->warnings[0]; }};
+  d.files = [=](const CsvStyle& style) { return std::vector<OutputFile>{{"differences.csv", csv(*c, style)}}; };
+  d.pictures = [=] { return Pictures{{"curves", "two cases", [=](const FigureOptions&) { return c->figures; }}}; };
   d.converged = c->converged;
   return d;
 }

@@ -13,8 +13,7 @@ namespace prs {
 namespace {
 
 std::string_view name(Kind kind) {
-  constexpr std::array kNames{"number", "series", "matrix", "count",  "flag",
-                              "text",   "texts",  "record", "records"};
+  constexpr std::array kNames{"number", "series", "matrix", "count", "flag", "text", "texts", "record", "records"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 
@@ -40,8 +39,7 @@ void put_record(Json& records, const RecordInfo& record) {
     if (q.record) put_record(records, q.record());
   if (records.contains(record.name)) {  // Of another type, which may lack others.
     for (std::size_t k = 0; k < record.quantities.size(); ++k)
-      if (record.quantities[k].form.optional)
-        records[record.name]["quantities"][k]["optional"] = true;
+      if (record.quantities[k].form.optional) records[record.name]["quantities"][k]["optional"] = true;
     return;
   }
   Json& json = records[record.name];
@@ -66,8 +64,7 @@ const std::vector<DocumentRecord>& all_records() {
     std::vector<Place> places;
     for (const AnyAnalysis& analysis : analyses())
       for (const Place& place : analysis.places)
-        if (std::ranges::find(places, place.path, &Place::path) == places.end())
-          places.push_back(place);
+        if (std::ranges::find(places, place.path, &Place::path) == places.end()) places.push_back(place);
     for (const OtherFile& file : other_files()) places.push_back({name(file.command), file.record});
     return records_at(places);
   }();
@@ -76,8 +73,8 @@ const std::vector<DocumentRecord>& all_records() {
 
 namespace documents {
 
-using schema_parts::link, schema_parts::list, schema_parts::map_of, schema_parts::names,
-    schema_parts::object, schema_parts::type;
+using schema_parts::link, schema_parts::list, schema_parts::map_of, schema_parts::names, schema_parts::object,
+    schema_parts::type;
 
 Json text() { return type("string"); }
 
@@ -137,9 +134,7 @@ struct Parts {
     return list(record_schema(q.record()));
   }
 
-  static Json number_in_list(bool finite) {
-    return finite ? type("number") : Json{{"type", {"number", "null"}}};
-  }
+  static Json number_in_list(bool finite) { return finite ? type("number") : Json{{"type", {"number", "null"}}}; }
 
   /// One without a name stands in one place alone.
   Json record_schema(const RecordInfo& record) {
@@ -191,16 +186,14 @@ Json whole(Parts d, std::string_view command) {
       {"input_sha256",
        {{"type", "string"},
         {"pattern", "^[0-9a-f]{64}$"},
-        {"description",
-         "Of the file; with overrides or a history, of these too: of what was computed"}}},
+        {"description", "Of the file; with overrides or a history, of these too: of what was computed"}}},
       {"overrides", list(type("string", "PATH=VALUE"))},
       {"warnings", list(text())},
       {"resolved_input", link("Input")},
   };
   std::vector<std::string> required{"prs_version", "schema_version", "command", "warnings"};
   if (command != "configurations")
-    for (const char* key : {"case_file", "input_sha256", "resolved_input"})
-      required.emplace_back(key);
+    for (const char* key : {"case_file", "input_sha256", "resolved_input"}) required.emplace_back(key);
   properties.update(d.properties);
   required.insert(required.end(), d.required.begin(), d.required.end());
   properties["figures"] = list(link("Figure"));
@@ -242,8 +235,7 @@ Json results_schema() {
     schema["documents"].push_back({{"path", at.path}, {"record", at.record.name}});
     put_record(schema["records"], at.record);
   }
-  for (const AnyAnalysis& analysis : analyses())
-    schema["analyses"].push_back(analysis_json(analysis));
+  for (const AnyAnalysis& analysis : analyses()) schema["analyses"].push_back(analysis_json(analysis));
   for (const OtherFile& file : other_files())
     schema["analyses"].push_back({{"name", name(file.command)},
                                   {"help", file.help},

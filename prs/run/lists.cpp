@@ -13,22 +13,19 @@ constexpr std::size_t kUnitsAt = 60;
 }  // namespace
 
 std::string lubricants_table() {
-  std::string text =
-      fmt::format("{:<16}{:>12}{:>12}{:>12}\n{:<16}{:>12}{:>12}{:>12}\n", "name", "nu at 40",
-                  "nu at 100", "density", "", "mm^2/s", "mm^2/s", "kg/m^3");
+  std::string text = fmt::format("{:<16}{:>12}{:>12}{:>12}\n{:<16}{:>12}{:>12}{:>12}\n", "name", "nu at 40",
+                                 "nu at 100", "density", "", "mm^2/s", "mm^2/s", "kg/m^3");
   std::vector<std::string_view> sources;
   for (const NamedLubricant& l : named_lubricants()) {
     auto source = std::ranges::find(sources, l.source);
     if (source == sources.end()) source = sources.insert(source, l.source);
-    text +=
-        fmt::format("{:<16}{:>12.6g}{:>12.6g}{:>12.6g}   {} [{}]\n", l.name, 1e6 * l.viscosity_40,
-                    1e6 * l.viscosity_100, l.density, l.what, source - sources.begin() + 1);
+    text += fmt::format("{:<16}{:>12.6g}{:>12.6g}{:>12.6g}   {} [{}]\n", l.name, 1e6 * l.viscosity_40,
+                        1e6 * l.viscosity_100, l.density, l.what, source - sources.begin() + 1);
   }
   text +=
       "\nKinematic viscosity nu of the oil, or of the base oil of the grease, which is all that "
       "counts:\nits thickener is not modelled.\n";
-  for (std::size_t i = 0; i < sources.size(); ++i)
-    text += fmt::format("[{}] {}\n", i + 1, sources[i]);
+  for (std::size_t i = 0; i < sources.size(); ++i) text += fmt::format("[{}] {}\n", i + 1, sources[i]);
   return text;
 }
 
@@ -51,13 +48,11 @@ std::string units_table() {
     for (const input::Unit& unit : d->units) {
       units += units.empty() ? "" : ", ";
       for (const std::string_view spelling : unit.spellings)
-        if (!spelling.empty())
-          units += fmt::format("{}{}", spelling == unit.spellings[0] ? "" : " = ", spelling);
+        if (!spelling.empty()) units += fmt::format("{}{}", spelling == unit.spellings[0] ? "" : " = ", spelling);
     }
     text += hanging(fmt::format("{:<38}{}", d->name, d->example), kUnitsAt, units);
   }
-  return text +
-         "\nA number, then its unit: `5 mm`. Differences of temperatures are in K, degC or degF.\n";
+  return text + "\nA number, then its unit: `5 mm`. Differences of temperatures are in K, degC or degF.\n";
 }
 
 Json units_json() {
@@ -81,8 +76,7 @@ std::string responses_table(const std::vector<std::string>& paths) {
   std::string text = padded("path", widest, true) + "  unit         title\n";
   for (const std::string& path : paths) {
     const ResponseTitle title = response_title(path);
-    text += padded(path, widest, true) + "  " + padded(std::string(title.unit), 11, true) + "  " +
-            title.name + '\n';
+    text += padded(path, widest, true) + "  " + padded(std::string(title.unit), 11, true) + "  " + title.name + '\n';
   }
   return text + "\nOf numbers thread by thread also `.min`, `.mean` and `[k]`, k from 0.\n";
 }
@@ -101,8 +95,7 @@ namespace {
 /// Of the load cases; a response without it is that of the first.
 constexpr std::string_view kLoadCases = "load_cases[].";
 
-void add_numbers(const RecordInfo& record, const std::string& before,
-                 std::vector<std::string>& paths) {
+void add_numbers(const RecordInfo& record, const std::string& before, std::vector<std::string>& paths) {
   for (const QuantityInfo& q : record.quantities) {
     const std::string path = before + std::string(q.key);
     if (q.kind == Kind::number || q.kind == Kind::count) paths.push_back(path);

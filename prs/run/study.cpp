@@ -18,16 +18,13 @@ constexpr std::chrono::seconds kLongestBlock{1};
 std::string place_of(const input::StudyInput& in, std::size_t response) {
   if (in.study.envelope) {
     const Envelope& envelope = *in.study.envelope;
-    const auto is_it = [&](const auto& item) {
-      return item.response == in.study.responses[response];
-    };
+    const auto is_it = [&](const auto& item) { return item.response == in.study.responses[response]; };
     const auto index_in = [&](const auto& items) -> std::optional<std::size_t> {
       const auto at = std::ranges::find_if(items, is_it);
       if (at == items.end()) return std::nullopt;
       return static_cast<std::size_t>(at - items.begin());
     };
-    if (const auto k = index_in(envelope.measures))
-      return fmt::format("study.envelope.measures[{}].response", *k);
+    if (const auto k = index_in(envelope.measures)) return fmt::format("study.envelope.measures[{}].response", *k);
     for (std::size_t point = 0; point < envelope.points.size(); ++point)
       if (const auto k = index_in(envelope.points[point].reach))
         return fmt::format("study.envelope.points[{}].reach[{}].response", point, *k);
@@ -47,19 +44,16 @@ auto with_responses_of(const input::StudyInput& in, Compute compute) {
 
 /// Numbers that the load distribution alone decides, and nothing of the geometry besides.
 bool is_of_load_distribution(std::string_view response) {
-  if (response.starts_with("load_cases["))
-    response.remove_prefix(std::min(response.find('.') + 1, response.size()));
-  static constexpr std::string_view kOfCase[] = {
-      "axial_displacement_um", "axial_stiffness_N_per_um", "tangent_stiffness_N_per_um"};
+  if (response.starts_with("load_cases[")) response.remove_prefix(std::min(response.find('.') + 1, response.size()));
+  static constexpr std::string_view kOfCase[] = {"axial_displacement_um", "axial_stiffness_N_per_um",
+                                                 "tangent_stiffness_N_per_um"};
   if (std::ranges::find(kOfCase, response) != std::end(kOfCase)) return true;
-  static constexpr std::string_view kOfThreads[] = {
-      "axial_load_N", "normal_load_N",    "load_rate_percent",
-      "approach_um",  "normal_angle_deg", "hertz_constant_N_per_mm1_5"};
+  static constexpr std::string_view kOfThreads[] = {"axial_load_N", "normal_load_N",    "load_rate_percent",
+                                                    "approach_um",  "normal_angle_deg", "hertz_constant_N_per_mm1_5"};
   for (const std::string_view interface : {"screw.", "nut."})
     if (response.starts_with(interface)) {
       response.remove_prefix(interface.size());
-      return std::ranges::find(kOfThreads, response.substr(0, response.find_first_of(".["))) !=
-             std::end(kOfThreads);
+      return std::ranges::find(kOfThreads, response.substr(0, response.find_first_of(".["))) != std::end(kOfThreads);
     }
   return false;
 }
@@ -69,14 +63,12 @@ bool is_of_geometry(std::string_view response) {
 }
 
 /// `still`: the responses that do not follow the factor.
-Warning void_warning(const std::string& path, const std::vector<std::string>& still,
-                     std::string_view overrides) {
+Warning void_warning(const std::string& path, const std::vector<std::string>& still, std::string_view overrides) {
   std::string named;
   if (!still.empty())
     named = still.size() == 1 ? fmt::format(" ({})", still[0])
                               : fmt::format(" ({} and {} more)", still[0], still.size() - 1);
-  return {path, "void_factor",
-          fmt::format("moves no load or stiffness{}: overridden by {}", named, overrides),
+  return {path, "void_factor", fmt::format("moves no load or stiffness{}: overridden by {}", named, overrides),
           std::string(kDeleteOverrides)};
 }
 
@@ -119,10 +111,9 @@ DesignEngine engine_of(const input::OptimizeInput& in) {
 
 std::string remark(const OptimizationResult& result, const std::string& file) {
   const std::size_t chosen = result.compromise.value_or(result.nearest.value_or(0));
-  return fmt::format("{} of `prs optimize {}`, {} with seed {}: design {} of {}",
-                     result.compromise ? "Compromise" : "Nearest design", file,
-                     name(result.search_of(chosen).algorithm), result.optimization.seed, chosen + 1,
-                     result.design_count());
+  return fmt::format(
+      "{} of `prs optimize {}`, {} with seed {}: design {} of {}", result.compromise ? "Compromise" : "Nearest design",
+      file, name(result.search_of(chosen).algorithm), result.optimization.seed, chosen + 1, result.design_count());
 }
 
 }  // namespace
@@ -132,22 +123,17 @@ DesignEngine study_engine(const input::StudyInput& in) {
 }
 
 CaseDerivatives run_derivatives(const input::StudyInput& in) {
-  CaseDerivatives result =
-      input::compute_from(in.source, [&] { return with_responses_of(in, case_derivatives); });
+  CaseDerivatives result = input::compute_from(in.source, [&] { return with_responses_of(in, case_derivatives); });
   result.warnings = void_factor_warnings(in, result.study.responses);
   for (Warning& warning : idle_warnings(result)) result.warnings.push_back(std::move(warning));
   return result;
 }
 
-std::vector<Warning> void_factor_warnings(const input::StudyInput& in,
-                                          const std::vector<std::string>& responses) {
+std::vector<Warning> void_factor_warnings(const input::StudyInput& in, const std::vector<std::string>& responses) {
   std::vector<Warning> warnings;
-  if (in.study.command == Command::contact || std::ranges::all_of(responses, is_of_geometry))
-    return warnings;
+  if (in.study.command == Command::contact || std::ranges::all_of(responses, is_of_geometry)) return warnings;
   // Which inputs are void depends on the model of the bodies.
-  const auto changes_model = [](const DrawnInput& drawn) {
-    return drawn.input->path.starts_with("model");
-  };
+  const auto changes_model = [](const DrawnInput& drawn) { return drawn.input->path.starts_with("model"); };
   if (std::ranges::any_of(drawn_inputs(in.study), changes_model)) return warnings;
   const std::vector<VoidInput> inputs = void_inputs(input::read_design(in, {}));
   if (inputs.empty()) return warnings;
@@ -168,9 +154,7 @@ std::vector<Warning> study_warnings(const input::StudyInput& in, const StudyResu
     if (engine)
       idle =
           idle_drawn_factors(study, result.summary.surfaces ? &*result.summary.surfaces : nullptr,
-                             [&](const std::vector<std::vector<Draw>>& designs) {
-                               return engine().evaluate(designs);
-                             });
+                             [&](const std::vector<std::vector<Draw>>& designs) { return engine().evaluate(designs); });
     else
       warnings.push_back({"study", "idle_factors_unknown",
                           "whether each factor moves a response was not looked at, which "
@@ -185,9 +169,8 @@ Evaluate evaluate_with(const DesignEngine& engine, const std::function<bool()>& 
   return [&, interrupted](std::size_t first, std::size_t count) {
     if (interrupted && interrupted()) return RowBlock{first, 0, {}, {}};
     const auto end = std::chrono::steady_clock::now() + kLongestBlock;
-    return engine.evaluate(first, count, [&] {
-      return (interrupted && interrupted()) || std::chrono::steady_clock::now() > end;
-    });
+    return engine.evaluate(first, count,
+                           [&] { return (interrupted && interrupted()) || std::chrono::steady_clock::now() > end; });
   };
 }
 
@@ -203,37 +186,34 @@ void check_initial(const input::OptimizeInput& input, const EvaluatedDesign& ini
   for (const Constraint& constraint : input.optimization.constraints) {
     if (constraint.limit.kind != Limit::Kind::initial) continue;
     if (std::isfinite(initial.responses[constraint.response])) continue;
-    const std::string reason =
-        initial.status.reason.empty()
-            ? "it has no " + input.optimization.study.responses[constraint.response]
-            : initial.status.reason;
-    input::fail_at(
-        input.start.source, input.asked_at[constraint.response],
-        fmt::format("got a limit relative to the file's own design, which has no answer ({}); "
-                    "expected a design that has one; fix the file, or write the limit as a "
-                    "number",
-                    reason));
+    const std::string reason = initial.status.reason.empty()
+                                   ? "it has no " + input.optimization.study.responses[constraint.response]
+                                   : initial.status.reason;
+    input::fail_at(input.start.source, input.asked_at[constraint.response],
+                   fmt::format("got a limit relative to the file's own design, which has no answer ({}); "
+                               "expected a design that has one; fix the file, or write the limit as a "
+                               "number",
+                               reason));
   }
 }
 
-std::optional<OptimizationResult> run_optimization(
-    const input::OptimizeInput& in, std::size_t threads,
-    const std::function<Journal(const JournalHeader&)>& open, const OptimizeOptions& options) {
+std::optional<OptimizationResult> run_optimization(const input::OptimizeInput& in, std::size_t threads,
+                                                   const std::function<Journal(const JournalHeader&)>& open,
+                                                   const OptimizeOptions& options) {
   const DesignEngine engine = engine_of(in);
   const Optimization& optimization = in.optimization;
   const EvaluateDesigns evaluate = evaluate_in_parallel(engine, threads);
   const std::vector<Draw> as_in_file(optimization.study.factors.size());
   const RowBlock base = evaluate({as_in_file});
-  check_initial(in, {as_in_file, base.responses,
-                     base.failures.empty() ? DesignStatus{} : base.failures[0].status, 0.0});
+  check_initial(in,
+                {as_in_file, base.responses, base.failures.empty() ? DesignStatus{} : base.failures[0].status, 0.0});
 
-  Journal journal = open({key_of(in.start, optimization.study.command), in.start.source,
-                          optimization.study.responses, design_count(optimization), Shard{}});
+  Journal journal = open({key_of(in.start, optimization.study.command), in.start.source, optimization.study.responses,
+                          design_count(optimization), Shard{}});
   return optimize(optimization, evaluate, journal, options);
 }
 
-std::optional<std::string> chosen_case(const OptimizationResult& result,
-                                       const input::Source& source) {
+std::optional<std::string> chosen_case(const OptimizationResult& result, const input::Source& source) {
   const EvaluatedDesign* chosen = result.chosen();
   if (chosen == nullptr) return std::nullopt;
   return case_with(source, settings_of(result.optimization, *chosen), remark(result, source.name));

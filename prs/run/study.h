@@ -19,8 +19,7 @@ Evaluate evaluate_with(const DesignEngine& engine, const std::function<bool()>& 
 
 /// Warnings on factors that change neither loads nor stiffness because the file overrides what they
 /// would change: one sentence per factor, with the responses that do not follow it.
-std::vector<Warning> void_factor_warnings(const input::StudyInput& in,
-                                          const std::vector<std::string>& responses);
+std::vector<Warning> void_factor_warnings(const input::StudyInput& in, const std::vector<std::string>& responses);
 
 /// These warnings, and those on factors that moved no response. `engine` is called only where
 /// designs that differ in one factor alone are missing; it must be that of the result's study.
@@ -38,12 +37,11 @@ void check_initial(const input::OptimizeInput& input, const EvaluatedDesign& ini
 /// Runs the optimization of a source on `threads` threads: the file's own design first, on which
 /// limits may depend, then the search on the journal that `open` gives for it. Absent where it was
 /// interrupted. Throws InputError, also for a response that the design does not have.
-std::optional<OptimizationResult> run_optimization(
-    const input::OptimizeInput& in, std::size_t threads,
-    const std::function<Journal(const JournalHeader&)>& open, const OptimizeOptions& options);
+std::optional<OptimizationResult> run_optimization(const input::OptimizeInput& in, std::size_t threads,
+                                                   const std::function<Journal(const JournalHeader&)>& open,
+                                                   const OptimizeOptions& options);
 
 /// The source with the chosen design written into it; nothing where no design was chosen.
-std::optional<std::string> chosen_case(const OptimizationResult& result,
-                                       const input::Source& source);
+std::optional<std::string> chosen_case(const OptimizationResult& result, const input::Source& source);
 
 }  // namespace prs

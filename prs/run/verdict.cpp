@@ -6,7 +6,7 @@
 namespace prs {
 namespace {
 
-constexpr double kRounding = 1e-9;  ///< Relative, of a value that just meets its limit.
+constexpr double kRounding = 1e-9;                       ///< Relative, of a value that just meets its limit.
 constexpr double kTouching = 1e-9 * per_si::millimetre;  ///< Play of threads that touch [mm].
 
 /// What a case has of a criterion: the worst value, or why there is none.
@@ -28,8 +28,7 @@ struct Found {
     where = load_case;
     note = what;
   }
-  void take(const std::optional<double>& v, std::string_view load_case,
-            std::string_view what = {}) {
+  void take(const std::optional<double>& v, std::string_view load_case, std::string_view what = {}) {
     if (v) take(*v, load_case, what);
   }
 };
@@ -43,9 +42,7 @@ Found without(const VerdictFacts& f, Command command, Sense sense) {
   return found;
 }
 
-std::string_view loads_of(const LifeResult& life) {
-  return life.history ? "life.history" : "life.spectrum";
-}
+std::string_view loads_of(const LifeResult& life) { return life.history ? "life.history" : "life.spectrum"; }
 
 Found life(const VerdictFacts& f) {
   if (!f.life) return without(f, Command::life, Sense::least);
@@ -57,10 +54,10 @@ Found life(const VerdictFacts& f) {
   }
   // A maker's capacity comes from real screws: uneven sharing is in it.
   const LifeInUse in = in_use(r, r.lemor ? r.system_life : r.catalogue_life);
-  const std::string note = fmt::format(
-      "{:g} % reach it; {}", r.life.reliability * per_si::percent,
-      r.lemor ? r.life.share == LoadCase::Share::solved ? "real thread loads" : "equal thread loads"
-              : "stated C_a already includes uneven sharing");
+  const std::string note =
+      fmt::format("{:g} % reach it; {}", r.life.reliability * per_si::percent,
+                  r.lemor ? r.life.share == LoadCase::Share::solved ? "real thread loads" : "equal thread loads"
+                          : "stated C_a already includes uneven sharing");
   const bool as_travel = f.limits.life ? f.limits.life->travel.has_value() : !in.hours.has_value();
   if (as_travel)
     found.take(in.rated * in.travel * per_si::kilometre, loads_of(r), note);
@@ -88,8 +85,7 @@ Found static_safety(const VerdictFacts& f) {
     else if (m && m->thread_static_safety)
       found.take(
           *m->thread_static_safety, load.name,
-          (load.share == LoadCase::Share::equal ? "equal shares, "
-                                                : "estimate with the shares under this load, ") +
+          (load.share == LoadCase::Share::equal ? "equal shares, " : "estimate with the shares under this load, ") +
               describe(*m->thread_static_safety_limit));
   }
   if (!found.value) found.why = "no load whose thread loads are known";
@@ -135,9 +131,7 @@ Found buckling_safety(const VerdictFacts& f) {
         found.take(*buckling / flank->largest_force, loads_of(*f.life));
     }
   found.applies = compressed;
-  found.why = !compressed      ? "no load compresses the screw"
-              : lacks_shaft(f) ? kAddShaft
-                               : "no buckling load";
+  found.why = !compressed ? "no load compresses the screw" : lacks_shaft(f) ? kAddShaft : "no buckling load";
   return found;
 }
 
@@ -160,9 +154,7 @@ Found critical_speed_share(const VerdictFacts& f) {
     found.value = *found.value / *critical;
   } else if (!found.applies || lacks_shaft(f) || !critical) {
     found.value.reset();
-    found.why = !found.applies   ? "the screw does not turn"
-                : lacks_shaft(f) ? kAddShaft
-                                 : "no critical speed";
+    found.why = !found.applies ? "the screw does not turn" : lacks_shaft(f) ? kAddShaft : "no critical speed";
   }
   found.best.reset();
   return found;
@@ -171,8 +163,8 @@ Found critical_speed_share(const VerdictFacts& f) {
 Found speed_times_diameter(const VerdictFacts& f) {
   Found found = largest_speed(f);
   if (found.value)
-    found.value = *found.value * per_si::revolution_per_minute *
-                  *f.c.mechanism.pitch_diameter.screw * per_si::millimetre;
+    found.value =
+        *found.value * per_si::revolution_per_minute * *f.c.mechanism.pitch_diameter.screw * per_si::millimetre;
   found.best.reset();
   return found;
 }
@@ -214,8 +206,7 @@ Found stiffness(const VerdictFacts& f) {
   }
   for (const LoadCaseResult& r : f.loads->load_cases)
     if (r.axial_stiffness)
-      found.take(per_si::newton_per_micrometre / (1.0 / *r.axial_stiffness + shaft),
-                 r.load_case.name, note);
+      found.take(per_si::newton_per_micrometre / (1.0 / *r.axial_stiffness + shaft), r.load_case.name, note);
   found.why = "no load case has one";
   return found;
 }
@@ -224,14 +215,11 @@ Found stiffness(const VerdictFacts& f) {
 Found efficiency(const VerdictFacts& f) {
   if (!f.slip) return without(f, Command::slip, Sense::least);
   Found found;
-  const auto drives = [](const LoadCaseResult& r) {
-    return r.slip && r.slip->driven_by == DrivenBy::screw;
-  };
+  const auto drives = [](const LoadCaseResult& r) { return r.slip && r.slip->driven_by == DrivenBy::screw; };
   found.applies = std::ranges::any_of(f.slip->load_cases, drives);
   found.why = "the screw drives in no load case";
   if (const auto& cycle = f.slip->heat_cycle) {
-    if (found.applies && cycle->converged())
-      found.take(cycle->efficiency, "heat.duty", "over the cycle");
+    if (found.applies && cycle->converged()) found.take(cycle->efficiency, "heat.duty", "over the cycle");
     if (!cycle->converged()) found.why = "the duty cycle did not converge", found.applies = true;
     return found;
   }
@@ -290,23 +278,21 @@ constexpr double kMillimetrePerMinute = 60.0 * per_si::millimetre;
 
 const Row kRows[] = {
     {"life", "Life", "h", life, nullptr},
-    {"static_safety", "Static safety", "", static_safety, &Limits::static_safety, 1.0, true, 0.0,
-     1.0, kRecommendedStaticSafety},
-    {"peak_pressure", "Peak pressure", "MPa", peak_pressure, &Limits::peak_pressure,
-     per_si::megapascal, true, 0.0, kStaticPressureLimit* per_si::megapascal},
-    {"buckling_safety", "Buckling safety", "", buckling_safety, &Limits::buckling_safety, 1.0, true,
-     0.0, 1.0, kRecommendedBucklingSafety},
-    {"critical_speed_share", "Share of the critical speed", "", critical_speed_share,
-     &Limits::critical_speed_share, 1.0, true, 0.0, 1.0, kRecommendedCriticalSpeedShare},
-    {"speed_times_diameter", "Speed times diameter", "mm/min", speed_times_diameter,
-     &Limits::speed_times_diameter, kMillimetrePerMinute, false},
-    {"nut_diameter", "Nut diameter", "mm", of_nut<&Structure::Nut::outer_diameter>,
-     &Limits::nut_diameter, per_si::millimetre, false},
-    {"nut_length", "Nut length", "mm", of_nut<&Structure::Nut::length>, &Limits::nut_length,
+    {"static_safety", "Static safety", "", static_safety, &Limits::static_safety, 1.0, true, 0.0, 1.0,
+     kRecommendedStaticSafety},
+    {"peak_pressure", "Peak pressure", "MPa", peak_pressure, &Limits::peak_pressure, per_si::megapascal, true, 0.0,
+     kStaticPressureLimit* per_si::megapascal},
+    {"buckling_safety", "Buckling safety", "", buckling_safety, &Limits::buckling_safety, 1.0, true, 0.0, 1.0,
+     kRecommendedBucklingSafety},
+    {"critical_speed_share", "Share of the critical speed", "", critical_speed_share, &Limits::critical_speed_share,
+     1.0, true, 0.0, 1.0, kRecommendedCriticalSpeedShare},
+    {"speed_times_diameter", "Speed times diameter", "mm/min", speed_times_diameter, &Limits::speed_times_diameter,
+     kMillimetrePerMinute, false},
+    {"nut_diameter", "Nut diameter", "mm", of_nut<&Structure::Nut::outer_diameter>, &Limits::nut_diameter,
      per_si::millimetre, false},
+    {"nut_length", "Nut length", "mm", of_nut<&Structure::Nut::length>, &Limits::nut_length, per_si::millimetre, false},
     {"weight", "Weight", "kg", weight, &Limits::weight, 1.0, false},
-    {"stiffness", "Axial stiffness", "N/um", stiffness, &Limits::stiffness,
-     per_si::newton_per_micrometre},
+    {"stiffness", "Axial stiffness", "N/um", stiffness, &Limits::stiffness, per_si::newton_per_micrometre},
     {"efficiency", "Efficiency", "", efficiency, &Limits::efficiency},
     {"temperature", "Temperature", "degC", temperature, &Limits::temperature, 1.0, true, 273.15},
 };
@@ -332,8 +318,7 @@ void hold_against_limit(Criterion& c, const Row& row) {
     c.standing = standing;
   };
   if (c.limit)
-    set(*c.limit, LimitSource::stated,
-        meets(value, *c.limit, c.sense) ? Standing::green : Standing::red);
+    set(*c.limit, LimitSource::stated, meets(value, *c.limit, c.sense) ? Standing::green : Standing::red);
   else if (row.physical && !meets(value, *row.physical, c.sense))
     set(*row.physical, LimitSource::physics, Standing::red);
   else if (row.recommended)
@@ -350,8 +335,7 @@ void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
   c.limit = row.stated(f.limits);
   verdict.is_complete = verdict.is_complete && found.asked;
   if (!found.asked || (!c.limit && !row.is_plain)) return;
-  if (c.name == "life" &&
-      (f.limits.life ? f.limits.life->travel.has_value() : f.life && !f.life->revolution_rate))
+  if (c.name == "life" && (f.limits.life ? f.limits.life->travel.has_value() : f.life && !f.life->revolution_rate))
     c.unit = "km";
   c.value = found.value;
   if (found.best && found.value && *found.best != *found.value) c.best = found.best;
@@ -374,16 +358,14 @@ void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
   const auto tell = [&](const std::string& what) { failed += (failed.empty() ? "" : ", ") + what; };
   const auto count = [&](const Result* result, const char* what, auto good) {
     if (!result) return;
-    const auto bad = std::ranges::count_if(result->load_cases,
-                                           [&](const LoadCaseResult& r) { return !good(r); });
+    const auto bad = std::ranges::count_if(result->load_cases, [&](const LoadCaseResult& r) { return !good(r); });
     if (bad > 0)
       tell(fmt::format("{} of {} of {} load case{}", what, bad, result->load_cases.size(),
                        result->load_cases.size() == 1 ? "" : "s"));
   };
   count(f.loads, "thread loads", [](const LoadCaseResult& r) { return r.converged(); });
   count(f.slip, "slip", [](const LoadCaseResult& r) { return r.slip && r.slip->converged(); });
-  count(f.slip, "temperatures",
-        [](const LoadCaseResult& r) { return !r.heat || r.heat->converged(); });
+  count(f.slip, "temperatures", [](const LoadCaseResult& r) { return !r.heat || r.heat->converged(); });
   if (f.slip && f.slip->heat_cycle && !f.slip->heat_cycle->converged()) tell("the duty cycle");
   if (f.life && !f.life->converged()) tell("life");
   Criterion c = criterion("convergence", "Convergence", "");
@@ -441,16 +423,13 @@ std::string_view name(LimitSource source) {
 }
 
 std::string_view name(Standing standing) {
-  constexpr std::string_view kNames[] = {"green",    "amber",        "red",
-                                         "no_limit", "not_computed", "not_applicable"};
+  constexpr std::string_view kNames[] = {"green", "amber", "red", "no_limit", "not_computed", "not_applicable"};
   return kNames[static_cast<std::size_t>(standing)];
 }
 
 Standing CaseVerdict::standing() const {
   const auto any = [&](auto of) { return std::ranges::any_of(criteria, of); };
-  const auto has = [&](Standing s) {
-    return any([&](const Criterion& c) { return c.standing == s; });
-  };
+  const auto has = [&](Standing s) { return any([&](const Criterion& c) { return c.standing == s; }); };
   if (has(Standing::red)) return Standing::red;
   if (has(Standing::amber) || any(is_unknown)) return Standing::amber;
   return has(Standing::green) ? Standing::green : Standing::no_limit;
@@ -480,9 +459,7 @@ ShownCriterion shown(const Criterion& c) {
 }
 
 std::string summary(const CaseVerdict& verdict) {
-  const auto of = [&](Standing s) {
-    return titles(verdict, [&](const Criterion& c) { return c.standing == s; });
-  };
+  const auto of = [&](Standing s) { return titles(verdict, [&](const Criterion& c) { return c.standing == s; }); };
   std::string text;
   const auto tell = [&](std::string_view words, const std::string& what) {
     if (!what.empty()) text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", words, what);
@@ -501,8 +478,7 @@ std::string summary(const CaseVerdict& verdict) {
 std::string not_computed(const CaseVerdict& verdict) {
   std::string text;
   for (const Criterion& c : verdict.criteria)
-    if (!c.limit &&
-        (c.standing == Standing::not_computed || c.standing == Standing::not_applicable)) {
+    if (!c.limit && (c.standing == Standing::not_computed || c.standing == Standing::not_applicable)) {
       std::string title(c.title);
       title.front() = static_cast<char>(title.front() | 0x20);
       text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", title, c.reason);
@@ -518,9 +494,8 @@ std::string origin(const Criterion& c) {
 namespace {
 
 template <std::string Criterion::*text>
-constexpr auto text_of = of<[](const Criterion& c) {
-  return (c.*text).empty() ? std::nullopt : std::optional(c.*text);
-}>;
+constexpr auto text_of =
+    of<[](const Criterion& c) { return (c.*text).empty() ? std::nullopt : std::optional(c.*text); }>;
 
 constexpr Quantity<Criterion> kCriterion[] = {
     {"name", of<&Criterion::name>, "key in `limits`, where it has one"},
@@ -532,8 +507,7 @@ constexpr Quantity<Criterion> kCriterion[] = {
     {"limit", of<&Criterion::limit>, "that it is held against"},
     {"limit_source", of<&Criterion::source>,
      "case | physics | recommended: `limits` of the case, what physics allows, or what is usual"},
-    {"state", of<&Criterion::standing>,
-     "green | amber | red | no_limit | not_computed | not_applicable"},
+    {"state", of<&Criterion::standing>, "green | amber | red | no_limit | not_computed | not_applicable"},
     {"load_case", text_of<&Criterion::load_case>, "where the worst value stands"},
     {"reason", text_of<&Criterion::reason>, "what limits it, or why there is no value"},
 };
@@ -546,7 +520,6 @@ constexpr Quantity<CaseVerdict> kVerdict[] = {
 }  // namespace
 
 PRS_RECORD(CaseVerdict, "Verdict", "Whether the case meets its limits.", kVerdict);
-PRS_RECORD(Criterion, "Criterion",
-           "A value, the limit that it is held against, and how it stands to it.", kCriterion);
+PRS_RECORD(Criterion, "Criterion", "A value, the limit that it is held against, and how it stands to it.", kCriterion);
 
 }  // namespace prs

@@ -16,8 +16,7 @@ class RollerBeam {
     for (const fe::BeamElement& b : s.model.beams) {
       const Eigen::Matrix<double, 6, 6> of = fe::stiffness_matrix(b.beam);
       const int from[] = {1, 2, 4, 5};
-      const int to[] = {at(b.first, Dof::v), at(b.first, Dof::theta), at(b.second, Dof::v),
-                        at(b.second, Dof::theta)};
+      const int to[] = {at(b.first, Dof::v), at(b.first, Dof::theta), at(b.second, Dof::v), at(b.second, Dof::theta)};
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) k(to[i], to[j]) += of(from[i], from[j]);
     }
@@ -45,11 +44,10 @@ class RollerBeam {
     for (int i = 0; i < size_; ++i)
       if (!held[static_cast<std::size_t>(i)]) free.push_back(i);
     const Eigen::SparseMatrix<double> banded = Eigen::MatrixXd(k(free, free)).sparseView();
-    const Eigen::MatrixXd found = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
-                                                        Eigen::NaturalOrdering<int>>(banded)
-                                      .solve(Eigen::MatrixXd(loads(free, Eigen::all)));
-    for (std::size_t i = 0; i < free.size(); ++i)
-      shapes_.row(free[i]) = found.row(static_cast<Eigen::Index>(i));
+    const Eigen::MatrixXd found =
+        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>(banded).solve(
+            Eigen::MatrixXd(loads(free, Eigen::all)));
+    for (std::size_t i = 0; i < free.size(); ++i) shapes_.row(free[i]) = found.row(static_cast<Eigen::Index>(i));
   }
 
   double shape(int end, int node, Dof dof) const { return shapes_(at(node, dof), end); }
@@ -68,8 +66,7 @@ void add_force(std::vector<fe::NodalLoad>& loads, const fe::RigidArm& at, double
 }
 
 /// Friction of thread k on the roller, and back on screw or nut.
-void add_friction(std::vector<fe::NodalLoad>& loads, const Sector& s, const RollerPush& push,
-                  Interface i, int k) {
+void add_friction(std::vector<fe::NodalLoad>& loads, const Sector& s, const RollerPush& push, Interface i, int k) {
   const fe::SpringElement& spring = s.model.springs[static_cast<std::size_t>(s.spring(i, k))];
   const double x = push.axial[i][static_cast<std::size_t>(k)];
   const double y = push.radial[i][static_cast<std::size_t>(k)];
@@ -81,8 +78,7 @@ void add_friction(std::vector<fe::NodalLoad>& loads, const Sector& s, const Roll
 void add_centrifugal(std::vector<fe::NodalLoad>& loads, const Sector& s, const RollerPush& push) {
   for (const fe::BeamElement& b : s.model.beams)
     for (const int node : {b.first, b.second})
-      loads.push_back(
-          {node, Dof::v, 0.5 * b.beam.length * (is_head(s, b) ? push.of_heads : push.of_thread)});
+      loads.push_back({node, Dof::v, 0.5 * b.beam.length * (is_head(s, b) ? push.of_heads : push.of_thread)});
 }
 
 }  // namespace
@@ -95,13 +91,11 @@ RollerGuides::RollerGuides(const Sector& s) : sense_(s.sense), cosine_(s.cosine)
       for (int k = 0; k < s.contacts(); ++k) {
         const fe::SpringElement& spring = s.model.springs[static_cast<std::size_t>(s.spring(i, k))];
         const fe::RigidArm& at = i == Interface::screw ? spring.to : spring.from;
-        end.threads[i].push_back(
-            {beam.shape(h, at.node, Dof::v), -at.dy * beam.shape(h, at.node, Dof::theta)});
+        end.threads[i].push_back({beam.shape(h, at.node, Dof::v), -at.dy * beam.shape(h, at.node, Dof::theta)});
       }
     for (const fe::BeamElement& b : s.model.beams) {
       double& integral = is_head(s, b) ? end.of_heads : end.of_thread;
-      integral +=
-          0.5 * b.beam.length * (beam.shape(h, b.first, Dof::v) + beam.shape(h, b.second, Dof::v));
+      integral += 0.5 * b.beam.length * (beam.shape(h, b.first, Dof::v) + beam.shape(h, b.second, Dof::v));
     }
   }
 }
@@ -134,8 +128,7 @@ std::vector<fe::NodalLoad> push_loads(const Sector& s, const RollerPush& push) {
   return loads;
 }
 
-fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force,
-                               const RollerPush& per_normal_load) {
+fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force, const RollerPush& per_normal_load) {
   const Sector& s = solver.sector();
   const fe::Equations& equations = solver.equations();
   std::vector<fe::NodalLoad> centrifugal;
@@ -145,8 +138,7 @@ fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force,
   for (const Interface i : kInterfaces)
     for (int k = 0; k < s.contacts(); ++k)
       add_friction(loads[static_cast<std::size_t>(s.spring(i, k))], s, per_normal_load, i, k);
-  return {equations,
-          axial_force / s.rollers * solver.unit_load() + equations.load_vector(centrifugal), loads};
+  return {equations, axial_force / s.rollers * solver.unit_load() + equations.load_vector(centrifugal), loads};
 }
 
 }  // namespace prs

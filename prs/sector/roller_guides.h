@@ -14,8 +14,7 @@ class RollerGuides {
   explicit RollerGuides(const Sector& sector);
 
   /// R_near and R_far under the normal loads of all threads and a push [N].
-  std::array<double, 2> forces(const PerInterface<std::vector<double>>& normal_load,
-                               const RollerPush& push) const;
+  std::array<double, 2> forces(const PerInterface<std::vector<double>>& normal_load, const RollerPush& push) const;
 
  private:
   /// phi at a thread: deflection, and rotation times the arm of an axial force.
@@ -42,7 +41,6 @@ std::vector<fe::NodalLoad> push_loads(const Sector& sector, const RollerPush& pu
 
 /// Loads of a running sector whose friction keeps its proportion to the normal loads.
 /// `per_normal_load`: T over N of each thread, and the centrifugal force.
-fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force,
-                               const RollerPush& per_normal_load);
+fe::FollowingLoad turned_loads(const SectorSolver& solver, double axial_force, const RollerPush& per_normal_load);
 
 }  // namespace prs

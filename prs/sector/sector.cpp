@@ -13,9 +13,8 @@ void add_screw(Sector& s) {
     s.model.bars.push_back({from, next, bar});
     return next;
   };
-  s.screw_nodes = {s.free_length == 0.0
-                       ? s.loaded_node
-                       : extend(s.loaded_node, {s.plain_screw_rigidity, s.free_length})};
+  s.screw_nodes = {s.free_length == 0.0 ? s.loaded_node
+                                        : extend(s.loaded_node, {s.plain_screw_rigidity, s.free_length})};
   for (int k = 1; k < s.contacts(); ++k)
     s.screw_nodes.push_back(extend(s.screw_nodes.back(), {s.screw_rigidity, s.pitch}));
 }
@@ -103,8 +102,7 @@ void add_contacts(Sector& s) {
   for (const Interface i : kInterfaces)
     for (std::size_t k = 0; k < s.screw_nodes.size(); ++k) {
       const bool at_screw = i == Interface::screw;
-      const fe::RigidArm roller{roller_node(i, k), 0.0,
-                                at_screw ? -s.roller_radius : s.roller_radius};
+      const fe::RigidArm roller{roller_node(i, k), 0.0, at_screw ? -s.roller_radius : s.roller_radius};
       s.model.springs.push_back({at_screw ? fe::RigidArm{s.screw_nodes[k]} : roller,
                                  at_screw ? roller : fe::RigidArm{s.nut_nodes[k], 0.0, nut_arm},
                                  s.sense * s.cosine[i],
@@ -171,16 +169,14 @@ void add_offset_energy(fe::NewtonSummary& summary, double compliance, double for
 LoadDistribution SectorSolver::solve(double axial_force) {
   const double sector_force = axial_force / sector_.rollers;
   state_ = equal_shares(axial_force);
-  fe::NewtonSummary summary =
-      solver_.solve(sector_force * unit_load_, newton_options(axial_force), state_);
+  fe::NewtonSummary summary = solver_.solve(sector_force * unit_load_, newton_options(axial_force), state_);
   add_offset_energy(summary, sector_.offset_compliance, sector_force);
   LoadDistribution result = at(state_, axial_force);
   result.solve = std::move(summary);
   return result;
 }
 
-fe::NewtonSummary SectorSolver::go_on(double axial_force, const std::vector<fe::NodalLoad>& further,
-                                      bool is_trial) {
+fe::NewtonSummary SectorSolver::go_on(double axial_force, const std::vector<fe::NodalLoad>& further, bool is_trial) {
   constexpr int kMostOfTrial = 30;
   const double sector_force = axial_force / sector_.rollers;
   fe::NewtonOptions options = newton_options(axial_force);
@@ -189,8 +185,8 @@ fe::NewtonSummary SectorSolver::go_on(double axial_force, const std::vector<fe::
     options.max_iterations = kMostOfTrial;
     held = [] { return false; };
   }
-  fe::NewtonSummary summary = solver_.solve(
-      sector_force * unit_load_ + equations_.load_vector(further), options, state_, held);
+  fe::NewtonSummary summary =
+      solver_.solve(sector_force * unit_load_ + equations_.load_vector(further), options, state_, held);
   add_offset_energy(summary, sector_.offset_compliance, sector_force);
   return summary;
 }

@@ -64,8 +64,7 @@ class SectorSolver {
 
   /// Equilibrium under further loads [N, N m] besides the axial force, from the last state on.
   /// `is_trial`: of loads that may have none, given up early.
-  fe::NewtonSummary go_on(double axial_force, const std::vector<fe::NodalLoad>& further,
-                          bool is_trial);
+  fe::NewtonSummary go_on(double axial_force, const std::vector<fe::NodalLoad>& further, bool is_trial);
 
   /// The same under a load that follows the state, see `fe::NewtonSolver::follow`.
   bool follow(double axial_force, const fe::FollowingLoad& load) {

@@ -31,8 +31,7 @@ struct Given {
     if (!effects.core) return 0.0;
     if (mechanism.thread[p]) return mechanism.thread[p]->dedendum;
     const double psi = std::max(laws.screw.normal_angle, laws.nut.normal_angle);
-    return default_groove(p == Part::nut, axial_pitch(mechanism), pitch_radius(p), psi, psi)
-        .dedendum;
+    return default_groove(p == Part::nut, axial_pitch(mechanism), pitch_radius(p), psi, psi).dedendum;
   }
   /// Outer diameter of what bends and carries axial force in screw and roller [m].
   double root_diameter(Part p) const { return *mechanism.pitch_diameter[p] - 2.0 * root_depth(p); }
@@ -46,16 +45,14 @@ struct Given {
 void set_screw(SectorModel& s, const Given& g) {
   const double root = g.root_diameter(Part::screw);
   const auto rigidity = [&](double diameter) {
-    return g.materials.screw.youngs_modulus * ring_area(diameter, g.structure.screw.bore) /
-           s.rollers;
+    return g.materials.screw.youngs_modulus * ring_area(diameter, g.structure.screw.bore) / s.rollers;
   };
   s.plain_screw_rigidity = rigidity(g.plain_screw_diameter());
   s.screw_rigidity = rigidity(root);
   s.free_length = free_length(g.structure);
   if (g.effects.poisson)
-    s.offset_compliance =
-        poisson_offset(s.sense, 0.5 * root, 0.5 * g.structure.screw.bore, g.materials.screw,
-                       g.mechanism.rollers, g.laws.screw.normal_angle);
+    s.offset_compliance = poisson_offset(s.sense, 0.5 * root, 0.5 * g.structure.screw.bore, g.materials.screw,
+                                         g.mechanism.rollers, g.laws.screw.normal_angle);
 }
 
 /// The roller and what holds it radially (Abevi's BC3 and its alternatives).
@@ -79,8 +76,7 @@ void set_roller(SectorModel& s, const Given& g, const ModelOptions& options) {
   }
   s.rigid_bending = options.roller == ModelOptions::Roller::rigid_bending ? 1.0 : 0.0;
   if (options.bodies == ModelOptions::Bodies::refined &&
-      roller_contacts(options, g.mechanism.starts.roller) ==
-          ModelOptions::RollerContacts::half_pitch_apart)
+      roller_contacts(options, g.mechanism.starts.roller) == ModelOptions::RollerContacts::half_pitch_apart)
     s.contact_half_distance = 0.25 * s.pitch;
 }
 
@@ -109,17 +105,15 @@ void set_nut(SectorModel& s, const Given& g, Direction direction, double positio
   }
 }
 
-void set_contacts(SectorModel& s, const Given& g, const Deviations& deviations,
-                  Direction direction) {
-  if (g.laws.screw.hertz_constant != 0.0)
-    set_laws(s, {numbers_of(g.laws.screw), numbers_of(g.laws.nut)});
+void set_contacts(SectorModel& s, const Given& g, const Deviations& deviations, Direction direction) {
+  if (g.laws.screw.hertz_constant != 0.0) set_laws(s, {numbers_of(g.laws.screw), numbers_of(g.laws.nut)});
   if (!deviates(g.mechanism, deviations)) {
     for (const Interface i : kInterfaces)
       s.gaps[i].assign(static_cast<std::size_t>(g.mechanism.contacts_per_roller), 0.0);
     return;
   }
-  s.gaps = initial_gaps(g.mechanism, deviations, g.materials,
-                        {g.laws.screw.normal_angle, g.laws.nut.normal_angle}, direction);
+  s.gaps = initial_gaps(g.mechanism, deviations, g.materials, {g.laws.screw.normal_angle, g.laws.nut.normal_angle},
+                        direction);
 }
 
 void set_nut_bore(NutBore& bore, const Given& g, const NutLine& line) {
@@ -161,8 +155,7 @@ void set_line(NutLine& line, const SectorModel& s, int count, Contact contact) {
     insert(flange.to);
   }
   const double same = kSamePlace * s.nut_length;
-  const auto end = std::unique(sections.begin(), sections.end(),
-                               [&](double a, double b) { return b - a < same; });
+  const auto end = std::unique(sections.begin(), sections.end(), [&](double a, double b) { return b - a < same; });
   sections.erase(end, sections.end());
 
   const auto node_at = [&](double x) {
@@ -173,8 +166,8 @@ void set_line(NutLine& line, const SectorModel& s, int count, Contact contact) {
   line.axial_rigidity.clear();
   for (std::size_t i = 1; i < sections.size(); ++i) {
     const double middle = 0.5 * (sections[i - 1] + sections[i]);
-    const auto flange = std::ranges::find_if(
-        s.flanges, [&](const auto& f) { return f.from < middle && middle < f.to; });
+    const auto flange =
+        std::ranges::find_if(s.flanges, [&](const auto& f) { return f.from < middle && middle < f.to; });
     const bool plain = flange == s.flanges.end();
     line.outer_radius.push_back(plain ? s.nut_radius : flange->outer_radius);
     line.axial_rigidity.push_back(plain ? s.nut_rigidity : flange->axial_rigidity);
@@ -191,18 +184,17 @@ RoundBody operator+(const RoundBody& a, const RoundBody& b) {
 }  // namespace
 
 SectorModel sector_model(const Mechanism& m, const Structure& structure, const Materials& materials,
-                         const ModelOptions& options, const PerInterface<ContactLaw>& laws,
-                         Direction direction, double position, const Deviations& deviations) {
+                         const ModelOptions& options, const PerInterface<ContactLaw>& laws, Direction direction,
+                         double position, const Deviations& deviations) {
   SectorModel s;
   set_sector_model(s, m, structure, materials, options, laws, direction, position, deviations);
   work_out(s);
   return s;
 }
 
-void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& structure,
-                      const Materials& materials, const ModelOptions& options,
-                      const PerInterface<ContactLaw>& laws, Direction direction, double position,
-                      const Deviations& deviations) {
+void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& structure, const Materials& materials,
+                      const ModelOptions& options, const PerInterface<ContactLaw>& laws, Direction direction,
+                      double position, const Deviations& deviations) {
   const Given g{m, structure, materials, laws, effects_of(options)};
   static_cast<SectorNumbers<double>&>(s) = {};
   s.flanges.clear();
@@ -223,13 +215,12 @@ void work_out(SectorModel& s) {
   if (!s.is_refined) return;
   const RefinedBodies& b = s.bodies;
   if (b.has_shell())
-    s.nut_shell = nut_shell(b.shape(), nut_numbers(s, b.numbers, b.line.sections.data(),
-                                                   b.line.outer_radius.data(), b.bore.root.data()));
+    s.nut_shell = nut_shell(
+        b.shape(), nut_numbers(s, b.numbers, b.line.sections.data(), b.line.outer_radius.data(), b.bore.root.data()));
   if (!b.effects.radial && !b.effects.concentration) return;
   for (const Interface i : kInterfaces) s.body_compliance[i].assign(s.gaps[i].size(), 0.0);
-  add_body_compliance(b.shape(), static_cast<const SectorNumbers<double>&>(s), b.numbers,
-                      b.line.outer_radius.data(), s.body_compliance.screw.data(),
-                      s.body_compliance.nut.data());
+  add_body_compliance(b.shape(), static_cast<const SectorNumbers<double>&>(s), b.numbers, b.line.outer_radius.data(),
+                      s.body_compliance.screw.data(), s.body_compliance.nut.data());
 }
 
 void set_nut_line(NutLine& line, const SectorModel& s) {
@@ -253,14 +244,12 @@ NutLine nut_line(const SectorModel& s) {
 
 NutLine nut_line(const SectorModel& s, const std::vector<double>& contact_x) {
   NutLine line;
-  set_line(line, s, static_cast<int>(contact_x.size()),
-           [&](int k) { return contact_x[static_cast<std::size_t>(k)]; });
+  set_line(line, s, static_cast<int>(contact_x.size()), [&](int k) { return contact_x[static_cast<std::size_t>(k)]; });
   return line;
 }
 
 BodyRadii body_radii(const Mechanism& m, const Structure& structure, const Materials& materials,
-                     const ModelOptions& options, const PerInterface<ContactLaw>& laws,
-                     const NutLine& line) {
+                     const ModelOptions& options, const PerInterface<ContactLaw>& laws, const NutLine& line) {
   const Given g{m, structure, materials, laws, effects_of(options)};
   BodyRadii radii{0.5 * g.plain_screw_diameter(), 0.5 * g.root_diameter(Part::screw), {}};
   set_nut_bore(radii.nut, g, line);

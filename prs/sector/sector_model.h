@@ -65,17 +65,15 @@ struct SectorModel : SectorNumbers<double> {
 /// default that of `default_groove`. Where the nut is thin they are less deep: they leave
 /// `kLeastWall`, or half of what lies outside the pitch radius where that is less. The thread of an
 /// inverted screw begins at its first contact, that of a standard one at the loaded section.
-SectorModel sector_model(const Mechanism& mechanism, const Structure& structure,
-                         const Materials& materials, const ModelOptions& options,
-                         const PerInterface<ContactLaw>& laws, Direction direction, double position,
-                         const Deviations& deviations = {});
+SectorModel sector_model(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
+                         const ModelOptions& options, const PerInterface<ContactLaw>& laws, Direction direction,
+                         double position, const Deviations& deviations = {});
 
 /// The same into a model that keeps its memory, refined bodies left to `work_out`. Laws without a
 /// constant are left to `set_laws`.
 void set_sector_model(SectorModel& model, const Mechanism& mechanism, const Structure& structure,
-                      const Materials& materials, const ModelOptions& options,
-                      const PerInterface<ContactLaw>& laws, Direction direction, double position,
-                      const Deviations& deviations);
+                      const Materials& materials, const ModelOptions& options, const PerInterface<ContactLaw>& laws,
+                      Direction direction, double position, const Deviations& deviations);
 
 /// Replaces the laws of a sector of bars without initial gaps, which nothing else in it depends on.
 void set_laws(SectorModel& model, const PerInterface<ContactLawNumbers>& laws);
@@ -96,9 +94,8 @@ struct BodyRadii {
   double screw = 0.0;        ///< From the first contact on.
   NutBore nut;               ///< Along a nut line.
 };
-BodyRadii body_radii(const Mechanism& mechanism, const Structure& structure,
-                     const Materials& materials, const ModelOptions& options,
-                     const PerInterface<ContactLaw>& laws, const NutLine& line);
+BodyRadii body_radii(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
+                     const ModelOptions& options, const PerInterface<ContactLaw>& laws, const NutLine& line);
 
 /// What pushes a roller that runs, in the plane of its axis and the screw's, besides the normal
 /// loads of its contacts. x along the axis, y outwards, as the sector has them.
@@ -147,13 +144,11 @@ inline double ring_area(double outer, double inner) { return disc_area(outer) - 
 ///
 ///     I = pi (d_o^4 - d_i^4)/64,   q = (1 + m^2)^2,
 ///     kappa = 6 (1 + nu) q/((7 + 6 nu) q + (20 + 12 nu) m^2)
-inline RollerSection<double> ring_rigidity(const Material& material, double outer, double inner,
-                                           bool shear) {
+inline RollerSection<double> ring_rigidity(const Material& material, double outer, double inner, bool shear) {
   const double modulus = material.youngs_modulus, nu = material.poisson_ratio;
   const double area = ring_area(outer, inner);
-  RollerSection<double> r{
-      modulus * area,
-      modulus * (std::numbers::pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4))), 0.0};
+  RollerSection<double> r{modulus * area,
+                          modulus * (std::numbers::pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4))), 0.0};
   if (!shear) return r;
   const double m2 = std::pow(inner / outer, 2), q = (1.0 + m2) * (1.0 + m2);
   const double kappa = 6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m2);

@@ -25,13 +25,13 @@ struct SectorNumbers {
   Number free_length{};           ///< Between these two; 0 where they are one place [m].
   Number screw_rigidity{};        ///< E A between the contacts [N]
 
-  RollerSection<Number> thread;  ///< Roller between its end elements.
-  RollerSection<Number> end;     ///< Roller's end elements.
-  Number end_length{};           ///< [m]
-  Number outer_guide{};          ///< Radial stiffness at the outermost nodes; infinite: held [N/m].
-  Number inner_guide{};          ///< At the inner nodes of the end elements [N/m].
-  Number rigid_bending{};        ///< 1 where v = theta = 0 everywhere, else 0.
-  Number roller_radius{};        ///< Rigid arms of the contacts [m].
+  RollerSection<Number> thread;    ///< Roller between its end elements.
+  RollerSection<Number> end;       ///< Roller's end elements.
+  Number end_length{};             ///< [m]
+  Number outer_guide{};            ///< Radial stiffness at the outermost nodes; infinite: held [N/m].
+  Number inner_guide{};            ///< At the inner nodes of the end elements [N/m].
+  Number rigid_bending{};          ///< 1 where v = theta = 0 everywhere, else 0.
+  Number roller_radius{};          ///< Rigid arms of the contacts [m].
   Number contact_half_distance{};  ///< Half the distance of a tooth's two contacts, along x [m].
 
   Number nut_rigidity{};  ///< E A between the flanges [N]
@@ -54,7 +54,7 @@ struct RefinedNumbers {
   Number screw_radius{};      ///< Pitch radius of the screw [m].
   Number screw_bore{};        ///< Radius of its bore [m].
   Number nut_pitch_radius{};  ///< [m]
-  Number ring_inner{};  ///< Radii of the ring that the thrust section leans on; 0 without [m].
+  Number ring_inner{};        ///< Radii of the ring that the thrust section leans on; 0 without [m].
   Number ring_outer{};
 };
 

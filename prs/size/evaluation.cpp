@@ -42,8 +42,7 @@ Branch branch_by_slip(const LoadCaseResult& r, double lead) {
   return b;
 }
 
-Branch branch_by_catalogue(const CandidateData& row, const LoadCase& load, DrivenBy driven_by,
-                           double lead) {
+Branch branch_by_catalogue(const CandidateData& row, const LoadCase& load, DrivenBy driven_by, double lead) {
   const double input = load.axial_force * std::abs(*load.speed) * lead / kTurn;
   const bool drives = driven_by == DrivenBy::screw;
   Branch b;
@@ -62,18 +61,15 @@ Heat::Conductance conductance_of(const SizeInput& in, const SizedCase& sized) {
   screw.load = in.cycle.driving_force();
   const Heat::Conductance rule = estimated_conductance(screw, sized.shaft_length);
   const Requirement::Conductance& given = in.values.conductance;
-  return {given.screw_ambient.value_or(rule.screw_ambient),
-          given.nut_ambient.value_or(rule.nut_ambient),
-          given.rollers_ambient.value_or(rule.rollers_ambient),
-          given.screw_rollers.value_or(rule.screw_rollers),
+  return {given.screw_ambient.value_or(rule.screw_ambient), given.nut_ambient.value_or(rule.nut_ambient),
+          given.rollers_ambient.value_or(rule.rollers_ambient), given.screw_rollers.value_or(rule.screw_rollers),
           given.rollers_nut.value_or(rule.rollers_nut)};
 }
 
 /// Factor from SI to the unit of a criterion.
 double per_si(std::string_view unit) {
   constexpr std::pair<std::string_view, double> kUnits[] = {
-      {"h", 1.0 / kHour}, {"km", 1e-3},     {"mm", 1e3},
-      {"N/um", 1e-6},     {"mm/min", 60e3}, {"rpm", 60.0 / kTurn}};
+      {"h", 1.0 / kHour}, {"km", 1e-3}, {"mm", 1e3}, {"N/um", 1e-6}, {"mm/min", 60e3}, {"rpm", 60.0 / kTurn}};
   const auto found = std::ranges::find(kUnits, unit, &std::pair<std::string_view, double>::first);
   return found == std::end(kUnits) ? 1.0 : found->second;
 }
@@ -123,8 +119,7 @@ class Evaluation {
   }
 
   SizedLife life_of(double revolutions) const {
-    return {revolutions, revolutions * lead_ / cycle_.travel * cycle_.duration / kHour,
-            revolutions * lead_};
+    return {revolutions, revolutions * lead_ / cycle_.travel * cycle_.duration / kHour, revolutions * lead_};
   }
 
   void find_lives() {
@@ -134,8 +129,7 @@ class Evaluation {
     if (life.converged()) {
       c_.by_threads.static_safety = life.static_safety();
       if (cycle_.mean_load)
-        c_.by_threads.life =
-            life_of(life.system_life * rating_ * cycle_.travel / cycle_.loaded_travel);
+        c_.by_threads.life = life_of(life.system_life * rating_ * cycle_.travel / cycle_.loaded_travel);
     }
     c_.life = c_.by_threads.life;
     c_.static_safety = c_.by_threads.static_safety;
@@ -143,8 +137,7 @@ class Evaluation {
     if (c_.static_capacity) c_.static_safety = *c_.static_capacity / cycle_.largest_force;
     if (!c_.dynamic_capacity) return;
     c_.life_basis = Requirement::Basis::maker;
-    if (cycle_.mean_load)
-      c_.life = life_of(rating_ * rating_life(*c_.dynamic_capacity, *cycle_.mean_load));
+    if (cycle_.mean_load) c_.life = life_of(rating_ * rating_life(*c_.dynamic_capacity, *cycle_.mean_load));
   }
 
   void find_branches() {
@@ -153,8 +146,7 @@ class Evaluation {
     if (slips(back)) c_.self_locking = back.slip->self_locking.value_or(false);
     bool by_row = false;
     const auto branch = [&](const LoadCaseResult& found, DrivenBy driven_by) {
-      if (r_.losses == Requirement::Losses::slip && slips(found))
-        return branch_by_slip(found, lead_);
+      if (r_.losses == Requirement::Losses::slip && slips(found)) return branch_by_slip(found, lead_);
       by_row = true;
       return branch_by_catalogue(c_, found.load_case, driven_by, lead_);
     };
@@ -178,15 +170,12 @@ class Evaluation {
     std::size_t largest = sized_.back_driving();
     for (std::size_t k = 0; k < sized_.back_driving(); ++k)
       if (largest == sized_.back_driving() ||
-          sized_.c.load_cases[k].axial_force >
-              sized_.c.load_cases[largest].axial_force * (1.0 + 1e-9))
+          sized_.c.load_cases[k].axial_force > sized_.c.load_cases[largest].axial_force * (1.0 + 1e-9))
         largest = k;
     Conditions at_rest = sized_.c;
     at_rest.load_cases = {sized_.c.load_cases[largest]};
-    const std::optional<double> nut =
-        analyze(at_rest, contacts_, kManyDesigns).load_cases.front().axial_stiffness;
-    if (nut && measures_.shaft_stiffness)
-      c_.stiffness = 1.0 / (1.0 / *nut + 1.0 / *measures_.shaft_stiffness);
+    const std::optional<double> nut = analyze(at_rest, contacts_, kManyDesigns).load_cases.front().axial_stiffness;
+    if (nut && measures_.shaft_stiffness) c_.stiffness = 1.0 / (1.0 / *nut + 1.0 / *measures_.shaft_stiffness);
   }
 
   void find_losses() {
@@ -212,9 +201,8 @@ class Evaluation {
     if (has_losses) c_.power_lost = lost / cycle_.duration;
     if (has_eta && drives_) c_.efficiency = work / input;
     if (has_heat)
-      c_.temperature =
-          per_part(thermal_network({.ambient = r_.ambient, .conductance = c_.conductance})
-                       .steady(heat / cycle_.duration));
+      c_.temperature = per_part(
+          thermal_network({.ambient = r_.ambient, .conductance = c_.conductance}).steady(heat / cycle_.duration));
   }
 
   bool locks() const { return c_.self_locking.value_or(false); }
@@ -227,8 +215,7 @@ class Evaluation {
     c_.brake_needed = cycle_.holding_force > 0.0 && !locks();
     if (cycle_.moves()) c_.motor_largest_speed = ratio * per_speed * cycle_.largest_speed;
     if (motor.inertia > 0.0 && c_.inertia)
-      c_.inertia_ratio = (*c_.inertia + r_.load.moved_mass / (per_speed * per_speed)) /
-                         (ratio * ratio * motor.inertia);
+      c_.inertia_ratio = (*c_.inertia + r_.load.moved_mass / (per_speed * per_speed)) / (ratio * ratio * motor.inertia);
     double square = 0.0, peak = 0.0, power = 0.0, mean_back = 0.0, peak_back = 0.0;
     bool known = c_.inertia.has_value();
     for (const MotionSegment& s : cycle_.all) {
@@ -243,12 +230,9 @@ class Evaluation {
         }
         const double alpha = per_speed * s.acceleration() * s.sense();
         const double torque =
-            (s.force == 0.0 || !b.driven_by
-                 ? 0.0
-                 : *b.torque * std::abs(s.force / cycle_.shown[s.shown_as].force)) +
+            (s.force == 0.0 || !b.driven_by ? 0.0 : *b.torque * std::abs(s.force / cycle_.shown[s.shown_as].force)) +
             r_.load.drag_torque + c_.inertia.value_or(0.0) * alpha;
-        at_motor = (torque >= 0.0 ? torque / (ratio * gear) : torque * gear / ratio) +
-                   motor.inertia * ratio * alpha;
+        at_motor = (torque >= 0.0 ? torque / (ratio * gear) : torque * gear / ratio) + motor.inertia * ratio * alpha;
       }
       if (!cycle_.in_classes) c_.segments[s.shown_as].motor_torque = at_motor;
       const double speed = per_speed * ratio;  // Of the motor over that of the axis.
@@ -271,11 +255,8 @@ class Evaluation {
     if (!(cycle_.rms_speed > 0.0) || !cycle_.mean_load) return;
     const auto& rule = r_.relubrication;
     const double factor =
-        rule ? std::min(1.0, rule->static_load_factor * rule->peak_force / *cycle_.mean_load - 0.15)
-             : 1.0;
-    if (factor > 0.0)
-      c_.relubrication =
-          4500.0 * kHour * std::pow(cycle_.rms_speed / kInchPerSecond, -1.57) * factor;
+        rule ? std::min(1.0, rule->static_load_factor * rule->peak_force / *cycle_.mean_load - 0.15) : 1.0;
+    if (factor > 0.0) c_.relubrication = 4500.0 * kHour * std::pow(cycle_.rms_speed / kInchPerSecond, -1.57) * factor;
   }
 
   // The verdict
@@ -289,15 +270,13 @@ class Evaluation {
 
   /// A criterion with a limit. A value that must reach it has the margin value/limit, one that must
   /// not pass it limit/value, both counted from `zero`.
-  void add(std::string_view name, std::string_view unit, bool must_reach, Given g,
-           double zero = 0.0) {
+  void add(std::string_view name, std::string_view unit, bool must_reach, Given g, double zero = 0.0) {
     if (!g.limit) return;
     const double factor = per_si(unit);
     SizeCriterion& c = c_.criteria.emplace_back(SizeCriterion{name, unit, {}, *g.limit * factor});
     c.reason = std::move(g.reason);
     if (!g.not_applicable.empty() || !g.value) {
-      c.status = g.not_applicable.empty() ? CriterionStatus::not_computed
-                                          : CriterionStatus::not_applicable;
+      c.status = g.not_applicable.empty() ? CriterionStatus::not_computed : CriterionStatus::not_applicable;
       c.reason = g.not_applicable.empty() ? g.not_computed : g.not_applicable;
       return;
     }
@@ -307,12 +286,8 @@ class Evaluation {
     c.margin = margin;
     if (margin < kPasses) c.status = CriterionStatus::fail;
   }
-  void at_least(std::string_view name, std::string_view unit, Given g) {
-    add(name, unit, true, std::move(g));
-  }
-  void at_most(std::string_view name, std::string_view unit, Given g) {
-    add(name, unit, false, std::move(g));
-  }
+  void at_least(std::string_view name, std::string_view unit, Given g) { add(name, unit, true, std::move(g)); }
+  void at_most(std::string_view name, std::string_view unit, Given g) { add(name, unit, false, std::move(g)); }
 
   void judge() {
     const Requirement::Limits& l = r_.limits;
@@ -326,10 +301,9 @@ class Evaluation {
     const auto in_celsius = [](const std::optional<double>& kelvin) {
       return kelvin ? std::optional(*kelvin - kKelvin) : std::nullopt;
     };
-    const std::string basis = fmt::format(
-        "{} C_a {:.4g} kN", by_maker() ? "maker's" : "threads, Lemor's", 1e-3 * capacity());
-    const std::optional<double> hours =
-        c_.life.hours ? std::optional(*c_.life.hours * kHour) : std::nullopt;
+    const std::string basis =
+        fmt::format("{} C_a {:.4g} kN", by_maker() ? "maker's" : "threads, Lemor's", 1e-3 * capacity());
+    const std::optional<double> hours = c_.life.hours ? std::optional(*c_.life.hours * kHour) : std::nullopt;
     at_least("life", "h", {hours, r_.life.hours, no_load, no_loads, basis});
     at_least("life", "km", {c_.life.travel, r_.life.distance, no_load, no_loads, basis});
     at_least("static_safety", "",
@@ -340,23 +314,20 @@ class Evaluation {
     at_least("buckling", "",
              {c_.buckling_safety, l.buckling_safety,
               cycle_.largest_compression > 0.0 ? "" : "nothing compresses the screw"});
-    at_most("critical_speed", "",
-            {c_.critical_speed && c_.largest_speed
-                 ? std::optional(*c_.largest_speed / *c_.critical_speed)
-                 : std::nullopt,
-             l.critical_speed_share,
-             !cycle_.moves()                              ? rests
-             : c_.screw.type == Mechanism::Type::inverted ? "the screw does not turn"
-                                                          : ""});
-    at_most("speed_times_diameter", "mm/min",
-            {c_.speed_times_diameter, l.speed_times_diameter, rests});
+    at_most(
+        "critical_speed", "",
+        {c_.critical_speed && c_.largest_speed ? std::optional(*c_.largest_speed / *c_.critical_speed) : std::nullopt,
+         l.critical_speed_share,
+         !cycle_.moves()                              ? rests
+         : c_.screw.type == Mechanism::Type::inverted ? "the screw does not turn"
+                                                      : ""});
+    at_most("speed_times_diameter", "mm/min", {c_.speed_times_diameter, l.speed_times_diameter, rests});
     at_most("nut_diameter", "mm", {c_.nut_diameter, l.nut_diameter});
     at_most("nut_length", "mm", {c_.nut_length, l.nut_length});
     at_most("weight", "kg", {c_.weight, l.weight});
     at_least("stiffness", "N/um", {c_.stiffness, l.stiffness, "", no_loads});
     at_least("efficiency", "",
-             {c_.efficiency, l.efficiency, drives_ ? "" : "the screw drives in no segment",
-              no_efficiency});
+             {c_.efficiency, l.efficiency, drives_ ? "" : "the screw drives in no segment", no_efficiency});
     judge_back_driving();
     add("temperature", "degC", false,
         {in_celsius(c_.hottest_part()), in_celsius(l.temperature), "",
@@ -365,13 +336,11 @@ class Evaluation {
     at_most("motor_speed", "rpm", {c_.motor_largest_speed, m.largest_speed, rests});
     at_most("motor_torque", "N m", {c_.motor_rms_torque, m.rated_torque, "", no_efficiency});
     at_most("motor_peak_torque", "N m", {c_.motor_peak_torque, m.peak_torque, "", no_efficiency});
-    at_most(
-        "brake", "N m",
-        {c_.holding_torque, r_.brake_torque, cycle_.holding_force > 0.0 ? "" : "no force at rest"});
-    at_least("relubrication", "h",
-             {c_.relubrication, l.relubrication, cycle_.moves() ? no_load : rests,
-              "the mean load is too high for the rule",
-              r_.relubrication ? "" : "without the actuator's peak force: its factor is 1"});
+    at_most("brake", "N m", {c_.holding_torque, r_.brake_torque, cycle_.holding_force > 0.0 ? "" : "no force at rest"});
+    at_least(
+        "relubrication", "h",
+        {c_.relubrication, l.relubrication, cycle_.moves() ? no_load : rests, "the mean load is too high for the rule",
+         r_.relubrication ? "" : "without the actuator's peak force: its factor is 1"});
     decide();
   }
 
@@ -380,10 +349,9 @@ class Evaluation {
     const Requirement::BackDriving wanted = r_.limits.back_driving;
     if (wanted == allowed) return;
     const bool holds = wanted == forbidden ? locks() : !locks();
-    c_.criteria.push_back(
-        {.name = "back_driving",
-         .status = holds ? CriterionStatus::pass : CriterionStatus::fail,
-         .reason = locks() ? "the screw locks itself" : "the load turns the screw"});
+    c_.criteria.push_back({.name = "back_driving",
+                           .status = holds ? CriterionStatus::pass : CriterionStatus::fail,
+                           .reason = locks() ? "the screw locks itself" : "the load turns the screw"});
   }
 
   void decide() {
@@ -420,14 +388,12 @@ class Evaluation {
           1e-3 * cycle_.largest_force, kRegularLoad * 1e-3 * capacity());
     const Mechanism& mechanism = sized_.screw.c.mechanism;
     const bool standard = c_.screw.type == Mechanism::Type::standard;
-    const double length =
-        standard ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
+    const double length = standard ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
     if (r_.stroke && *r_.stroke < kShortStroke * length)
       note(
           "stroke: {:.4g} mm is below 1.5 times the {}, {:.4g} mm: life needs a special "
           "calculation, none is public",
-          1e3 * *r_.stroke, standard ? "nut's length" : "length of the rollers' threads",
-          1e3 * length);
+          1e3 * *r_.stroke, standard ? "nut's length" : "length of the rollers' threads", 1e3 * length);
     if (c_.brake_needed && r_.friction->model == Friction::Model::jacod)
       note("friction: at rest the film of `jacod` is gone, so that the screw may still hold");
     warn_of_heat();
@@ -436,8 +402,7 @@ class Evaluation {
   void warn_of_heat() {
     if (!c_.temperature) return;
     const Requirement::Conductance& k = r_.conductance;
-    if (r_.limits.temperature &&
-        !(k.screw_ambient && k.nut_ambient && k.screw_rollers && k.rollers_nut))
+    if (r_.limits.temperature && !(k.screw_ambient && k.nut_ambient && k.screw_rollers && k.rollers_nut))
       note(
           "heat: conductances by rule decide on temperatures: bare parts in still air, a bolted "
           "housing takes several times as much");
@@ -445,8 +410,7 @@ class Evaluation {
       note("heat: the hottest part has {:.3g} degC; grease and seals do not last beyond 120 degC",
            *c_.hottest_part() - kKelvin);
     if (!r_.motion.loads && cycle_.duration > kLongCycle)
-      note("heat: temperatures are the mean of a cycle of {:.3g} min, which hides a peak",
-           cycle_.duration / 60.0);
+      note("heat: temperatures are the mean of a cycle of {:.3g} min, which hides a peak", cycle_.duration / 60.0);
     if (!r_.lubricant->temperature) return;
     const PerInterface<double> oil = oil_temperatures(of_parts(*c_.temperature));
     for (const Interface i : kInterfaces)
@@ -472,19 +436,15 @@ class Evaluation {
 
 }  // namespace
 
-SizedCandidate evaluated(const SizeInput& in, const CandidateData& data) {
-  return Evaluation(in, data).take();
-}
+SizedCandidate evaluated(const SizeInput& in, const CandidateData& data) { return Evaluation(in, data).take(); }
 
 std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandidate& c) {
   const Requirement& r = in.values;
   if (!in.cycle.mean_load) return std::nullopt;
   const double force = *in.cycle.mean_load, lead = std::abs(c.screw.lead);
   double top = *r.limits.speed_times_diameter / c.screw.screw_diameter * lead;
-  if (c.critical_speed)
-    top = std::min(top, *r.limits.critical_speed_share * *c.critical_speed * lead / kTurn);
-  if (r.motor.largest_speed)
-    top = std::min(top, *r.motor.largest_speed / r.motor.gear_ratio * lead / kTurn);
+  if (c.critical_speed) top = std::min(top, *r.limits.critical_speed_share * *c.critical_speed * lead / kTurn);
+  if (r.motor.largest_speed) top = std::min(top, *r.motor.largest_speed / r.motor.gear_ratio * lead / kTurn);
 
   SizedCase sized = sized_case(in, c);
   const LoadCase load = sized.c.load_cases[sized.back_driving()];
@@ -499,15 +459,12 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
   }
   std::optional<Result> found;
   if (r.losses == Requirement::Losses::slip) found = analyze_slip(sized.c, kManyDesigns);
-  const ThermalNetwork network =
-      thermal_network({.ambient = r.ambient, .conductance = c.conductance});
+  const ThermalNetwork network = thermal_network({.ambient = r.ambient, .conductance = c.conductance});
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> least(kCurvePoints, std::numeric_limits<double>::infinity());
   const auto put = [&](const char* limit, std::size_t k, double value) {
     if (k == 0) curve.force.push_back({limit, {}});
-    std::ranges::find(curve.force, limit, [](const auto& series) {
-      return series.first;
-    })->second.push_back(value);
+    std::ranges::find(curve.force, limit, [](const auto& series) { return series.first; })->second.push_back(value);
     if (std::string_view(limit) != "motor_peak") least[k] = std::fmin(least[k], value);
   };
   for (std::size_t k = 0; k < curve.speed.size(); ++k) {
@@ -517,8 +474,7 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
     if (found && slips(found->load_cases[k])) b = branch_by_slip(found->load_cases[k], lead);
     const double eta = b.efficiency.value_or(kNone);
     curve.efficiency.push_back(eta);
-    if (c.static_safety)
-      put("static", k, *c.static_safety * in.cycle.largest_force / *r.limits.static_safety);
+    if (c.static_safety) put("static", k, *c.static_safety * in.cycle.largest_force / *r.limits.static_safety);
     if (c.buckling_safety) put("buckling", k, *c.buckling_load / *r.limits.buckling_safety);
     if (c.life.revolutions && (r.life.hours || r.life.distance)) {
       // C_e (a1 a_ISO 10^6/L(v))^(1/3) with the C_e that has this life under F_m.
@@ -530,13 +486,10 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
       put("temperature", k, force * (*r.limits.temperature - r.ambient) / (warmest - r.ambient));
     }
     const auto by_motor = [&](double torque) {
-      return (torque * r.motor.gear_ratio * r.motor.gear_efficiency - r.load.drag_torque) * kTurn *
-             eta / lead;
+      return (torque * r.motor.gear_ratio * r.motor.gear_efficiency - r.load.drag_torque) * kTurn * eta / lead;
     };
-    if (c.motor_rms_torque && r.motor.rated_torque)
-      put("motor_rated", k, by_motor(*r.motor.rated_torque));
-    if (c.motor_peak_torque && r.motor.peak_torque)
-      put("motor_peak", k, by_motor(*r.motor.peak_torque));
+    if (c.motor_rms_torque && r.motor.rated_torque) put("motor_rated", k, by_motor(*r.motor.rated_torque));
+    if (c.motor_peak_torque && r.motor.peak_torque) put("motor_peak", k, by_motor(*r.motor.peak_torque));
   }
   if (std::isfinite(least.front())) curve.force.emplace_back("envelope", std::move(least));
   return curve;

@@ -16,8 +16,7 @@ std::vector<double> DesignValues::values() const {
   if (!span->series) {
     const int steps = span->steps.value_or(1);
     for (int k = 0; k < steps; ++k)
-      all.push_back(k + 1 == steps ? span->to
-                                   : span->from + (span->to - span->from) * k / (steps - 1));
+      all.push_back(k + 1 == steps ? span->to : span->from + (span->to - span->from) * k / (steps - 1));
     return all;
   }
   constexpr int kR40[] = {100, 106, 112, 118, 125, 132, 140, 150, 160, 170, 180, 190, 200, 212,
@@ -28,8 +27,7 @@ std::vector<double> DesignValues::values() const {
     for (int k = 0; k < 40; k += stride) {
       const double hundredths = kR40[k] * std::pow(10.0, std::max(power, 0));
       const double value = hundredths / (1e5 * std::pow(10.0, std::max(-power, 0)));
-      if (value >= span->from * (1.0 - 1e-12) && value <= span->to * (1.0 + 1e-12))
-        all.push_back(value);
+      if (value >= span->from * (1.0 - 1e-12) && value <= span->to * (1.0 + 1e-12)) all.push_back(value);
     }
   return all;
 }
@@ -70,24 +68,22 @@ Value value_of(std::vector<T>& list, const OneOrList<Kind>& how) {
 
 template <class Kind>
 Value value_of(DesignValues& values, const OneListOrRange<Kind>& how) {
-  return {OneOr{
-      .form = OneOr::Form::range,
-      .one = [&values, how] { return value_of(values.list, OneOrList{how.kind}); },
-      .several =
-          [&values, how] {
-            if (!values.span) values.span = DesignValues::Span{};
-            DesignValues::Span& span = *values.span;
-            return Value{map_of([&span, how](const Fields& io) {
-              io("from", span.from, how.kind, required, "First value");
-              io("to", span.to, how.kind, required, "Last value");
-              io("steps", span.steps, Whole{1, kMostSteps}, "Number of values, ends included");
-              io("series", span.series, Choice{},
-                 required_only_if(!span.steps, "in place of `steps`"),
-                 "Preferred numbers of ISO 3, in mm");
-            })};
-          },
-      .others = ", or a range {from, to, steps} or {from, to, series}",
-      .are_several = values.span.has_value()}};
+  return {OneOr{.form = OneOr::Form::range,
+                .one = [&values, how] { return value_of(values.list, OneOrList{how.kind}); },
+                .several =
+                    [&values, how] {
+                      if (!values.span) values.span = DesignValues::Span{};
+                      DesignValues::Span& span = *values.span;
+                      return Value{map_of([&span, how](const Fields& io) {
+                        io("from", span.from, how.kind, required, "First value");
+                        io("to", span.to, how.kind, required, "Last value");
+                        io("steps", span.steps, Whole{1, kMostSteps}, "Number of values, ends included");
+                        io("series", span.series, Choice{}, required_only_if(!span.steps, "in place of `steps`"),
+                           "Preferred numbers of ISO 3, in mm");
+                      })};
+                    },
+                .others = ", or a range {from, to, steps} or {from, to, series}",
+                .are_several = values.span.has_value()}};
 }
 
 }  // namespace
@@ -127,8 +123,7 @@ void alternatives(Choices& io, Requirement::Objective& o) {
 
 void fields(const Fields& io, Requirement::Segment& s) {
   io("name", s.name, Text{"lift"}, "`segment-K` by default, K from 1");
-  io("duration", s.duration, Quantity{unit::duration, positive, "0.2 s"}, required,
-     "Of constant acceleration");
+  io("duration", s.duration, Quantity{unit::duration, positive, "0.2 s"}, required, "Of constant acceleration");
   io("end_speed", s.end_speed, Quantity{unit::travel_speed}, required, "Signed, at the end");
   io("force", s.force, Quantity{unit::force}, "External, > 0 against the positive sense");
 }
@@ -137,9 +132,8 @@ void fields(const Fields& io, Requirement::ConstantLoad& l) {
   io("name", l.name, Text{"press"}, "`segment-K` by default, K from 1");
   io("force", l.force, Quantity{unit::force}, "External, > 0 against the positive sense");
   io("speed", l.speed, Quantity{unit::travel_speed}, required, "Constant, signed");
-  io("share", l.share,
-     Quantity{unit::share, {.least = 0.0, .greatest = 1.0, .least_excluded = true}, "30 %"},
-     required, "Of the time");
+  io("share", l.share, Quantity{unit::share, {.least = 0.0, .greatest = 1.0, .least_excluded = true}, "30 %"}, required,
+     "Of the time");
 }
 
 void fields(const Fields& io, Requirement::History& h) {
@@ -159,12 +153,10 @@ void fields(const Fields& io, Requirement::History& h) {
 void fields(const Fields& io, Requirement::Motion& m) {
   io("segments", m.segments, List{Block{}, 1}, "Constant accelerations one after the other");
   io("history", m.history, Block{}, "Samples from a file, in place of `segments`");
-  io("loads", m.loads, List{Block{}, 1},
-     "Constant speeds and their shares of time, in their place");
+  io("loads", m.loads, List{Block{}, 1}, "Constant speeds and their shares of time, in their place");
   io("start_speed", m.start_speed, Quantity{unit::travel_speed},
      optional_only_if(m.segments.has_value(), "with `segments`"), "Before the first segment");
-  io("period", m.period, Quantity{unit::duration, positive},
-     optional_only_if(m.loads.has_value(), "with `loads`"),
+  io("period", m.period, Quantity{unit::duration, positive}, optional_only_if(m.loads.has_value(), "with `loads`"),
      "Of the cycle; scales numbers per cycle");
 }
 
@@ -173,8 +165,7 @@ void fields(const Fields& io, Requirement::Load& l) {
   io("moved_mass", l.moved_mass, Quantity{unit::mass, not_negative, "50 kg"}, "Along the axis");
   io("inclination", l.inclination, Quantity{unit::angle, {.least = -kRight, .greatest = kRight}},
      "Of the axis; > 0: the positive sense goes up");
-  io("guide_friction", l.guide_friction, Number{not_negative, "0.003"},
-     "Coefficient of the guides under the mass");
+  io("guide_friction", l.guide_friction, Number{not_negative, "0.003"}, "Coefficient of the guides under the mass");
   io("resistance", l.resistance, Quantity{unit::force, not_negative, "20 N"},
      "Constant, against the motion, as of seals");
   io("drag_torque", l.drag_torque, Quantity{unit::torque, not_negative},
@@ -191,8 +182,7 @@ void fields(const Fields& io, Requirement::Shaft& s) {
 
 void fields(const Fields& io, Requirement::Life& l) {
   io("hours", l.hours, Quantity{unit::hours, positive, "20000 h"}, "Least, rests included");
-  io("distance", l.distance, Quantity{unit::distance, positive},
-     "Least travel, in place of `hours`");
+  io("distance", l.distance, Quantity{unit::distance, positive}, "Least travel, in place of `hours`");
   io("reliability", l.reliability, Quantity{unit::share, Bounds{.least = 0.90, .greatest = 0.99}},
      "Share of many screws that shall reach the life: a1 of ISO 281");
   io("modification_factor", l.modification_factor,
@@ -219,8 +209,7 @@ void fields(const Fields& io, Requirement::Motor& m) {
   const Quantity torque{unit::torque, positive, "3 N m"};
   io("rated_torque", m.rated_torque, torque, "Greatest rms torque");
   io("peak_torque", m.peak_torque, torque, "Greatest torque");
-  io("largest_speed", m.largest_speed, Quantity{unit::rotational_speed, positive, "3000 rpm"},
-     "Of the motor");
+  io("largest_speed", m.largest_speed, Quantity{unit::rotational_speed, positive, "3000 rpm"}, "Of the motor");
   io("inertia", m.inertia, Quantity{unit::inertia, not_negative}, "At its shaft, with its gear");
   io("gear_ratio", m.gear_ratio, Number{positive, "1"}, "Turns of the motor per turn of the screw");
   io("gear_efficiency", m.gear_efficiency,
@@ -241,14 +230,13 @@ void fields(const Fields& io, Requirement::Designs& d) {
   const Number starts{{.least = 2.0, .greatest = 100.0}, "5"};
   io("type", d.type, OneOrList{Choice{}}, "standard by default");
   io("screw_diameter", d.screw_diameter, OneListOrRange{length}, required, "Nominal");
-  io("lead", d.lead, OneListOrRange{Quantity{unit::length, not_zero, "10 mm"}}, required,
-     "< 0 left-handed");
+  io("lead", d.lead, OneListOrRange{Quantity{unit::length, not_zero, "10 mm"}}, required, "< 0 left-handed");
   io("starts", d.starts, OneListOrRange{starts}, "By the rule of `prs new`");
 }
 
 void fields(const Fields& io, Requirement& r) {
-  io("motion", r.motion, Block{"{loads: [{force: 12 kN, speed: 200 mm/s, share: 100 %}]}"},
-     required, "One cycle, which is repeated");
+  io("motion", r.motion, Block{"{loads: [{force: 12 kN, speed: 200 mm/s, share: 100 %}]}"}, required,
+     "One cycle, which is repeated");
   io("load", r.load, Block{}, "What moves, and what resists");
   io("stroke", r.stroke, Quantity{unit::length, positive, "650 mm"},
      "By default the way between the extreme positions of the cycle");
@@ -261,14 +249,12 @@ void fields(const Fields& io, Requirement& r) {
   io("limits", r.limits, Block{}, "What candidates are held against");
   io("motor", r.motor, Block{}, "Without a limit there is no criterion");
   io("brake", r.brake_torque, Keys{[&](const Fields& brake) {
-       brake("torque", *r.brake_torque, Quantity{unit::torque, positive, "4 N m"}, required,
-             "At the motor's shaft");
+       brake("torque", *r.brake_torque, Quantity{unit::torque, positive, "4 N m"}, required, "At the motor's shaft");
      }},
      "Holds the axis at rest");
   io("losses", r.losses, Choice{}, "Where efficiencies come from");
-  io("model", r.loads, Keys{[&](const Fields& model) {
-       model("loads", r.loads, Choice{}, "Of the threads, for slip and life");
-     }},
+  io("model", r.loads,
+     Keys{[&](const Fields& model) { model("loads", r.loads, Choice{}, "Of the threads, for slip and life"); }},
      "Choices of the model");
   io("friction", r.friction, ChoiceUnder{"model"}, "As in a case");
   io("lubricant", r.lubricant, Block{}, "As in a case");
@@ -276,14 +262,13 @@ void fields(const Fields& io, Requirement& r) {
   io("roughness", r.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}}, "As in a case");
   io("carrier", r.carrier, Block{}, "As in a case");
   io("heat", r.ambient, Keys{[&](const Fields& heat) {
-       heat("ambient", r.ambient, Quantity{unit::temperature, positive},
-            "Temperature of the surroundings");
+       heat("ambient", r.ambient, Quantity{unit::temperature, positive}, "Temperature of the surroundings");
        heat("conductance", r.conductance, Block{}, "Heat flow over temperature");
      }},
      "How the parts get rid of the heat of friction");
   io("relubrication", r.relubrication, Keys{[&](const Fields& rule) {
-       rule("static_load_factor", r.relubrication->static_load_factor, Number{positive, "0.24"},
-            required, "S of the actuator");
+       rule("static_load_factor", r.relubrication->static_load_factor, Number{positive, "0.24"}, required,
+            "S of the actuator");
        rule("peak_force", r.relubrication->peak_force, Quantity{unit::force, positive}, required,
             "Printed, of the actuator");
      }},
@@ -294,8 +279,7 @@ void fields(const Fields& io, Requirement& r) {
                         "Comma-separated values, a screw per row; relative to this file");
             }},
             "Of a maker");
-       from("designs", r.candidates.designs, Block{},
-            "All combinations, by the rules of `prs new`");
+       from("designs", r.candidates.designs, Block{}, "All combinations, by the rules of `prs new`");
      }},
      "What is chosen from; by default the catalogue of the program");
   io("objective", r.objective, Choice{}, "What orders the candidates that pass");
@@ -314,28 +298,24 @@ void complete(Requirement& r) {
     const auto found = std::ranges::find(all, CaseLubricant{}.name, &NamedLubricant::name);
     r.lubricant->name = LubricantName(found - all.begin());
   }
-  if (!r.lubricant->temperature && !r.lubricant->viscosity)
-    r.lubricant->temperature = CaseLubricant{}.temperature;
+  if (!r.lubricant->temperature && !r.lubricant->viscosity) r.lubricant->temperature = CaseLubricant{}.temperature;
   if (!r.roughness) r.roughness = {2e-7, 2e-7, 2e-7};
 }
 
 /// What values contradict.
 class Checker {
  public:
-  Checker(const Requirement& r, const Node& root, ErrorList& errors)
-      : r_(r), root_(root), errors_(errors) {}
+  Checker(const Requirement& r, const Node& root, ErrorList& errors) : r_(r), root_(root), errors_(errors) {}
 
   void check() {
     check_motion();
     if (r_.life.hours && r_.life.distance)
       refuse("life.distance", "stands next to `hours`; expected one of them; delete one");
-    if (r_.motor.rated_torque && r_.motor.peak_torque &&
-        *r_.motor.peak_torque < *r_.motor.rated_torque)
-      refuse(
-          "motor.peak_torque",
-          "got {:.6g} N m; expected at least `rated_torque`, {:.6g} N m; exchange them, or check "
-          "the units",
-          *r_.motor.peak_torque, *r_.motor.rated_torque);
+    if (r_.motor.rated_torque && r_.motor.peak_torque && *r_.motor.peak_torque < *r_.motor.rated_torque)
+      refuse("motor.peak_torque",
+             "got {:.6g} N m; expected at least `rated_torque`, {:.6g} N m; exchange them, or check "
+             "the units",
+             *r_.motor.peak_torque, *r_.motor.rated_torque);
     if (r_.limits.temperature && !(*r_.limits.temperature > r_.ambient))
       refuse("limits.temperature",
              "got {:.6g} degC; expected more than the surroundings have, heat.ambient: {:.6g} "
@@ -347,9 +327,7 @@ class Checker {
   /// What stands in the way of its forces and names.
   void check(const MotionCycle& cycle) {
     const Requirement::Motion& m = r_.motion;
-    const std::string_view form = m.segments ? "motion.segments"
-                                  : m.loads  ? "motion.loads"
-                                             : "motion.history";
+    const std::string_view form = m.segments ? "motion.segments" : m.loads ? "motion.loads" : "motion.history";
     std::set<std::string> names;
     for (const MotionSegment& s : m.history ? std::vector<MotionSegment>() : cycle.all) {
       if (s.name == kBackDriving)
@@ -392,8 +370,7 @@ class Checker {
              "[{{duration: 1 s, end_speed: 100 mm/s, force: 10 kN}}]`, for example");
     else if (forms.size() > 1)
       refuse(fmt::format("motion.{}", forms[1]),
-             "stands next to `{}`; expected one of segments, history, loads; delete one of the two",
-             forms[0]);
+             "stands next to `{}`; expected one of segments, history, loads; delete one of the two", forms[0]);
     if (!m.loads) return;
     double sum = 0.0;
     for (const Requirement::ConstantLoad& l : *m.loads) sum += l.share;
@@ -431,8 +408,7 @@ class Checker {
     check("starts", *d.starts);
     for (const double n : d.starts->values())
       if (n != std::round(n))
-        return refuse("candidates.designs.starts",
-                      "got {:g}; expected whole numbers; write for example `[4, 5]`", n);
+        return refuse("candidates.designs.starts", "got {:g}; expected whole numbers; write for example `[4, 5]`", n);
   }
 
   const Requirement& r_;
@@ -443,8 +419,7 @@ class Checker {
 /// Problems of the blocks that a case would have.
 void check_blocks(const Requirement& r, const Node& root, ErrorList& errors) {
   Case c = complete_screw({.screw_diameter = 30e-3, .lead = 10e-3, .starts = 5}).c;
-  c.load_cases = {
-      {.name = "a", .axial_force = 1e3, .direction = Direction::tension, .position = 0.01}};
+  c.load_cases = {{.name = "a", .axial_force = 1e3, .direction = Direction::tension, .position = 0.01}};
   c.friction = r.friction;
   c.lubricant = r.lubricant;
   c.roughness = r.roughness;
@@ -458,17 +433,15 @@ std::vector<MotionSegment> history_segments(const Requirement::History& h, const
   std::vector<WantedColumn> columns{{"time", &h.time, &unit::duration, &t},
                                     {"speed", &h.speed, &unit::travel_speed, &v},
                                     {"force", &h.force, &unit::force, &f}};
-  read_columns(named_file_text(h.file, kHistoryFile, source), name_in_messages(h.file, source),
-               "motion.history", columns, source);
+  read_columns(named_file_text(h.file, kHistoryFile, source), name_in_messages(h.file, source), "motion.history",
+               columns, source);
   std::vector<MotionSegment> segments;
   for (std::size_t k = 1; k < t.size(); ++k)
     if (t[k] > t[k - 1])
-      segments.push_back(
-          {fmt::format("sample-{}", k), t[k] - t[k - 1], v[k - 1], v[k], 0.5 * (f[k - 1] + f[k])});
+      segments.push_back({fmt::format("sample-{}", k), t[k] - t[k - 1], v[k - 1], v[k], 0.5 * (f[k - 1] + f[k])});
   if (segments.empty())
     fail_at(source, kHistoryFile,
-            "got {}, whose samples all have one time; expected a time that runs; check the column",
-            h.file);
+            "got {}, whose samples all have one time; expected a time that runs; check the column", h.file);
   return segments;
 }
 
@@ -583,12 +556,11 @@ std::vector<MotionSegment> cut(std::vector<MotionSegment> segments) {
 
 void set_forces(std::vector<MotionSegment>& all, const Requirement::Load& load) {
   const double weight = load.moved_mass * kGravity;
-  const double friction =
-      load.guide_friction * weight * std::abs(std::cos(load.inclination)) + load.resistance;
+  const double friction = load.guide_friction * weight * std::abs(std::cos(load.inclination)) + load.resistance;
   double largest = 0.0;
   for (MotionSegment& s : all) {
-    s.force = load.moved_mass * s.acceleration() + weight * std::sin(load.inclination) +
-              s.sense() * friction + s.external_force;
+    s.force = load.moved_mass * s.acceleration() + weight * std::sin(load.inclination) + s.sense() * friction +
+              s.external_force;
     largest = std::max(largest, std::abs(s.force));
   }
   for (MotionSegment& s : all)
@@ -607,16 +579,14 @@ int step(double value, double largest, int steps) {
 /// mean speed.
 void put_into_classes(MotionCycle& c) {
   std::map<int, double> of_force;  // Largest by the sense of force.
-  for (const MotionSegment& s : c.all)
-    of_force[sign(s.force)] = std::max(of_force[sign(s.force)], std::abs(s.force));
+  for (const MotionSegment& s : c.all) of_force[sign(s.force)] = std::max(of_force[sign(s.force)], std::abs(s.force));
   std::map<std::tuple<int, int, int, int>, std::size_t> known;
   std::vector<double> cubes;
   for (MotionSegment& s : c.all) {
     const int force = sign(s.force);
     const bool is_largest = force != 0 && std::abs(s.force) >= of_force[force] * (1.0 - kEqual);
     const auto [found, is_new] = known.try_emplace(
-        {s.sense(), force,
-         is_largest ? kForceSteps + 1 : step(std::abs(s.force), c.largest_force, kForceSteps),
+        {s.sense(), force, is_largest ? kForceSteps + 1 : step(std::abs(s.force), c.largest_force, kForceSteps),
          is_largest ? 0 : step(s.mean_speed(), c.largest_speed, kSpeedSteps)},
         c.shown.size());
     if (is_new) {
@@ -628,8 +598,7 @@ void put_into_classes(MotionCycle& c) {
     MotionSegment& of = c.shown[s.shown_as];
     of.duration += s.duration;
     *of.own_travel += s.travel();
-    cubes[s.shown_as] +=
-        std::pow(s.force, 3) * (s.sense() == 0 ? s.duration : std::abs(s.travel()));
+    cubes[s.shown_as] += std::pow(s.force, 3) * (s.sense() == 0 ? s.duration : std::abs(s.travel()));
   }
   for (std::size_t k = 0; k < c.shown.size(); ++k) {
     MotionSegment& of = c.shown[k];
@@ -666,10 +635,8 @@ void set_totals(MotionCycle& c, const Requirement& r) {
   c.rms_speed = std::sqrt(square / c.duration);
   if (c.loaded_travel > 0.0) c.mean_load = std::cbrt(cubes / c.travel);
   if (c.moving > 0.0) c.mean_speed = c.travel / c.moving;
-  c.holding_force =
-      held.value_or(r.load.moved_mass * kGravity * std::abs(std::sin(r.load.inclination)));
-  c.closed =
-      std::abs(c.all.back().end_speed - c.all.front().start_speed) <= kEqual * c.largest_speed;
+  c.holding_force = held.value_or(r.load.moved_mass * kGravity * std::abs(std::sin(r.load.inclination)));
+  c.closed = std::abs(c.all.back().end_speed - c.all.front().start_speed) <= kEqual * c.largest_speed;
 }
 
 }  // namespace

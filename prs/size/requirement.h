@@ -143,8 +143,8 @@ std::string name(Requirement::Objective objective);
 struct MotionSegment {
   std::string name;
   double duration = 0.0, start_speed = 0.0, end_speed = 0.0, external_force = 0.0;
-  double force = 0.0;        ///< Axial, on the screw, > 0 where it pushes in the positive sense.
-  std::size_t shown_as = 0;  ///< Of those that are shown, where it counts as one of a class.
+  double force = 0.0;                     ///< Axial, on the screw, > 0 where it pushes in the positive sense.
+  std::size_t shown_as = 0;               ///< Of those that are shown, where it counts as one of a class.
   std::optional<double> own_travel = {};  ///< Of a class.
 
   double acceleration() const { return (end_speed - start_speed) / duration; }

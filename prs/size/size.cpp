@@ -17,8 +17,8 @@ constexpr std::size_t kChunk = 8;  ///< Candidates that a thread takes at once.
 /// What each objective has of a candidate: less is better; absent last.
 std::array<double, 5> objectives_of(const SizedCandidate& c) {
   constexpr double kLast = std::numeric_limits<double>::infinity();
-  return {c.weight.value_or(kLast), c.nut_diameter, -c.life.travel.value_or(-kLast),
-          c.motor_rms_torque.value_or(kLast), c.power_lost.value_or(kLast)};
+  return {c.weight.value_or(kLast), c.nut_diameter, -c.life.travel.value_or(-kLast), c.motor_rms_torque.value_or(kLast),
+          c.power_lost.value_or(kLast)};
 }
 
 /// -1 where a is less, 1 where it is more, by more than rounding.
@@ -27,18 +27,16 @@ int compared(double a, double b) {
   return a < b ? -1 : 1;
 }
 
-bool comes_before(const SizedCandidate& a, const SizedCandidate& b,
-                  Requirement::Objective objective) {
+bool comes_before(const SizedCandidate& a, const SizedCandidate& b, Requirement::Objective objective) {
   if (a.passes != b.passes) return a.passes;
   if (!a.passes) {
     const std::size_t by_a = a.missed().size(), by_b = b.missed().size();
     if (by_a != by_b) return by_a < by_b;
-    if (const int order = compared(b.least_missed_margin(), a.least_missed_margin()))
-      return order < 0;
+    if (const int order = compared(b.least_missed_margin(), a.least_missed_margin())) return order < 0;
   }
   const auto measures = [objective](const SizedCandidate& c) {
-    return std::array{objectives_of(c)[static_cast<std::size_t>(objective)], c.nut_diameter,
-                      c.screw.screw_diameter, c.screw.lead};
+    return std::array{objectives_of(c)[static_cast<std::size_t>(objective)], c.nut_diameter, c.screw.screw_diameter,
+                      c.screw.lead};
   };
   const auto of_a = measures(a), of_b = measures(b);
   for (std::size_t k = 0; k < of_a.size(); ++k)
@@ -63,8 +61,7 @@ void mark_pareto(std::vector<SizedCandidate>& all) {
   std::ranges::stable_sort(passing, {}, [](const auto& p) { return p.first; });
   std::vector<const std::array<double, 5>*> front;
   for (const auto& own : passing) {
-    own.second->pareto =
-        std::ranges::none_of(front, [&](const auto* other) { return beats(*other, own.first); });
+    own.second->pareto = std::ranges::none_of(front, [&](const auto* other) { return beats(*other, own.first); });
     if (own.second->pareto) front.push_back(&own.first);
   }
 }
@@ -114,11 +111,9 @@ SizeResult size_screws(const SizeInput& in, const SizeOptions& options) {
   result.warnings = in.warnings;
   const std::vector<CandidateData> data = candidates_of(in, result.warnings);
   result.candidates.reserve(data.size());
-  run_in_order((data.size() + kChunk - 1) / kChunk,
-               options.threads == 0 ? default_threads() : options.threads,
+  run_in_order((data.size() + kChunk - 1) / kChunk, options.threads == 0 ? default_threads() : options.threads,
                [&](std::size_t chunk) -> std::function<void()> {
-                 const std::size_t first = chunk * kChunk,
-                                   last = std::min(first + kChunk, data.size());
+                 const std::size_t first = chunk * kChunk, last = std::min(first + kChunk, data.size());
                  std::vector<SizedCandidate> done;
                  std::vector<InvalidCandidate> invalid;
                  for (std::size_t k = first; k < last; ++k) try {
@@ -165,8 +160,7 @@ constexpr std::string_view kOtherColumns =
 
 bool is_known(const std::string& column) {
   return std::ranges::count(kNeededColumns, column) > 0 ||
-         (column.find(' ') == column.npos &&
-          kOtherColumns.find(" " + column + " ") != kOtherColumns.npos);
+         (column.find(' ') == column.npos && kOtherColumns.find(" " + column + " ") != kOtherColumns.npos);
 }
 
 class CatalogueReader {
@@ -194,19 +188,15 @@ class CatalogueReader {
     input::fail_at(source_, kCatalogueFile, "got {}, which {}; check the file", name_, what);
   }
   [[noreturn]] void refuse_at(std::size_t offset, std::string_view message) const {
-    throw input::InputError(
-        fmt::format("{}: error: {}", input::place_in(name_, text_, offset), message));
+    throw input::InputError(fmt::format("{}: error: {}", input::place_in(name_, text_, offset), message));
   }
-  [[noreturn]] void refuse(std::size_t field, std::string_view expected,
-                           std::string_view fix) const {
+  [[noreturn]] void refuse(std::size_t field, std::string_view expected, std::string_view fix) const {
     const auto& fields = reader_.fields();
     refuse_at(
         reader_.field_offset(reader_.row_offset(), field),
-        fmt::format("{}: got {}; expected {}; {}",
-                    field < heading_.size() ? input::shown(heading_[field]) : "row",
-                    field < fields.size() && !fields[field].empty() ? input::shown(fields[field])
-                                                                    : "nothing",
-                    expected, fix));
+        fmt::format("{}: got {}; expected {}; {}", field < heading_.size() ? input::shown(heading_[field]) : "row",
+                    field < fields.size() && !fields[field].empty() ? input::shown(fields[field]) : "nothing", expected,
+                    fix));
   }
   bool next() {
     try {
@@ -219,15 +209,13 @@ class CatalogueReader {
   void check_heading(std::vector<Warning>& warnings) const {
     for (const std::string_view needed : kNeededColumns)
       if (std::ranges::find(heading_, needed) == heading_.end())
-        fail(fmt::format("lacks the column {}; expected {} at least", needed,
-                         fmt::join(kNeededColumns, ", ")));
+        fail(fmt::format("lacks the column {}; expected {} at least", needed, fmt::join(kNeededColumns, ", ")));
     for (const std::string& column : heading_) {
       if (std::ranges::count(heading_, column) > 1)
         fail(fmt::format("has two columns {}; expected one of that name", input::shown(column)));
       if (!is_known(column))
         warnings.push_back({std::string(kCatalogueFile), "unknown_column_" + column,
-                            fmt::format("the column {} of {} is not known, and not used",
-                                        input::shown(column), name_),
+                            fmt::format("the column {} of {} is not known, and not used", input::shown(column), name_),
                             "see docs/size.md for the columns"});
     }
   }
@@ -258,8 +246,7 @@ class CatalogueReader {
              : is_lead ? "a number other than 0"
                        : "a number > 0",
              "fix the field, or write `-` for a value that is not printed");
-    if (column.ends_with("efficiency") && *value > 1.0)
-      refuse(place, "a fraction up to 1", "write 0.85 for 85 %");
+    if (column.ends_with("efficiency") && *value > 1.0) refuse(place, "a fraction up to 1", "write 0.85 for 85 %");
     return *value / per_si;
   }
 
@@ -294,8 +281,7 @@ class CatalogueReader {
   std::vector<std::string> heading_;
 };
 
-void add_designs(const Requirement::Designs& d, const input::Source& source,
-                 std::vector<CandidateData>& all) {
+void add_designs(const Requirement::Designs& d, const input::Source& source, std::vector<CandidateData>& all) {
   const std::vector<double> diameters = d.screw_diameter.values(), leads = d.lead.values();
   const std::vector<double> starts = d.starts ? d.starts->values() : std::vector<double>{0.0};
   double count = static_cast<double>(all.size());
@@ -328,9 +314,8 @@ CompleteScrew screw_of(const CandidateData& candidate, const std::optional<doubl
     const double least = *stroke + threads + 2.0 * screw.c.structure->roller.end_length;
     if (candidate.screw.nut_length) {
       if (*candidate.screw.nut_length < least * (1.0 - 1e-9))
-        throw CaseError("nut_length",
-                        fmt::format("got {}; expected at least {}, in which the rollers travel {}",
-                                    mm(*candidate.screw.nut_length), mm(least), mm(*stroke)));
+        throw CaseError("nut_length", fmt::format("got {}; expected at least {}, in which the rollers travel {}",
+                                                  mm(*candidate.screw.nut_length), mm(least), mm(*stroke)));
     } else {
       ScrewData longer = candidate.screw;
       longer.nut_length = 1e-3 * std::ceil(1e3 * std::max(least, threads / kThreadedShare) - 1e-9);
@@ -349,8 +334,7 @@ double shaft_length(const Requirement& r, const CompleteScrew& s) {
 }
 
 /// `speed` along the axis; a case counts it > 0 with tension where the screw drives.
-LoadCase load_case(const SizeInput& in, const CompleteScrew& s, std::string_view name, double force,
-                   double speed) {
+LoadCase load_case(const SizeInput& in, const CompleteScrew& s, std::string_view name, double force, double speed) {
   const Direction direction = direction_of(in.values, force);
   const bool as_in_case = (force > 0.0) == (direction == Direction::tension);
   return {.name = std::string(name),
@@ -373,8 +357,7 @@ std::vector<CandidateData> candidates_of(const SizeInput& in, std::vector<Warnin
     all = CatalogueReader(standard_screws(), "standard_screws.csv", in.source).read(warnings);
   if (from.designs) add_designs(*from.designs, in.source, all);
   for (CandidateData& c : all)
-    if (c.name.empty())
-      c.name = fmt::format("{:.6g}x{:.6g}", 1e3 * c.screw.screw_diameter, 1e3 * c.screw.lead);
+    if (c.name.empty()) c.name = fmt::format("{:.6g}x{:.6g}", 1e3 * c.screw.screw_diameter, 1e3 * c.screw.lead);
   return all;
 }
 
@@ -402,8 +385,7 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
                              .driven_by = segment.driven_by()});
     if (segment.sense() == 0) continue;
     place = c.load_cases.size();
-    c.load_cases.push_back(
-        load_case(in, s, segment.name, segment.force, segment.sense() * segment.mean_speed()));
+    c.load_cases.push_back(load_case(in, s, segment.name, segment.force, segment.sense() * segment.mean_speed()));
   }
   c.load_cases.push_back(load_case(in, s, kBackDriving, cycle.largest_sign * cycle.driving_force(),
                                    -cycle.largest_sign * cycle.driving_speed()));
@@ -438,8 +420,7 @@ Limits limits_of(const SizeInput& in) {
   Limits limits = in.values.limits;
   limits.temperature.reset();  // Of the block `heat`, which is a comment.
   if (in.cycle.mean_load && (life.hours || life.distance)) {
-    const double cycles =
-        life.hours ? *life.hours / in.cycle.duration : *life.distance / in.cycle.travel;
+    const double cycles = life.hours ? *life.hours / in.cycle.duration : *life.distance / in.cycle.travel;
     limits.life = LeastLife{.travel = cycles * in.cycle.loaded_travel};
   }
   return limits;
@@ -452,34 +433,29 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
   SizedCase sized = sized_case(in, candidate);
   Case& c = sized.c;
   std::string text =
-      screw_text(
-          sized.screw,
-          fmt::format("Chosen by `prs size` for {}: {}, {} {}.", in.source.name, candidate.name,
-                      candidate.is_row ? "row of the catalogue" : "design", candidate.number)) +
+      screw_text(sized.screw, fmt::format("Chosen by `prs size` for {}: {}, {} {}.", in.source.name, candidate.name,
+                                          candidate.is_row ? "row of the catalogue" : "design", candidate.number)) +
       fmt::format("\nmodel: {{bodies: refined{}}}\n", c.model.loads ? ", loads: static" : "") +
       "# One load case per segment of the motion, at its mean speed; the load drives the last.\n"
       "load_cases:\n";
   for (const LoadCase& load : c.load_cases)
-    text += fmt::format(
-        "  - {{name: {}, axial_force: {}, direction: {}, position: {}, speed: {}}}\n",
-        nlohmann::json(load.name).dump(), format_quantity(load.axial_force, input::unit::force),
-        name(*load.direction), format_quantity(*load.position, input::unit::length),
-        format_quantity(*load.speed, input::unit::rotational_speed));
+    text += fmt::format("  - {{name: {}, axial_force: {}, direction: {}, position: {}, speed: {}}}\n",
+                        nlohmann::json(load.name).dump(), format_quantity(load.axial_force, input::unit::force),
+                        name(*load.direction), format_quantity(*load.position, input::unit::length),
+                        format_quantity(*load.speed, input::unit::rotational_speed));
   text += fmt::format("\noperation: {{speed: {}}}   # mean of the time in motion\nfriction: {}\n",
                       format_quantity(c.operation->speed, input::unit::rotational_speed),
                       text_of(value_of(*c.friction, input::ChoiceUnder{"model"})));
   const PerPart<double>& rough = *c.roughness;
-  text +=
-      block_text("lubricant", value_of(*c.lubricant, Block{})) +
-      fmt::format("roughness: {{screw: {:.15g} um, roller: {:.15g} um, nut: {:.15g} um}}\n",
-                  1e6 * rough.screw, 1e6 * rough.roller, 1e6 * rough.nut) +
-      block_text("carrier", value_of(c.carrier, Block{})) +
-      "\n# Temperatures that follow from the losses, with `prs slip`; the list took the mean of "
-      "the\n# cycle at the lubricant's temperature:\n";
+  text += block_text("lubricant", value_of(*c.lubricant, Block{})) +
+          fmt::format("roughness: {{screw: {:.15g} um, roller: {:.15g} um, nut: {:.15g} um}}\n", 1e6 * rough.screw,
+                      1e6 * rough.roller, 1e6 * rough.nut) +
+          block_text("carrier", value_of(c.carrier, Block{})) +
+          "\n# Temperatures that follow from the losses, with `prs slip`; the list took the mean of "
+          "the\n# cycle at the lubricant's temperature:\n";
   Heat heat = heat_of_cycle(in, sized, candidate.conductance);
   std::string of_heat = block_text("heat", value_of(heat, Block{}));
-  for (std::size_t at = 0; at < of_heat.size(); at = of_heat.find('\n', at) + 1)
-    of_heat.insert(at, "# ");
+  for (std::size_t at = 0; at < of_heat.size(); at = of_heat.find('\n', at) + 1) of_heat.insert(at, "# ");
   Life& life = *c.life;
   if (candidate.life_basis == Requirement::Basis::maker) {
     life.dynamic_capacity = candidate.dynamic_capacity;
@@ -487,9 +463,8 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
   }
   Limits limits = limits_of(in);
   return text + of_heat + "\n# Without a capacity, as makers print it, life is that by threads.\n" +
-         block_text("life", value_of(life, Block{})) + "\n" +
-         block_text("measures", value_of(*c.measures, Block{})) + "\n# Life: travel under load.\n" +
-         block_text("limits", value_of(limits, Block{}));
+         block_text("life", value_of(life, Block{})) + "\n" + block_text("measures", value_of(*c.measures, Block{})) +
+         "\n# Life: travel under load.\n" + block_text("limits", value_of(limits, Block{}));
 }
 
 }  // namespace prs

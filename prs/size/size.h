@@ -53,9 +53,7 @@ struct SizeCriterion {
   CriterionStatus status = CriterionStatus::pass;
   std::string reason = {};
 
-  bool holds() const {
-    return status == CriterionStatus::pass || status == CriterionStatus::not_applicable;
-  }
+  bool holds() const { return status == CriterionStatus::pass || status == CriterionStatus::not_applicable; }
 };
 
 /// A segment of the motion on one candidate. SI units.

@@ -16,8 +16,7 @@ constexpr Quantity<MotionSegment> kMotionSegment[] = {
     {"end_speed_mm_per_s", of<&MotionSegment::end_speed>, "signed"},
     {"acceleration_m_per_s2", of<&MotionSegment::acceleration>, "signed"},
     {"travel_mm", of<&MotionSegment::travel>, "signed"},
-    {"axial_force_N", always<&MotionSegment::force>,
-     "on the screw, > 0 where it pushes the mass in the positive sense",
+    {"axial_force_N", always<&MotionSegment::force>, "on the screw, > 0 where it pushes the mass in the positive sense",
      "THK general catalogue, axial loads"},
 };
 
@@ -39,8 +38,7 @@ constexpr Quantity<RequirementOf> kRequirement[] = {
     {"largest_speed_mm_per_s", of<its<&MotionCycle::largest_speed>>, "of either sense"},
     {"rms_speed_mm_per_s", of<its<&MotionCycle::rms_speed>>, "over the cycle with its rests"},
     {"mean_speed_mm_per_s", of<its<&MotionCycle::mean_speed>>, "travel over the time in motion"},
-    {"segments", always<its<&MotionCycle::shown>>,
-     "of constant acceleration, or classes of many samples"},
+    {"segments", always<its<&MotionCycle::shown>>, "of constant acceleration, or classes of many samples"},
 };
 
 Record<RequirementOf> record_of(Type<RequirementOf>) {
@@ -59,14 +57,10 @@ constexpr Quantity<SizeCounts> kCounts[] = {
     {"invalid", always<&SizeCounts::invalid>, "refused by the rules of `prs new`"},
 };
 
-Record<SizeCounts> record_of(Type<SizeCounts>) {
-  return {"SizeCounts", "How many candidates there are.", kCounts};
-}
+Record<SizeCounts> record_of(Type<SizeCounts>) { return {"SizeCounts", "How many candidates there are.", kCounts}; }
 
 /// Where a candidate comes from.
-static std::string_view source_name(const CandidateData& c) {
-  return c.is_row ? "catalogue" : "design";
-}
+static std::string_view source_name(const CandidateData& c) { return c.is_row ? "catalogue" : "design"; }
 template <bool of_row>
 static std::optional<std::size_t> number_of(const CandidateData& c) {
   return c.is_row == of_row ? std::optional(c.number) : std::nullopt;
@@ -145,10 +139,8 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"source", always<source_name>, "catalogue | design"},
     {"row", of<number_of<true>>, "of the catalogue, from 1"},
     {"design", of<number_of<false>>, "from 1"},
-    {"type", always<[](const SizedCandidate& c) { return type_name(c.screw.type); }>,
-     "standard | inverted"},
-    {"screw_diameter_mm", of<[](const SizedCandidate& c) { return c.screw.screw_diameter; }>,
-     "nominal"},
+    {"type", always<[](const SizedCandidate& c) { return type_name(c.screw.type); }>, "standard | inverted"},
+    {"screw_diameter_mm", of<[](const SizedCandidate& c) { return c.screw.screw_diameter; }>, "nominal"},
     {"lead_mm", of<[](const SizedCandidate& c) { return c.screw.lead; }>, "< 0 left-handed"},
     {"starts", always<&SizedCandidate::starts>, "of screw and nut"},
     {"nut_diameter_mm", of<&SizedCandidate::nut_diameter>, "outer"},
@@ -172,13 +164,11 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"buckling_safety", of<&SizedCandidate::buckling_safety>, "against the largest compression"},
     {"critical_speed_rpm", of<&SizedCandidate::critical_speed>, "of a screw that turns"},
     {"largest_speed_rpm", of<&SizedCandidate::largest_speed>, "of screw against nut"},
-    {"speed_times_diameter_mm_per_min", of<&SizedCandidate::speed_times_diameter>,
-     "d the nominal diameter"},
+    {"speed_times_diameter_mm_per_min", of<&SizedCandidate::speed_times_diameter>, "d the nominal diameter"},
     {"stiffness_N_per_um", of<&SizedCandidate::stiffness>,
      "of the load case with the largest force, in series with the shaft"},
     {"efficiency", of<&SizedCandidate::efficiency>, "of the cycle, where the screw drives"},
-    {"back_driving_efficiency", of<&SizedCandidate::back_driving_efficiency>,
-     "absent where the screw locks itself"},
+    {"back_driving_efficiency", of<&SizedCandidate::back_driving_efficiency>, "absent where the screw locks itself"},
     {"self_locking", of<&SizedCandidate::self_locking>, "by slip"},
     {"temperature_degC", of<[](const SizedCandidate& c) {
        return c.temperature ? std::optional(celsius_of(*c.temperature)) : std::nullopt;
@@ -191,8 +181,7 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"motor_peak_torque_Nm", of<&SizedCandidate::motor_peak_torque>, "largest of the cycle"},
     {"motor_largest_speed_rpm", of<&SizedCandidate::motor_largest_speed>, "with the gear"},
     {"motor_peak_power_W", of<&SizedCandidate::motor_peak_power>, "largest of the cycle"},
-    {"inertia_ratio", of<&SizedCandidate::inertia_ratio>,
-     "screw and mass over the motor's, at its shaft"},
+    {"inertia_ratio", of<&SizedCandidate::inertia_ratio>, "screw and mass over the motor's, at its shaft"},
     {"regenerated_mean_W", of<&SizedCandidate::regenerated_mean>, "over the cycle"},
     {"regenerated_peak_W", of<&SizedCandidate::regenerated_peak>, "largest of the cycle"},
     {"holding_torque_Nm", of<&SizedCandidate::holding_torque>, "at the motor, without friction"},
@@ -230,9 +219,7 @@ constexpr Quantity<Relaxation> kRelaxation[] = {
     {"margin", of<&Relaxation::margin>, "as it is"},
 };
 
-Record<Relaxation> record_of(Type<Relaxation>) {
-  return {"Relaxation", "What a limit would have to be.", kRelaxation};
-}
+Record<Relaxation> record_of(Type<Relaxation>) { return {"Relaxation", "What a limit would have to be.", kRelaxation}; }
 
 constexpr Quantity<SizeCurve> kCurve[] = {
     {"rank", always<&SizeCurve::rank>, "of the candidate"},
@@ -261,16 +248,13 @@ constexpr Quantity<SizeResult> kResult[] = {
      },
         [](const SizeResult& r) { return r.passing() == 0; }>,
      "where nothing passes"},
-    {"relax", of<&SizeResult::relax>,
-     "of the candidates that miss one criterion alone, the one that misses it least"},
+    {"relax", of<&SizeResult::relax>, "of the candidates that miss one criterion alone, the one that misses it least"},
     {"curve", of<&SizeResult::curve>, "of one candidate"},
     {"invalid", always<&SizeResult::invalid>, "refused by the rules of `prs new`"},
     {"candidates", always<&SizeResult::candidates>, "by rank"},
 };
 
-Record<SizeResult> record_of(Type<SizeResult>) {
-  return {"Size", "Candidates against a requirement.", kResult};
-}
+Record<SizeResult> record_of(Type<SizeResult>) { return {"Size", "Candidates against a requirement.", kResult}; }
 
 namespace {
 
@@ -296,17 +280,14 @@ Delivery checked(const input::Source& source) {
     document["commands"] = {{"size", {{"ready", true}, {"missing", Json::array()}}}};
     document["candidates"] = count;
     for (const input::EchoEntry& f : in->fields)
-      document["input"].push_back(
-          {{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
+      document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
     return document;
   };
   const auto table = [in, warnings, count](bool all) {
-    std::string text =
-        fmt::format("A requirement, ready for `prs size`: {} candidates\n\nInput\n", count);
+    std::string text = fmt::format("A requirement, ready for `prs size`: {} candidates\n\nInput\n", count);
     for (const input::EchoEntry& f : in->fields)
       if (all || !f.is_default)
-        text += fmt::format("  {:<42} {}   ({})\n", f.path, f.value,
-                            f.is_default ? "default" : "given");
+        text += fmt::format("  {:<42} {}   ({})\n", f.path, f.value, f.is_default ? "default" : "given");
     if (!all) text += "  defaults: with --all\n";
     return text;
   };
@@ -327,14 +308,12 @@ Delivery size_delivery(SizeResult computed, std::size_t rows) {
   d.outline = [result](const DocumentInfo& info) { return outline_of(*result, info); };
   d.document = [result](const DocumentInfo& info) {
     Json document = outline_of(*result, info);
-    for (const SizedCandidate& c : result->candidates)
-      document["candidates"].push_back(object_of(c));
+    for (const SizedCandidate& c : result->candidates) document["candidates"].push_back(object_of(c));
     return document;
   };
   d.write = [result](const Json& outline, const TextSink& sink) {
     const auto item = [&](std::size_t k) {
-      return k < result->candidates.size() ? std::optional(object_of(result->candidates[k]))
-                                           : std::nullopt;
+      return k < result->candidates.size() ? std::optional(object_of(result->candidates[k])) : std::nullopt;
     };
     write_with_list(outline, "candidates", item, sink);
   };
@@ -353,10 +332,7 @@ const OtherFile& size_file() {
       .help = "Which screw, and which motor: candidates against a requirement",
       .name = "requirement",
       .key = "motion",
-      .run =
-          [](const input::Source& source) {
-            return size_delivery(size_screws(read_requirement(source)));
-          },
+      .run = [](const input::Source& source) { return size_delivery(size_screws(read_requirement(source))); },
       .check = checked,
       .schema = requirement_schema,
       .resolved_input = resolved_requirement,
@@ -385,12 +361,10 @@ Figures map(const SizeResult& r) {
     figure.add(std::move(title), style);
     panel.series.push_back(std::move(points));
   };
-  add("fails", points_of(Colour::muted, Mark::cross),
-      [](const SizedCandidate& c) { return !c.passes; });
+  add("fails", points_of(Colour::muted, Mark::cross), [](const SizedCandidate& c) { return !c.passes; });
   std::vector<std::string_view> limits;
   for (const SizedCandidate& c : r.candidates)
-    if (c.passes && std::ranges::find(limits, c.limited_by) == limits.end())
-      limits.push_back(c.limited_by);
+    if (c.passes && std::ranges::find(limits, c.limited_by) == limits.end()) limits.push_back(c.limited_by);
   for (std::size_t k = 0; k < limits.size(); ++k)
     add("passes, limited by " + (limits[k].empty() ? "nothing" : words_of(limits[k])),
         points_of(palette(k), Mark::circle),
@@ -413,13 +387,12 @@ Figures curve(const SizeResult& r) {
   Range range;
   for (const auto& [limit, forces] : c.force) {
     const bool all = limit == "envelope";
-    Series line{figure.add(all ? "on and on" : words_of(limit),
-                           all ? line_of(Colour::ink, Dash::solid, Weight::strong)
-                               : line_of(palette(figure.styles.size()), Dash::dashed))};
+    Series line{
+        figure.add(all ? "on and on" : words_of(limit), all ? line_of(Colour::ink, Dash::solid, Weight::strong)
+                                                            : line_of(palette(figure.styles.size()), Dash::dashed))};
     for (std::size_t k = 0; k < forces.size(); ++k) {
       const double kilonewtons = forces[k] * per_si::kilonewton;
-      line.add(1e3 * c.speed[k],
-               std::isfinite(kilonewtons) ? std::optional(kilonewtons) : std::nullopt);
+      line.add(1e3 * c.speed[k], std::isfinite(kilonewtons) ? std::optional(kilonewtons) : std::nullopt);
       if (all) range.include(2.5 * kilonewtons);  // Far limits would press what matters together.
     }
     panel.series.push_back(std::move(line));
@@ -452,14 +425,12 @@ Figures margins(const SizeResult& r) {
       if (!c.margin || !(*c.margin > 0.0)) continue;
       const auto row = static_cast<std::size_t>(std::ranges::find(keys, c.name) - keys.begin());
       const double top = rank_position(row, keys.size()) + 0.4 - static_cast<double>(k) * height;
-      bars.parts.push_back(
-          rectangle(std::min(1.0, *c.margin), std::max(1.0, *c.margin), top - height, top));
+      bars.parts.push_back(rectangle(std::min(1.0, *c.margin), std::max(1.0, *c.margin), top - height, top));
       range.include(*c.margin);
     }
     panel.series.push_back(std::move(bars));
   }
-  figure.x = {
-      .label = "Margin", .from = 0.9 * range.from, .to = 1.1 * range.to, .logarithmic = true};
+  figure.x = {.label = "Margin", .from = 0.9 * range.from, .to = 1.1 * range.to, .logarithmic = true};
   panel.y = ranked_axis(names);
   panel.references.push_back({figure.add(kZeroStyle), 1.0, true});
   figure.panels = {std::move(panel)};
@@ -494,32 +465,25 @@ std::string asked(const SizeResult& r) {
   if (c.mean_load) parts.push_back("mean load " + fixed_with_unit(c.mean_load, "kN", 3));
   parts.push_back("largest force " + fixed_with_unit(c.largest_force, "kN", 3));
   parts.push_back(fmt::format("largest speed {:.4g} mm/s", 1e3 * c.largest_speed));
-  parts.push_back(
-      fmt::format("{} per cycle of {:.4g} s", fixed_with_unit(c.travel, "mm", 0), c.duration));
-  if (r.input.values.stroke)
-    parts.push_back("stroke " + fixed_with_unit(r.input.values.stroke, "mm", 0));
+  parts.push_back(fmt::format("{} per cycle of {:.4g} s", fixed_with_unit(c.travel, "mm", 0), c.duration));
+  if (r.input.values.stroke) parts.push_back("stroke " + fixed_with_unit(r.input.values.stroke, "mm", 0));
   return hanging("Asked for: ", 11, fmt::format("{}", fmt::join(parts, ", ")));
 }
 
 std::string verdict(const SizeResult& r) {
   const std::size_t passing = r.passing(), invalid = r.invalid.size();
-  const std::string refused =
-      invalid == 0 ? "" : fmt::format("; {} cannot be made: see size.json", invalid);
-  if (passing > 0)
-    return fmt::format("{} of {} candidates pass{}\n", passing, r.candidates.size() + invalid,
-                       refused);
+  const std::string refused = invalid == 0 ? "" : fmt::format("; {} cannot be made: see size.json", invalid);
+  if (passing > 0) return fmt::format("{} of {} candidates pass{}\n", passing, r.candidates.size() + invalid, refused);
   const SizedCandidate& nearest = r.candidates.front();
   std::vector<std::string> missed = nearest.missed();
   std::ranges::transform(missed, missed.begin(), words_of);
-  std::string text =
-      fmt::format("NOTHING PASSES, of {} candidates{}\n", r.candidates.size() + invalid, refused);
-  text += hanging(
-      "  ", 2, fmt::format("The nearest, {}, misses {}.", nearest.name, fmt::join(missed, ", ")));
+  std::string text = fmt::format("NOTHING PASSES, of {} candidates{}\n", r.candidates.size() + invalid, refused);
+  text += hanging("  ", 2, fmt::format("The nearest, {}, misses {}.", nearest.name, fmt::join(missed, ", ")));
   if (r.relax)
-    text += hanging("  ", 2,
-                    fmt::format("To relax: with {} of {:.4g} in place of {:.4g}, {} passes.",
-                                words_of(r.relax->criterion), r.relax->needed, r.relax->limit,
-                                r.candidates[static_cast<std::size_t>(r.relax->rank) - 1].name));
+    text += hanging(
+        "  ", 2,
+        fmt::format("To relax: with {} of {:.4g} in place of {:.4g}, {} passes.", words_of(r.relax->criterion),
+                    r.relax->needed, r.relax->limit, r.candidates[static_cast<std::size_t>(r.relax->rank) - 1].name));
   return text;
 }
 
@@ -532,27 +496,21 @@ bool is_rough(const SizeResult& r) {
 std::string row(const SizeResult& r, const SizedCandidate& c) {
   const std::optional<double> heat = c.hottest_part();
   return line_of(fmt::format("{}", c.rank), c.name, c.passes ? "passes" : "fails",
-                 {significant(c.life.hours, 4), fixed(c.static_safety, 1.0, 2),
-                  fixed(c.buckling_safety, 1.0, 2), fixed(c.motor_rms_torque, "N m", 2),
-                  heat ? fmt::format("{:.0f}{}", *heat - 273.15, is_rough(r) ? "*" : "")
-                       : std::string(kAbsent),
+                 {significant(c.life.hours, 4), fixed(c.static_safety, 1.0, 2), fixed(c.buckling_safety, 1.0, 2),
+                  fixed(c.motor_rms_torque, "N m", 2),
+                  heat ? fmt::format("{:.0f}{}", *heat - 273.15, is_rough(r) ? "*" : "") : std::string(kAbsent),
                   fixed(c.weight, "kg", 2)},
                  words_of(c.limited_by));
 }
 
 std::string candidate_rows(const SizeResult& r, std::size_t count) {
   std::string text =
-      line_of("", "", "", {"L10", "static", "buckling", "T rms", "hottest", "weight"},
-              "limited by") +
-      line_of("rank", "screw", "",
-              {"h", "safety", "safety", with_table_unit("N m"), "°C", with_table_unit("kg")}, "");
-  for (std::size_t k = 0; k < std::min(count, r.candidates.size()); ++k)
-    text += row(r, r.candidates[k]);
+      line_of("", "", "", {"L10", "static", "buckling", "T rms", "hottest", "weight"}, "limited by") +
+      line_of("rank", "screw", "", {"h", "safety", "safety", with_table_unit("N m"), "°C", with_table_unit("kg")}, "");
+  for (std::size_t k = 0; k < std::min(count, r.candidates.size()); ++k) text += row(r, r.candidates[k]);
   if (count < r.candidates.size())
-    text +=
-        fmt::format("  … of {}; more with --top N, {}\n", r.candidates.size(), all_in("size.csv"));
-  if (is_rough(r) && r.candidates.front().temperature)
-    text += "  * of bare parts in still air: see `heat`\n";
+    text += fmt::format("  … of {}; more with --top N, {}\n", r.candidates.size(), all_in("size.csv"));
+  if (is_rough(r) && r.candidates.front().temperature) text += "  * of bare parts in still air: see `heat`\n";
   return text;
 }
 
@@ -566,13 +524,11 @@ std::string bar(double margin) {
 }
 
 std::string criteria_rows(const SizedCandidate& c) {
-  std::string text = fmt::format("{}, {:.6g} x {:.6g} mm, {} starts\n", c.name,
-                                 1e3 * c.screw.screw_diameter, 1e3 * c.screw.lead, c.starts);
+  std::string text = fmt::format("{}, {:.6g} x {:.6g} mm, {} starts\n", c.name, 1e3 * c.screw.screw_diameter,
+                                 1e3 * c.screw.lead, c.starts);
   text += fmt::format("  {:<30}{:>10}{:>10}{:>9}\n", "", "value", "limit", "margin");
   for (const SizeCriterion& k : c.criteria) {
-    std::string line =
-        "  " +
-        padded(words_of(k.name) + (k.unit.empty() ? "" : fmt::format(", {}", k.unit)), 30, true);
+    std::string line = "  " + padded(words_of(k.name) + (k.unit.empty() ? "" : fmt::format(", {}", k.unit)), 30, true);
     line += padded(significant(k.value, 4), 10, false) + padded(significant(k.limit, 6), 10, false);
     line += padded(significant(k.margin, 4), 9, false) + "  ";
     if (k.status != CriterionStatus::pass) line += words_of(name(k.status)) + " ";
@@ -619,14 +575,12 @@ std::vector<std::string> deciding_defaults(const SizeResult& r) {
 }
 
 std::string size_table(const SizeResult& r, std::size_t rows) {
-  std::string text = verdict(r) + asked(r) + "\n" + candidate_rows(r, rows) + "\n" +
-                     criteria_rows(r.candidates.front());
+  std::string text =
+      verdict(r) + asked(r) + "\n" + candidate_rows(r, rows) + "\n" + criteria_rows(r.candidates.front());
   if (const std::vector<std::string> defaults = deciding_defaults(r); !defaults.empty())
-    text +=
-        "\nDefaults that decide\n" + hanging("  ", 2, fmt::format("{}", fmt::join(defaults, "; ")));
+    text += "\nDefaults that decide\n" + hanging("  ", 2, fmt::format("{}", fmt::join(defaults, "; ")));
   std::vector<Warning> warnings = r.warnings;
-  for (const std::string& sentence : r.candidates.front().warnings)
-    warnings.push_back({"", sentence, sentence});
+  for (const std::string& sentence : r.candidates.front().warnings) warnings.push_back({"", sentence, sentence});
   return text + warning_section(warnings);
 }
 
@@ -651,8 +605,8 @@ std::string candidates_csv(const SizeResult& r, const CsvStyle& style) {
 
 /// All items of all candidates, named by a column `kind`.
 template <class Item>
-std::string items_csv(const SizeResult& r, const std::vector<Item> SizedCandidate::*items,
-                      std::string_view kind, const CsvStyle& style) {
+std::string items_csv(const SizeResult& r, const std::vector<Item> SizedCandidate::*items, std::string_view kind,
+                      const CsvStyle& style) {
   const std::string_view behind_name = record_of<Item>().quantities[1].key;
   CsvWriter csv(style);
   csv.fields("rank", "candidate", kind);

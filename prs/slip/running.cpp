@@ -71,8 +71,7 @@ struct Slipping {
 double largest(const std::vector<double>& values) { return std::ranges::max(values); }
 
 RunningStatus status_of(fe::NewtonStatus status) {
-  return status == fe::NewtonStatus::mechanism ? RunningStatus::mechanism
-                                               : RunningStatus::no_equilibrium;
+  return status == fe::NewtonStatus::mechanism ? RunningStatus::mechanism : RunningStatus::no_equilibrium;
 }
 
 RollerPush no_push(std::size_t threads) {
@@ -86,8 +85,8 @@ class FixedPoint {
   using Bodies = std::function<Answer(const std::vector<RollerPush>&)>;
   using Turned = std::function<std::optional<Answer>(const std::vector<RollerPush>&)>;
 
-  FixedPoint(const Conditions& c, const Contacts& contacts, const SlipModels& models,
-             Rollers rollers, LoadCaseResult& loaded)
+  FixedPoint(const Conditions& c, const Contacts& contacts, const SlipModels& models, Rollers rollers,
+             LoadCaseResult& loaded)
       : c_(c), contacts_(contacts), models_(models), rollers_(std::move(rollers)), loaded_(loaded) {
     running().at_rest = {{largest(threads().screw.normal_load), largest(threads().nut.normal_load)},
                          loaded.axial_displacement.value_or(0.0)};
@@ -129,8 +128,7 @@ class FixedPoint {
         if (!next) {
           found = find_slip_equilibrium(model, slip_ratio[n]);
           if (!found.ok()) {
-            r.status = found.status == SlipStatus::jammed ? RunningStatus::jammed
-                                                          : RunningStatus::slip_no_equilibrium;
+            r.status = found.status == SlipStatus::jammed ? RunningStatus::jammed : RunningStatus::slip_no_equilibrium;
             return slip;
           }
           next = found.balance.motion.slip_ratio;
@@ -144,8 +142,7 @@ class FixedPoint {
         else
           centrifugal.assign(push_.size(), force);
       }
-      if (!follow(bodies, turned, centrifugal, anew && r.rounds > 3 && before > kTolerance, answer))
-        return slip;
+      if (!follow(bodies, turned, centrifugal, anew && r.rounds > 3 && before > kTolerance, answer)) return slip;
       anew = r.rounds > 1 && (r.change > 0.3 * before || r.change <= kTolerance);
       if (r.change > kTolerance || missed > kSlipMissed) continue;
       for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
@@ -153,8 +150,7 @@ class FixedPoint {
       r.status = RunningStatus::converged;
       for (const Slipping& nut : nuts) set_axial_loads(nut);
       for (const Interface i : kInterfaces)
-        threads()[i].running_over_static =
-            largest(threads()[i].normal_load) / r.at_rest.largest_normal_load[i];
+        threads()[i].running_over_static = largest(threads()[i].normal_load) / r.at_rest.largest_normal_load[i];
       return slip;
     }
     r.status = RunningStatus::iteration_limit;
@@ -170,8 +166,8 @@ class FixedPoint {
   /// Loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is
   /// that of the round. False where there are none.
   /// `slow`: the last rounds changed them hardly less than those before.
-  bool follow(const Bodies& bodies, const Turned& turned, const std::vector<double>& centrifugal,
-              bool slow, Answer& answer) {
+  bool follow(const Bodies& bodies, const Turned& turned, const std::vector<double>& centrifugal, bool slow,
+              Answer& answer) {
     RunningLoads& r = running();
     const PerInterface<std::vector<double>> start = answer.normal_load;
     PerInterface<std::vector<double>> before = start;
@@ -294,8 +290,7 @@ class FixedPoint {
         if (!c_.contact.normal_angle[i])
           loads.axial_load[at] =
               t.patch_of_thread[k]
-                  ? std::abs(loads.normal_load[at] *
-                                 nut.model.frame(i, t.contacts[*t.patch_of_thread[k]]).normal.z -
+                  ? std::abs(loads.normal_load[at] * nut.model.frame(i, t.contacts[*t.patch_of_thread[k]]).normal.z -
                              loads.friction->axial[at])
                   : 0.0;
         loads.load_rate[at] = loads.axial_load[at] / unit;
@@ -321,8 +316,7 @@ class FixedPoint {
   }
 
   /// All unknown forces, the centrifugal ones of the rows last [N].
-  Eigen::VectorXd vector_of(const std::vector<RollerPush>& pushes,
-                            const std::vector<double>& centrifugal) const {
+  Eigen::VectorXd vector_of(const std::vector<RollerPush>& pushes, const std::vector<double>& centrifugal) const {
     std::vector<double> all;
     for (const RollerPush& push : pushes)
       for (const Interface i : kInterfaces) {
@@ -406,33 +400,28 @@ void start(LoadCaseResult& rest) {
 
 }  // namespace
 
-LoadCaseResult RunningSolver::solve(const LoadCase& load_case, Detail detail,
-                                    std::optional<SlipEquilibrium>& slip) {
+LoadCaseResult RunningSolver::solve(const LoadCase& load_case, Detail detail, std::optional<SlipEquilibrium>& slip) {
   second_nut_.reset();
-  return has_both_flanks(conditions_, load_case.share) ? of_flanks(load_case, slip)
-         : conditions_.model.mechanism == ModelOptions::Mechanism::full
-             ? of_all_rollers(load_case, detail, slip)
-             : of_sector(load_case, slip);
+  return has_both_flanks(conditions_, load_case.share)                  ? of_flanks(load_case, slip)
+         : conditions_.model.mechanism == ModelOptions::Mechanism::full ? of_all_rollers(load_case, detail, slip)
+                                                                        : of_sector(load_case, slip);
 }
 
-LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case,
-                                        std::optional<SlipEquilibrium>& slip) {
+LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip) {
   if (!flanks_) flanks_.emplace(conditions_, contacts_);
   const Direction named = *load_case.direction;
   LoadCaseResult rest = flanks_->solve(load_case);
   start(rest);
   if (!rest.threads) return not_running(std::move(rest));
-  const RunningLoads::AtRest at_rest{
-      {largest(rest.threads->screw.normal_load), largest(rest.threads->nut.normal_load)},
-      rest.axial_displacement.value_or(0.0)};
+  const RunningLoads::AtRest at_rest{{largest(rest.threads->screw.normal_load), largest(rest.threads->nut.normal_load)},
+                                     rest.axial_displacement.value_or(0.0)};
   const std::size_t threads = rest.threads->screw.normal_load.size();
   const bool two_nuts = rest.other_flank->of_second_roller;
   Answer answer{fe::NewtonStatus::converged, {}, rest.other_flank->guide_force};
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*rest.threads)[i];
     FlankThreads& other = rest.other_flank->threads[i];
-    loads.normal_load.insert(loads.normal_load.end(), other.normal_load.begin(),
-                             other.normal_load.end());
+    loads.normal_load.insert(loads.normal_load.end(), other.normal_load.begin(), other.normal_load.end());
     loads.axial_load.resize(2 * threads);
     loads.load_rate.resize(2 * threads);
     answer.normal_load[i] = loads.normal_load;
@@ -477,8 +466,7 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case,
     InterfaceLoads& loads = (*rest.threads)[i];
     FlankThreads& other = loaded.other_flank->threads[i];
     const auto cut = [&](std::vector<double>& values) {
-      std::vector<double> behind(values.begin() + static_cast<std::ptrdiff_t>(threads),
-                                 values.end());
+      std::vector<double> behind(values.begin() + static_cast<std::ptrdiff_t>(threads), values.end());
       values.resize(threads);
       return behind;
     };
@@ -486,9 +474,7 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case,
     other.axial_load = cut(loads.axial_load);
     cut(loads.load_rate);
     if (load_case.axial_force == 0.0) std::ranges::fill(loads.load_rate, kNoShare);
-    for (auto* values :
-         {&loads.friction->axial, &loads.friction->radial, &loads.friction->tangential})
-      cut(*values);
+    for (auto* values : {&loads.friction->axial, &loads.friction->radial, &loads.friction->tangential}) cut(*values);
     loads.running_over_static = largest(loads.normal_load) / at_rest.largest_normal_load[i];
   }
   return with_friction(std::move(loaded), std::move(rest));
@@ -497,17 +483,15 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case,
 RunningSolver::SectorAt& RunningSolver::sector_at(Direction d, double position) {
   std::unique_ptr<SectorAt>& kept = sectors_[{d, position}];
   if (!kept)
-    kept = std::make_unique<SectorAt>(build_sector(
-        sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
-                     conditions_.model, laws_, d, position, conditions_.deviations)));
+    kept = std::make_unique<SectorAt>(
+        build_sector(sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
+                                  conditions_.model, laws_, d, position, conditions_.deviations)));
   if (conditions_.model.bodies == ModelOptions::Bodies::influence && !kept->meshed)
-    kept->meshed.emplace(
-        influence_solver(conditions_, contacts_, laws_, d, position, shared_matrix_cache(), true));
+    kept->meshed.emplace(influence_solver(conditions_, contacts_, laws_, d, position, shared_matrix_cache(), true));
   return *kept;
 }
 
-LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
-                                        std::optional<SlipEquilibrium>& slip) {
+LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip) {
   SectorAt& at = sector_at(*load_case.direction, *load_case.position);
   SectorSolver& solver = at.solver;
   const Sector& sector = solver.sector();
@@ -520,9 +504,9 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
     Answer answer{status, {}, {}};
     for (const Interface i : kInterfaces)
       for (int k = 0; k < sector.contacts(); ++k)
-        answer.normal_load[i].push_back(
-            at.meshed ? last.normal_load[i][static_cast<std::size_t>(k)]
-                      : solver.equations().response(solver.state(), sector.spring(i, k)).force);
+        answer.normal_load[i].push_back(at.meshed
+                                            ? last.normal_load[i][static_cast<std::size_t>(k)]
+                                            : solver.equations().response(solver.state(), sector.spring(i, k)).force);
     if (at.guides) answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
     return answer;
   };
@@ -536,8 +520,8 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
              .solve(
                  answer_to(no_push(threads), fe::NewtonStatus::converged),
                  [&](const std::vector<RollerPush>& push) {
-                   return answer_to(push.front(), at.meshed ? fe::NewtonStatus::no_equilibrium
-                                                            : under(push.front(), true).status);
+                   return answer_to(push.front(),
+                                    at.meshed ? fe::NewtonStatus::no_equilibrium : under(push.front(), true).status);
                  },
                  [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
                    RollerPush push = per_normal_load.front();
@@ -565,8 +549,7 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case,
     last = solver.at(solver.state(), force);
     last.solve = std::move(summary);
   }
-  return with_friction(solved_result(load_case, contacts_, laws_, std::move(last)),
-                       std::move(rest));
+  return with_friction(solved_result(load_case, contacts_, laws_, std::move(last)), std::move(rest));
 }
 
 /// The running loads of all rollers where the carrier stands, and what they are found by.
@@ -577,18 +560,15 @@ struct RunningSolver::AllRunning {
   std::optional<SlipEquilibrium> slip;
 };
 
-RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_case,
-                                                        FullSolver& solver) {
+RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_case, FullSolver& solver) {
   Rollers rollers{{}, static_cast<std::size_t>(contacts_.mechanism.contacts_per_roller)};
   const std::vector<int>& missing = conditions_.deviations.missing_rollers;
   for (int r = 0; r < contacts_.mechanism.rollers; ++r)
-    if (std::ranges::find(missing, r + 1) == missing.end())
-      rollers.present.push_back(static_cast<std::size_t>(r));
+    if (std::ranges::find(missing, r + 1) == missing.end()) rollers.present.push_back(static_cast<std::size_t>(r));
   const auto forces_on_guides = [&](const std::array<RingForce, 2>& rings) {
     std::vector<std::array<double, 2>> all;
     if (conditions_.model.roller == ModelOptions::Roller::flexible)
-      for (const std::size_t r : rollers.present)
-        all.push_back({rings[0].rollers[r], rings[1].rollers[r]});
+      for (const std::size_t r : rollers.present) all.push_back({rings[0].rollers[r], rings[1].rollers[r]});
     return all;
   };
 
@@ -603,8 +583,7 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
   FixedPoint point(conditions_, contacts_, models_, rollers, rest);
   const auto under = [&](std::vector<RollerPush> push, bool RollerPush::*kind) {
     for (RollerPush& one : push) one.*kind = true;
-    all.loads =
-        full_distribution(load_case, conditions_, contacts_, laws_, solver, Detail::numbers, push);
+    all.loads = full_distribution(load_case, conditions_, contacts_, laws_, solver, Detail::numbers, push);
     Answer answer{all.loads.solve.status, {}, {}};
     if (!all.loads.solve.converged()) return answer;
     answer.guide_force = forces_on_guides(all.loads.rings);
@@ -618,9 +597,7 @@ RunningSolver::AllRunning RunningSolver::all_rollers_at(const LoadCase& load_cas
                      {fe::NewtonStatus::converged,
                       {rest.threads->screw.normal_load, rest.threads->nut.normal_load},
                       forces_on_guides(rest.full->rings)},
-                     [&](const std::vector<RollerPush>& push) {
-                       return under(push, &RollerPush::is_trial);
-                     },
+                     [&](const std::vector<RollerPush>& push) { return under(push, &RollerPush::is_trial); },
                      [&](const std::vector<RollerPush>& push) -> std::optional<Answer> {
                        Answer answer = under(push, &RollerPush::per_normal_load);
                        if (answer.status != fe::NewtonStatus::converged) return std::nullopt;
@@ -647,9 +624,8 @@ LoadCaseResult RunningSolver::of_all_rollers(const LoadCase& load_case, Detail d
   slip = std::move(all.slip);
   all.result.load_case = load_case;
   if (!all.result.threads) return std::move(all.result);
-  LoadCaseResult result =
-      with_friction(full_result(load_case, conditions_, contacts_, laws_, solver, detail, all.push),
-                    std::move(all.result));
+  LoadCaseResult result = with_friction(full_result(load_case, conditions_, contacts_, laws_, solver, detail, all.push),
+                                        std::move(all.result));
   FullLoads full = *result.full;
   set_symmetric(full, result);
   if (load_case.spatial.orbit) {
@@ -671,8 +647,7 @@ void RunningSolver::set_symmetric(FullLoads& full, LoadCaseResult& result) const
   axial.spatial = {};
   std::optional<SlipEquilibrium> slip;
   const SlipModels models(nominal, contacts_, models_.oils());
-  const LoadCaseResult alike =
-      RunningSolver(nominal, contacts_, models).solve(axial, Detail::numbers, slip);
+  const LoadCaseResult alike = RunningSolver(nominal, contacts_, models).solve(axial, Detail::numbers, slip);
   if (!alike.threads) return;
   full.symmetric = {*alike.axial_displacement, alike.tangent_stiffness, {}};
   full.symmetric_stiffness = *alike.axial_stiffness;
@@ -698,13 +673,11 @@ Orbit RunningSolver::turned(const LoadCase& load_case, const SpatialLoad::Orbit&
   return full_orbit(load_case, conditions_, contacts_, laws_, solved, wanted);
 }
 
-std::optional<Warning> guides_without_play(const Conditions& c,
-                                           const PerInterface<double>& over_static) {
+std::optional<Warning> guides_without_play(const Conditions& c, const PerInterface<double>& over_static) {
   constexpr double kMuch = 0.2;
   const auto change = [&](Interface i) { return over_static[i] - 1.0; };
-  const Interface i = std::abs(change(Interface::nut)) > std::abs(change(Interface::screw))
-                          ? Interface::nut
-                          : Interface::screw;
+  const Interface i =
+      std::abs(change(Interface::nut)) > std::abs(change(Interface::screw)) ? Interface::nut : Interface::screw;
   if (std::abs(change(i)) <= kMuch) return std::nullopt;
   constexpr std::string_view kGuidance[] = {"both_end_nodes", "outer_node", "ring"};
   const auto kind = static_cast<std::size_t>(c.structure->roller.guidance.kind);
@@ -742,21 +715,17 @@ std::optional<Conditions> with_slip_ratios(const Conditions& c, const Contacts& 
     const Result result = analyze_slip(alone, contacts, {.detail = Detail::numbers});
     const std::optional<SlipResult>& slip = result.load_cases.front().slip;
     if (!slip || !slip->converged())
-      throw CaseError(
-          path_in(load, "travel.slip_ratio"),
-          "got solved, but `slip` finds none for this load case; expected a number from "
-          "0 to 1, rolling or ideal; write one of them");
+      throw CaseError(path_in(load, "travel.slip_ratio"),
+                      "got solved, but `slip` finds none for this load case; expected a number from "
+                      "0 to 1, rolling or ideal; write one of them");
     found = slip->slip_ratio;
   }
   return stated;
 }
 
 Result analyze_loads(const Conditions& c, Contacts contacts, AnalysisOptions options) {
-  if (const auto stated = with_slip_ratios(c, contacts))
-    return analyze_loads(*stated, std::move(contacts), options);
-  const auto runs = [&](const LoadCase& load) {
-    return solve_takes_running_loads(c.model, load.share);
-  };
+  if (const auto stated = with_slip_ratios(c, contacts)) return analyze_loads(*stated, std::move(contacts), options);
+  const auto runs = [&](const LoadCase& load) { return solve_takes_running_loads(c.model, load.share); };
   if (std::ranges::none_of(c.load_cases, runs)) return analyze(c, std::move(contacts), options);
   require_rolling(c, contacts);
   Result result = analyze(c, std::move(contacts), options, runs);

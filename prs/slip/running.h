@@ -34,8 +34,7 @@ class RunningSolver {
   /// A load case with solved shares and all that belongs to no slip; `running` says how the search
   /// ended. Where it converged: its slip.
   /// Under preload with both flanks, of two nuts the slip of the first.
-  LoadCaseResult solve(const LoadCase& load_case, Detail detail,
-                       std::optional<SlipEquilibrium>& slip);
+  LoadCaseResult solve(const LoadCase& load_case, Detail detail, std::optional<SlipEquilibrium>& slip);
   /// Slip of the second nut of a double nut, of the last load case.
   const std::optional<SlipEquilibrium>& second_nut() const { return second_nut_; }
 
@@ -56,8 +55,7 @@ class RunningSolver {
   SectorAt& sector_at(Direction d, double position);
   LoadCaseResult of_sector(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
   LoadCaseResult of_flanks(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip);
-  LoadCaseResult of_all_rollers(const LoadCase& load_case, Detail detail,
-                                std::optional<SlipEquilibrium>& slip);
+  LoadCaseResult of_all_rollers(const LoadCase& load_case, Detail detail, std::optional<SlipEquilibrium>& slip);
   struct AllRunning;
   AllRunning all_rollers_at(const LoadCase& load_case, FullSolver& solver);
   /// The same screw loaded symmetrically runs as well.
@@ -75,8 +73,7 @@ class RunningSolver {
 
 /// A warning where friction moves the largest load of screw or nut by much: on which guidance that
 /// stands. `over_static`: the largest load of each over that at rest.
-std::optional<Warning> guides_without_play(const Conditions& c,
-                                           const PerInterface<double>& over_static);
+std::optional<Warning> guides_without_play(const Conditions& c, const PerInterface<double>& over_static);
 
 /// The conditions with the slip ratios of travels that are `ideal` or `solved` as numbers; nothing
 /// where there is none. Throws CaseError where slip finds none.

@@ -18,8 +18,7 @@ constexpr double kEqualPower = 1e-9;
 /// Temperatures of parts that run warm and of what is around them, for an estimate [K].
 constexpr double kWarmParts = 353.15, kSurroundings = 298.15;
 
-bool leads_agree(const contact::KinematicConsistency& k,
-                 const contact::MechanismGeometry& threads) {
+bool leads_agree(const contact::KinematicConsistency& k, const contact::MechanismGeometry& threads) {
   return std::abs(k.lead_difference) <= contact::kSamePitch * std::abs(threads.screw.lead);
 }
 
@@ -32,11 +31,10 @@ bool ratios_agree(const contact::KinematicConsistency& k) {
 void require_kinematics(const contact::MechanismGeometry& threads) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
   if (!leads_agree(k, threads))
-    throw CaseError("mechanism.pitch",
-                    fmt::format("the leads of nut and screw differ by {:.4g} mm; expected equal "
-                                "leads for `slip`, or the contacts part as the screw turns (Sandu "
-                                "2018, (2.14)); leave the measured pitches out",
-                                k.lead_difference * 1e3));
+    throw CaseError("mechanism.pitch", fmt::format("the leads of nut and screw differ by {:.4g} mm; expected equal "
+                                                   "leads for `slip`, or the contacts part as the screw turns (Sandu "
+                                                   "2018, (2.14)); leave the measured pitches out",
+                                                   k.lead_difference * 1e3));
   if (!ratios_agree(k))
     throw CaseError("mechanism.pitch_diameter.roller",
                     fmt::format("the pitch diameters give the gear ratio {:.6f}; expected {:.6f} "
@@ -58,10 +56,9 @@ void set_values(std::vector<double>& values, const LoadedThreads& threads, Value
 }
 
 /// Roller and body as their surfaces move through the contact, which the carrier holds.
-std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bodies,
-                                          const Kinematics& parts,
-                                          const KinematicGeometry& geometry,
-                                          const ContactFrameOf<double>& frame, Interface i) {
+std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bodies, const Kinematics& parts,
+                                          const KinematicGeometry& geometry, const ContactFrameOf<double>& frame,
+                                          Interface i) {
   const ContactMotion motion = contact_motion(geometry, parts, i);
   for (std::size_t k = 0; k < 2; ++k) {
     const double sense = k == 0 ? -1.0 : 1.0;  // Sliding: of the body against the roller.
@@ -75,20 +72,12 @@ std::array<contact::HeatedBody, 2> moving(std::array<contact::HeatedBody, 2> bod
 }
 
 constexpr auto all_values() {
-  return std::array{&InterfaceSlip::power,
-                    &InterfaceSlip::power_density,
-                    &InterfaceSlip::friction_coefficient,
-                    &InterfaceSlip::spin_torque,
-                    &InterfaceSlip::sliding_speed,
-                    &InterfaceSlip::max_sliding_speed,
-                    &InterfaceSlip::film_thickness,
-                    &InterfaceSlip::central_film,
-                    &InterfaceSlip::film_factor,
-                    &InterfaceSlip::film_ratio,
-                    &InterfaceSlip::boundary_share,
-                    &InterfaceSlip::dynamic_normal_load,
-                    &InterfaceSlip::wear,
-                    &InterfaceSlip::flash_temperature};
+  return std::array{
+      &InterfaceSlip::power,          &InterfaceSlip::power_density,    &InterfaceSlip::friction_coefficient,
+      &InterfaceSlip::spin_torque,    &InterfaceSlip::sliding_speed,    &InterfaceSlip::max_sliding_speed,
+      &InterfaceSlip::film_thickness, &InterfaceSlip::central_film,     &InterfaceSlip::film_factor,
+      &InterfaceSlip::film_ratio,     &InterfaceSlip::boundary_share,   &InterfaceSlip::dynamic_normal_load,
+      &InterfaceSlip::wear,           &InterfaceSlip::flash_temperature};
 }
 
 void clear_values(InterfaceSlip& slip) {
@@ -96,16 +85,14 @@ void clear_values(InterfaceSlip& slip) {
 }
 
 /// Values of an interface that are all empty so far.
-void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipBalance& balance,
-                        Interface i, const SlipDetail& detail) {
+void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipBalance& balance, Interface i,
+                        const SlipDetail& detail) {
   const LoadedThreads& threads = model.threads[i];
   const PatchBalance& b = balance.patches[i];
   const auto motion = [&](std::size_t k) -> const contact::PatchMotion& {
     return balance.motion_of(i, threads.contacts[k]);
   };
-  const auto sliding = [&](std::size_t k) {
-    return std::hypot(motion(k).sliding_major, motion(k).sliding_minor);
-  };
+  const auto sliding = [&](std::size_t k) { return std::hypot(motion(k).sliding_major, motion(k).sliding_minor); };
   slip.threads_per_roller = threads.threads_per_roller;
   slip.along_major = balance.sliding[i].along_major;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
@@ -128,8 +115,7 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
   if (model.wear && detail.threads) {
     const double travel = std::abs(model.geometry.lead * model.speed) / (2.0 * std::numbers::pi);
     add(slip.wear, [&](std::size_t k) {
-      return model.wear->coefficient * b.normal_load[k] * b.friction[k].sliding_under_pressure /
-             travel;
+      return model.wear->coefficient * b.normal_load[k] * b.friction[k].sliding_under_pressure / travel;
     });
   }
   if (model.heated[i] && detail.threads) {
@@ -137,9 +123,8 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
       const LoadedThreads::Contact& c = threads.contacts[k];
       return contact::flash_temperature(
           c.ellipse,
-          moving(*model.heated[i], balance.motion,
-                 c.other_flank ? model.other_flank->geometry : model.geometry, model.frame(i, c),
-                 i),
+          moving(*model.heated[i], balance.motion, c.other_flank ? model.other_flank->geometry : model.geometry,
+                 model.frame(i, c), i),
           power(k));
     });
   }
@@ -149,25 +134,20 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
     return contact::sandu_film(oil, threads.contacts[k].film, motion(k).rolling_speed).thickness;
   });
   const auto central_film = [&](std::size_t k) {
-    return contact::central_film(oil, threads.contacts[k].film, motion(k).rolling_speed,
-                                 motion(k).along_major);
+    return contact::central_film(oil, threads.contacts[k].film, motion(k).rolling_speed, motion(k).along_major);
   };
   add(slip.central_film, central_film);
   const auto film_factor = [&](std::size_t k) {
     const LoadedThreads::Contact& c = threads.contacts[k];
-    return contact::film_factor(oil, c.film, c.ellipse.peak_pressure, motion(k).rolling_speed,
-                                sliding(k));
+    return contact::film_factor(oil, c.film, c.ellipse.peak_pressure, motion(k).rolling_speed, sliding(k));
   };
   add(slip.film_factor, film_factor);
   const std::optional<double>& roughness = model.roughness[i];
   if (!roughness) return;
-  const auto film_ratio = [&](std::size_t k) {
-    return film_factor(k) * central_film(k) / *roughness;
-  };
+  const auto film_ratio = [&](std::size_t k) { return film_factor(k) * central_film(k) / *roughness; };
   add(slip.film_ratio, film_ratio);
-  add(slip.boundary_share, [&](std::size_t k) {
-    return contact::boundary_share(film_ratio(k), model.friction.mixed.exponent);
-  });
+  add(slip.boundary_share,
+      [&](std::size_t k) { return contact::boundary_share(film_ratio(k), model.friction.mixed.exponent); });
 }
 
 void find_hottest(SlipResult& slip) {
@@ -175,8 +155,7 @@ void find_hottest(SlipResult& slip) {
   for (const Interface i : kInterfaces)
     for (std::size_t k = 0; k < slip.threads[i].power.size(); ++k) {
       const double density = slip.threads[i].power_density[k];
-      if (density > hottest * (1.0 + kEqualPower))
-        hottest = density, slip.hottest = ThreadOf{i, static_cast<int>(k)};
+      if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = ThreadOf{i, static_cast<int>(k)};
     }
 }
 
@@ -196,8 +175,7 @@ EqualShareSlip summary_of(const SlipResult& equal) {
 std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) {
   const double millipascal_seconds = lubricant.viscosity * 1e3;
   const double megapascals = lubricant.eyring_stress * 1e-6;
-  if (millipascal_seconds < 4.0 || millipascal_seconds > 1000.0 || megapascals > 20.0)
-    return std::nullopt;
+  if (millipascal_seconds < 4.0 || millipascal_seconds > 1000.0 || megapascals > 20.0) return std::nullopt;
   return 0.981 - 0.0032 * megapascals * std::log(millipascal_seconds);
 }
 
@@ -216,8 +194,7 @@ void set_drive(SlipResult& slip, const PowerFlow& flow, double axial_force, doub
   slip.holding_torque = std::copysign(1.0, slip.speed) * slip.torque_screw;
 }
 
-void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
-                         std::vector<Warning>& warnings) {
+void warn_of_lubrication(const SlipResult& slip, const Friction& friction, std::vector<Warning>& warnings) {
   if (friction.model == Friction::Model::mixed) return;
   const bool jacod = friction.model == Friction::Model::jacod;
   if (!jacod && friction.coefficient >= kTouchingFriction) return;
@@ -226,15 +203,14 @@ void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
     for (const double ratio : slip.threads[i].film_ratio)
       if (ratio > 0.0) least = std::min(least, ratio);
     if (least < kFullFilm)
-      warnings.push_back(
-          Warning{"roughness", fmt::format("{}_lubrication", name(i)),
-                  fmt::format("{} lubrication at the {} contacts: film over roughness is {{value}} "
-                              "at the least",
-                              lubrication(least), label(i)),
-                  jacod ? "real friction is higher than that of the full film computed here: take "
-                          "`friction: {model: {mixed: {boundary: 0.11}}}`"
-                        : "take a friction coefficient of surfaces that touch"}
-              .with(least, kFullFilm, {}, Warning::Worse::smaller));
+      warnings.push_back(Warning{"roughness", fmt::format("{}_lubrication", name(i)),
+                                 fmt::format("{} lubrication at the {} contacts: film over roughness is {{value}} "
+                                             "at the least",
+                                             lubrication(least), label(i)),
+                                 jacod ? "real friction is higher than that of the full film computed here: take "
+                                         "`friction: {model: {mixed: {boundary: 0.11}}}`"
+                                       : "take a friction coefficient of surfaces that touch"}
+                             .with(least, kFullFilm, {}, Warning::Worse::smaller));
   }
 }
 
@@ -243,14 +219,13 @@ void warn_of_flashes(const SlipResult& slip, std::vector<Warning>& warnings) {
     const std::vector<double>& flashes = slip.threads[i].flash_temperature;
     const double hottest = flashes.empty() ? 0.0 : std::ranges::max(flashes);
     if (hottest > kHotFlash)
-      warnings.push_back(
-          Warning{"friction", fmt::format("{}_flash_temperature", name(i)),
-                  fmt::format("the {} contacts flash {{value}} above their parts, more than "
-                              "{{limit}}: films there are thinner than computed, and scuffing is "
-                              "near",
-                              label(i)),
-                  "less speed or load, or an oil with less friction"}
-              .with(hottest, kHotFlash, text_unit::kelvin));
+      warnings.push_back(Warning{"friction", fmt::format("{}_flash_temperature", name(i)),
+                                 fmt::format("the {} contacts flash {{value}} above their parts, more than "
+                                             "{{limit}}: films there are thinner than computed, and scuffing is "
+                                             "near",
+                                             label(i)),
+                                 "less speed or load, or an oil with less friction"}
+                             .with(hottest, kHotFlash, text_unit::kelvin));
   }
 }
 
@@ -262,15 +237,14 @@ void warn_of_lifted_rollers(const LoadCaseResult& loaded, std::vector<Warning>& 
     lifted += threads.screw.normal_load[k] == 0.0 && threads.nut.normal_load[k] > 0.0;
   const double centrifugal = loaded.slip->forces.centrifugal;
   if (!loaded.running || lifted == 0 || !(centrifugal > 0.0)) return;
-  warnings.push_back(
-      Warning{loaded.load_case.speed ? path_in(loaded.load_case, "speed") : "operation.speed",
-              "lifted_rollers",
-              fmt::format("rollers leave the screw at {} of {} contacts: centrifugal force presses "
-                          "each with {{value}} to the nut, against {:.4g} N on all of them along "
-                          "the axis",
-                          lifted, threads.screw.normal_load.size(), loaded.load_case.axial_force),
-              "take less speed, more load or a preload"}
-          .with(centrifugal, {}, text_unit::newton));
+  warnings.push_back(Warning{loaded.load_case.speed ? path_in(loaded.load_case, "speed") : "operation.speed",
+                             "lifted_rollers",
+                             fmt::format("rollers leave the screw at {} of {} contacts: centrifugal force presses "
+                                         "each with {{value}} to the nut, against {:.4g} N on all of them along "
+                                         "the axis",
+                                         lifted, threads.screw.normal_load.size(), loaded.load_case.axial_force),
+                             "take less speed, more load or a preload"}
+                         .with(centrifugal, {}, text_unit::newton));
 }
 
 /// Where the formula of the central film does not know the way that an interface rolls.
@@ -279,19 +253,17 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
     const double along_major = slip.threads[i].along_major;
     if (slip.threads[i].central_film.empty() || model.threads[i].contacts.empty()) continue;
     const double off_major = 90.0 - std::asin(std::sqrt(along_major)) * 180.0 / std::numbers::pi;
-    const double ratio =
-        contact::rolling_radius_ratio(model.threads[i].contacts.front().film, along_major);
+    const double ratio = contact::rolling_radius_ratio(model.threads[i].contacts.front().film, along_major);
     const bool follows = model.film_direction == contact::FilmDirection::rolling;
     if (!follows && along_major > 0.5)
-      warnings.push_back(
-          Warning{"lubricant.film", fmt::format("{}_film_direction", name(i)),
-                  fmt::format("the {} contacts roll {:.0f} deg off the major axis of their "
-                              "ellipse, and their central film is that of rolling along the minor "
-                              "one",
-                              label(i), off_major),
-                  "for the true direction take `film: {direction: rolling}`, another formula, "
-                  "whose films are about 20 % thinner at this contact"}
-              .with(off_major / per_si::degree, {}, text_unit::degree, Warning::Worse::smaller));
+      warnings.push_back(Warning{"lubricant.film", fmt::format("{}_film_direction", name(i)),
+                                 fmt::format("the {} contacts roll {:.0f} deg off the major axis of their "
+                                             "ellipse, and their central film is that of rolling along the minor "
+                                             "one",
+                                             label(i), off_major),
+                                 "for the true direction take `film: {direction: rolling}`, another formula, "
+                                 "whose films are about 20 % thinner at this contact"}
+                             .with(off_major / per_si::degree, {}, text_unit::degree, Warning::Worse::smaller));
     const bool low = ratio < contact::kLeastRollingRatio;
     if (follows && (low || ratio > contact::kGreatestRollingRatio))
       warnings.push_back(
@@ -299,8 +271,7 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
                   fmt::format("the {} contacts roll {:.0f} deg off the major axis of their "
                               "ellipse, with {{value}} times the radius across it as along it; "
                               "the film's formula is made for {:g} to {:g}",
-                              label(i), off_major, contact::kLeastRollingRatio,
-                              contact::kGreatestRollingRatio),
+                              label(i), off_major, contact::kLeastRollingRatio, contact::kGreatestRollingRatio),
                   "take it as an estimate"}
               .with(ratio, low ? contact::kLeastRollingRatio : contact::kGreatestRollingRatio, {},
                     low ? Warning::Worse::smaller : Warning::Worse::larger));
@@ -312,18 +283,16 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
 std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m, double power) {
   if (c.heat) return std::nullopt;
   const double diameter = c.structure ? c.structure->nut.outer_diameter : *m.pitch_diameter.nut;
-  const double length =
-      c.structure ? c.structure->nut.length : m.contacts_per_roller * axial_pitch(m);
+  const double length = c.structure ? c.structure->nut.length : m.contacts_per_roller * axial_pitch(m);
   const double in_air = kStillAir * std::numbers::pi * diameter * length;
   const double needed = power / (kWarmParts - kSurroundings);
   if (needed <= in_air) return std::nullopt;
-  return Warning{
-      "heat", "unknown_temperatures",
-      fmt::format("missing, so that temperatures are not known: to stay at {:.0f} degC in "
-                  "{:.0f} degC, the mechanism must pass its {:.0f} W on by {{value}}, and "
-                  "still air takes {{limit}} from a bare nut",
-                  kWarmParts - 273.15, kSurroundings - 273.15, power),
-      "add `heat`"}
+  return Warning{"heat", "unknown_temperatures",
+                 fmt::format("missing, so that temperatures are not known: to stay at {:.0f} degC in "
+                             "{:.0f} degC, the mechanism must pass its {:.0f} W on by {{value}}, and "
+                             "still air takes {{limit}} from a bare nut",
+                             kWarmParts - 273.15, kSurroundings - 273.15, power),
+                 "add `heat`"}
       .with(needed, in_air, text_unit::watt_per_kelvin);
 }
 
@@ -331,18 +300,15 @@ void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const
                               std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces)
     if (const auto& pressure = threads[i].peak_pressure; !pressure.empty())
-      if (auto warning =
-              running_pressure_warning(path_in(load, "axial_force"), i, std::ranges::max(pressure)))
+      if (auto warning = running_pressure_warning(path_in(load, "axial_force"), i, std::ranges::max(pressure)))
         warnings.push_back(std::move(*warning));
 }
 
-void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load,
-          std::vector<Warning>& warnings) {
+void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load, std::vector<Warning>& warnings) {
   const std::string speed = load.speed ? path_in(load, "speed") : "operation.speed";
   if (!slip.converged()) {
     const bool jammed = slip.status == SlipStatus::jammed;
-    warnings.push_back(
-        no_slip(jammed, jammed ? "slip" : fmt::format("slip: {}", name(slip.status))));
+    warnings.push_back(no_slip(jammed, jammed ? "slip" : fmt::format("slip: {}", name(slip.status))));
     return;
   }
   if (slip.self_locking.value_or(false))
@@ -377,20 +343,16 @@ void require_admissible(const SlipModel& model) {
                               std::max(range.pure_sliding, range.ideal)));
 }
 
-bool runs(const Conditions& c, const LoadCase& load) {
-  return slip_takes_running_loads(c.model, load.share);
-}
+bool runs(const Conditions& c, const LoadCase& load) { return slip_takes_running_loads(c.model, load.share); }
 
 /// Loads at rest as slip takes them: solved ones, and equal shares by the geometry. Those of a
 /// running screw are still to be solved.
 Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions options) {
   const auto equal = [](const LoadCase& load) { return load.share == LoadCase::Share::equal; };
-  if (std::ranges::all_of(c.load_cases, equal))
-    return analyze_contacts(c, std::move(contacts), options.detail);
+  if (std::ranges::all_of(c.load_cases, equal)) return analyze_contacts(c, std::move(contacts), options.detail);
   require_contacts(c, contacts);
-  Result result = analyze(c, std::move(contacts), options, [&](const LoadCase& load) {
-    return runs(c, load) || has_both_flanks(c, load.share);
-  });
+  Result result = analyze(c, std::move(contacts), options,
+                          [&](const LoadCase& load) { return runs(c, load) || has_both_flanks(c, load.share); });
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!equal(loaded.load_case)) continue;
     loaded = equal_share_result(loaded.load_case, result.contacts);
@@ -406,13 +368,11 @@ struct SlipOfSpeed {
 
 /// Slip of a load case at another speed: loads of a running screw are found anew, those at rest
 /// stay. None where there is no equilibrium.
-std::optional<SlipOfSpeed> slip_at_speed(const Conditions& c, const Contacts& contacts,
-                                         const SlipModels& models, const LoadCaseResult& loaded,
-                                         const LoadCase& at) {
+std::optional<SlipOfSpeed> slip_at_speed(const Conditions& c, const Contacts& contacts, const SlipModels& models,
+                                         const LoadCaseResult& loaded, const LoadCase& at) {
   std::optional<SlipEquilibrium> slip;
   if (runs(c, loaded.load_case)) {
-    const LoadCaseResult found =
-        RunningSolver(c, contacts, models).solve(at, Detail::numbers, slip);
+    const LoadCaseResult found = RunningSolver(c, contacts, models).solve(at, Detail::numbers, slip);
     if (!found.threads) return std::nullopt;
     return SlipOfSpeed{models.of(found), std::move(*slip)};
   }
@@ -436,12 +396,10 @@ ResidueCurve residue_curve(const SlipModel& model, double from, double to) {
   return curve;
 }
 
-std::vector<double> numbers(const Eigen::ArrayXd& values) {
-  return {values.data(), values.data() + values.size()};
-}
+std::vector<double> numbers(const Eigen::ArrayXd& values) { return {values.data(), values.data() + values.size()}; }
 
-PatchField patch_field(const contact::PatchGrid& grid, const contact::Patch& patch,
-                       const contact::PatchMotion& motion, int points_along_axis) {
+PatchField patch_field(const contact::PatchGrid& grid, const contact::Patch& patch, const contact::PatchMotion& motion,
+                       int points_along_axis) {
   const contact::HertzContact& e = patch.ellipse();
   return {e.semi_major,
           e.semi_minor,
@@ -467,16 +425,14 @@ void part_flanks(LoadCaseResult& loaded) {
     }
     power.assign(slip.threads[i].power.begin() + count, slip.threads[i].power.end());
     for (const auto values : all_values())
-      if (std::vector<double>& all = slip.threads[i].*values; !all.empty())
-        all.resize(static_cast<std::size_t>(count));
+      if (std::vector<double>& all = slip.threads[i].*values; !all.empty()) all.resize(static_cast<std::size_t>(count));
   }
   find_hottest(slip);
 }
 
 /// What both nuts do to the screw, powers and torques of the second one on top, under the force F_N
 /// of the load case.
-void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_model,
-                    double force) {
+void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_model, double force) {
   if (slip.converged() && second.converged()) {
     slip.power.screw += second.power.screw;
     slip.power.nut += second.power.nut;
@@ -488,8 +444,7 @@ void add_second_nut(SlipResult& slip, SlipResult second, const SlipModel& first_
     slip.torque_nut += second.torque_nut;
     const double advance = -first_model.geometry.lead / (2.0 * std::numbers::pi) * slip.speed;
     const double turned = first_model.geometry.is_standard() ? slip.torque_screw : slip.torque_nut;
-    const PowerFlow flow{turned * turning_speed(first_model.geometry.type, slip.speed),
-                         force * advance};
+    const PowerFlow flow{turned * turning_speed(first_model.geometry.type, slip.speed), force * advance};
     set_drive(slip, flow, force, first_model.geometry.lead);
     slip.efficiency_fit.reset();
   } else if (slip.converged()) {
@@ -516,11 +471,10 @@ std::string_view lubrication(double film_ratio) {
 
 std::optional<Warning> unknown_film_ratio(const Conditions& c) {
   if (!c.lubricant || c.roughness) return std::nullopt;
-  return Warning{
-      "roughness", "unknown_film_ratio",
-      "missing, so that film over roughness, and with it the kind of lubrication, is not "
-      "known",
-      "add `roughness: 0.4 um`, for example: the Rq of the ground flanks"};
+  return Warning{"roughness", "unknown_film_ratio",
+                 "missing, so that film over roughness, and with it the kind of lubrication, is not "
+                 "known",
+                 "add `roughness: 0.4 um`, for example: the Rq of the ground flanks"};
 }
 
 bool rolls(const contact::MechanismGeometry& threads) {
@@ -546,8 +500,7 @@ SlipResult slip_result(const SlipModel& model) {
   return slip;
 }
 
-void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilibrium& found,
-                     const SlipDetail& detail) {
+void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilibrium& found, const SlipDetail& detail) {
   const SlipRange range = slip_range(model.geometry);
   const SlipBalance& b = found.balance;
   PerInterface<InterfaceSlip> memory = std::move(slip.threads);
@@ -587,15 +540,13 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   find_hottest(slip);
 }
 
-Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
-                    const std::optional<Oils>& oils) {
+Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options, const std::optional<Oils>& oils) {
   if (const auto stated = with_slip_ratios(c, contacts))
     return analyze_slip(*stated, std::move(contacts), options, oils);
   Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)
-    if (std::optional<Warning> note = unknown_film_ratio(c))
-      result.warnings.push_back(std::move(*note));
+    if (std::optional<Warning> note = unknown_film_ratio(c)) result.warnings.push_back(std::move(*note));
   const SlipModels models(c, result.contacts, oils);
   RunningSolver running(c, result.contacts, models);
   std::optional<FlankSolver> flanks;
@@ -618,20 +569,18 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       SlipResult second;
       const std::optional<SlipEquilibrium>& known = running.second_nut();
       set_slip_result(second, nuts[1], known ? *known : find_slip_equilibrium(nuts[1]), {});
-      add_second_nut(*loaded.slip, std::move(second), nuts[0],
-                     axial_force_on_nut(loaded.load_case));
+      add_second_nut(*loaded.slip, std::move(second), nuts[0], axial_force_on_nut(loaded.load_case));
     }
     part_flanks(loaded);
-    if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged() &&
-        !loaded.other_flank) {
+    if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged() && !loaded.other_flank) {
       const SlipResult equal = slip_result(models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (options.detail != Detail::complete) continue;
     warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
     if (loaded.running)
-      if (auto note = guides_without_play(c, {*loaded.threads->screw.running_over_static,
-                                              *loaded.threads->nut.running_over_static}))
+      if (auto note = guides_without_play(
+              c, {*loaded.threads->screw.running_over_static, *loaded.threads->nut.running_over_static}))
         loaded.warnings.push_back(std::move(*note));
     if (loaded.slip->converged()) {
       warn_of_film(model, *loaded.slip, loaded.warnings);
@@ -651,8 +600,7 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   require_slip(c, lacking);
   if (!std::move(lacking).take().empty() || !loaded.threads) return std::nullopt;
   for (const Interface i : kInterfaces)
-    if (!contacts.interfaces[i].geometry.ok() || !contacts.interfaces[i].has_hertz())
-      return std::nullopt;
+    if (!contacts.interfaces[i].geometry.ok() || !contacts.interfaces[i].has_hertz()) return std::nullopt;
   if (!rolls(contacts.threads)) return std::nullopt;
   Oils oils = oils_in_operation(c);
   const bool oiled = c.friction->of_film() || c.carrier.is_oiled();
@@ -662,8 +610,7 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   const SlipModels models(free, contacts, std::move(oils));
   LoadCase driving = loaded.load_case;
   const SlipModel as_stated = models.unloaded(driving);
-  const bool by_screw =
-      driven_by(as_stated.axial_force, as_stated.speed, as_stated.geometry.lead) == DrivenBy::screw;
+  const bool by_screw = driven_by(as_stated.axial_force, as_stated.speed, as_stated.geometry.lead) == DrivenBy::screw;
   driving.speed = by_screw ? -as_stated.speed : as_stated.speed;
   const std::optional<SlipOfSpeed> found = slip_at_speed(free, contacts, models, loaded, driving);
   if (!found) return std::nullopt;
@@ -691,9 +638,8 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
     curve.efficiency.push_back(slip.efficiency);
     for (const Interface i : kInterfaces) {
       const InterfaceSlip& threads = slip.threads[i];
-      const auto most =
-          static_cast<std::size_t>(std::ranges::max_element(threads.dynamic_normal_load) -
-                                   threads.dynamic_normal_load.begin());
+      const auto most = static_cast<std::size_t>(std::ranges::max_element(threads.dynamic_normal_load) -
+                                                 threads.dynamic_normal_load.begin());
       curve.friction[i].push_back(threads.friction_coefficient[most]);
       if (!threads.film_ratio.empty()) curve.film_ratio[i].push_back(threads.film_ratio[most]);
     }
@@ -701,8 +647,8 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
   return curve;
 }
 
-std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, const Result& result,
-                                                       std::size_t load_case, std::size_t thread) {
+std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, const Result& result, std::size_t load_case,
+                                                       std::size_t thread) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
   const SlipModels models(c, result.contacts, oils_of(c, loaded));
   const SlipModel model = models.of(loaded);
@@ -712,8 +658,7 @@ std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, cons
   for (const Interface i : kInterfaces) {
     const std::optional<std::size_t> patch = model.threads[i].patch_of_thread[thread];
     if (!patch) return std::nullopt;
-    fields[i] = patch_field(models.grid(), model.threads[i].patches[*patch], balance.sliding[i],
-                            c.model.patch_points);
+    fields[i] = patch_field(models.grid(), model.threads[i].patches[*patch], balance.sliding[i], c.model.patch_points);
   }
   return fields;
 }
@@ -725,8 +670,7 @@ SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_
   const SlipRange range = slip_range(model.geometry);
   // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.
   const double reach =
-      std::min({std::max(2.0 * std::abs(loaded.slip->slip_ratio - range.ideal), 1e-4), range.ideal,
-                1.0 - range.ideal});
+      std::min({std::max(2.0 * std::abs(loaded.slip->slip_ratio - range.ideal), 1e-4), range.ideal, 1.0 - range.ideal});
   SlipPictures pictures;
   pictures.residue = residue_curve(model, range.pure_sliding, range.ideal);
   pictures.residue_near_root = residue_curve(model, range.ideal - reach, range.ideal + reach);
@@ -735,11 +679,9 @@ SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_
   for (const Interface i : kInterfaces) {
     const LoadedThreads& threads = model.threads[i];
     const auto most =
-        std::ranges::max_element(threads.contacts, {}, &LoadedThreads::Contact::axial_load) -
-        threads.contacts.begin();
-    pictures.most_loaded_thread[i] =
-        patch_field(models.grid(), threads.patches[static_cast<std::size_t>(most)],
-                    balance.sliding[i], c.model.patch_points);
+        std::ranges::max_element(threads.contacts, {}, &LoadedThreads::Contact::axial_load) - threads.contacts.begin();
+    pictures.most_loaded_thread[i] = patch_field(models.grid(), threads.patches[static_cast<std::size_t>(most)],
+                                                 balance.sliding[i], c.model.patch_points);
   }
   return pictures;
 }

@@ -35,8 +35,7 @@ struct SlipDetail {
 };
 
 /// The same for an equilibrium that is known, into memory that the result keeps.
-void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilibrium& found,
-                     const SlipDetail& detail);
+void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilibrium& found, const SlipDetail& detail);
 
 /// Efficiency of the same load at the same speed where the load drives; absent where the screw
 /// locks itself, or the case lacks what `slip` needs or a temperature of its oil.
@@ -94,8 +93,8 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
 
 /// Of one thread at both interfaces, at the slip of a load case that converged; absent where the
 /// thread is open at one of them.
-std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, const Result& result,
-                                                       std::size_t load_case, std::size_t thread);
+std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, const Result& result, std::size_t load_case,
+                                                       std::size_t thread);
 
 /// For one load case with a converged slip, on the loads that the result holds.
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case);

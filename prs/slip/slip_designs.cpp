@@ -13,8 +13,7 @@ void SlipDesignSolver::add(const SlipModel& model) {
     screw.contacts[i] = {c.axial_load,         model.threads[i].alike,  c.ellipse.semi_major,
                          c.ellipse.semi_minor, c.ellipse.peak_pressure, c.friction};
   }
-  tasks_.push_back(
-      {SlipSearch(slip_range(model.geometry), model.speed, model.imposed_slip_ratio), {}});
+  tasks_.push_back({SlipSearch(slip_range(model.geometry), model.speed, model.imposed_slip_ratio), {}});
 }
 
 void SlipDesignSolver::solve(const contact::PatchGrid& grid) {
@@ -24,15 +23,14 @@ void SlipDesignSolver::solve(const contact::PatchGrid& grid) {
   for (const SlipNumbers<double>& screw : screws_)
     for (const Interface i : kInterfaces) {
       const SharedContactNumbers<double>& c = screw.contacts[i];
-      if (c.friction.has_film())
-        contact::set_viscosity_ratios(grid, c.friction.oil.viscosity, c.peak_pressure, ratio);
+      if (c.friction.has_film()) contact::set_viscosity_ratios(grid, c.friction.oil.viscosity, c.peak_pressure, ratio);
       ratio += domes;
     }
   memory_.resize(2 * domes * simd::kWidest);
   SharedPoints shared{grid.points(), grid.dome_of_point(), domes, grid.cell_load()};
   shared.points.size = static_cast<std::size_t>(grid.inside());
-  simd::run_kernel(set_, SlipKernel{}, shared, std::span<const SlipNumbers<double>>(screws_),
-                   viscosity_ratio_.data(), std::span<SlipTask>(tasks_), memory_.data());
+  simd::run_kernel(set_, SlipKernel{}, shared, std::span<const SlipNumbers<double>>(screws_), viscosity_ratio_.data(),
+                   std::span<SlipTask>(tasks_), memory_.data());
 }
 
 void SlipDesignSolver::get(std::size_t k, SlipEquilibrium& found) const {

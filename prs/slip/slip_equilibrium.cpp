@@ -19,12 +19,10 @@ struct RollerHeadOf {
 
 /// How the other flank of an interface slides, where there is one.
 template <class Number>
-contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i,
-                                             const Number& slip_ratio) {
+contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i, const Number& slip_ratio) {
   if (!model.other_flank) return {};
   const auto& [geometry, frames] = *model.other_flank;
-  return patch_motion(frames[i],
-                      contact_motion(geometry, kinematics(geometry, model.speed, slip_ratio), i));
+  return patch_motion(frames[i], contact_motion(geometry, kinematics(geometry, model.speed, slip_ratio), i));
 }
 
 /// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
@@ -32,8 +30,7 @@ contact::PatchMotionOf<Number> other_sliding(const SlipModel& model, Interface i
 template <class Number, class Take>
 InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
                                          const contact::PatchMotionOf<Number>& sliding,
-                                         const contact::PatchMotionOf<Number>& other,
-                                         bool& possible, Take take) {
+                                         const contact::PatchMotionOf<Number>& other, bool& possible, Take take) {
   const LoadedThreads& threads = model.threads[i];
   InterfaceForces<Number> sum;
   for (std::size_t k = 0; k < threads.patches.size() && possible; ++k) {
@@ -41,18 +38,16 @@ InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
     const contact::PatchFrictionOf<Number> friction =
         threads.patches[k].friction(contact.other_flank ? other : sliding);
     const ContactFrameOf<double>& frame = model.frame(i, contact);
-    const PatchForces<Number> at =
-        contact.normal_load
-            ? forces_of(frame, friction, turned_normal<Number, double>(frame, friction),
-                        Number(*contact.normal_load), threads.alike)
-            : patch_forces(frame, friction, contact.axial_load, threads.alike);
+    const PatchForces<Number> at = contact.normal_load
+                                       ? forces_of(frame, friction, turned_normal<Number, double>(frame, friction),
+                                                   Number(*contact.normal_load), threads.alike)
+                                       : patch_forces(frame, friction, contact.axial_load, threads.alike);
     possible = is_possible(at.normal_load) && value(at.on_roller.force.z) * frame.normal.z <= 0.0;
     sum.force = sum.force + at.on_roller.force;
     sum.spin_torque += at.on_roller.spin_torque;
     if (contact.other_flank) {
       const auto &here = model.other_flank->geometry.points[i], &there = model.geometry.points[i];
-      sum.couple +=
-          (here.x - there.x) * at.on_roller.force.y - (here.y - there.y) * at.on_roller.force.x;
+      sum.couple += (here.x - there.x) * at.on_roller.force.y - (here.y - there.y) * at.on_roller.force.x;
     }
     take(k, friction, at);
   }
@@ -61,35 +56,29 @@ InterfaceForces<Number> interface_forces(const SlipModel& model, Interface i,
 
 /// Forces and friction of the heads of one roller whose guides push it with these forces.
 template <class Number>
-std::array<RollerHeadOf<Number>, 2> heads_of(const SlipModel& model,
-                                             const RollerForcesOf<Number>& f, const Number& speed,
-                                             const std::optional<std::array<double, 2>>& guides) {
+std::array<RollerHeadOf<Number>, 2> heads_of(const SlipModel& model, const RollerForcesOf<Number>& f,
+                                             const Number& speed, const std::optional<std::array<double, 2>>& guides) {
   std::array<RollerHeadOf<Number>, 2> heads;
   for (std::size_t h = 0; h < 2; ++h) {
     RollerHeadOf<Number>& head = heads[h];
     head.guide_force = guides ? Number((*guides)[h]) : -0.5 * f.contacts_x;
     if (!guides || !model.guides.carry_centrifugal) head.guide_force -= 0.5 * f.centrifugal;
-    head.bearing_force =
-        simd::length(Number(head.guide_force - 0.5 * f.gears_x), Number(0.5 * f.carrier_y));
-    if (model.has_bearing())
-      head.state = head_state<Number, double>(model, speed, head.bearing_force);
+    head.bearing_force = simd::length(Number(head.guide_force - 0.5 * f.gears_x), Number(0.5 * f.carrier_y));
+    if (model.has_bearing()) head.state = head_state<Number, double>(model, speed, head.bearing_force);
   }
   return heads;
 }
 
 /// Calls visit(heads) for each roller whose heads are known by themselves.
 template <class Number, class Visit>
-void for_each_roller(const SlipModel& model, const RollerForcesOf<Number>& f, const Number& speed,
-                     Visit visit) {
+void for_each_roller(const SlipModel& model, const RollerForcesOf<Number>& f, const Number& speed, Visit visit) {
   if (model.guides.of_roller.empty()) visit(heads_of<Number>(model, f, speed, {}));
-  for (const auto& guides : model.guides.of_roller)
-    visit(heads_of<Number>(model, f, speed, guides));
+  for (const auto& guides : model.guides.of_roller) visit(heads_of<Number>(model, f, speed, guides));
 }
 
 /// See `balance_carrier`: the mean torque of all rollers.
 template <class Number>
-contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model,
-                                                  const RollerForcesOf<Number>& f,
+contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model, const RollerForcesOf<Number>& f,
                                                   const Number& speed) {
   if (model.guides.of_roller.empty()) return equal_heads<Number, double>(model, f, speed);
   contact::JournalBearingStateOf<Number> mean{Number(0.0), Number(0.0)};
@@ -105,8 +94,9 @@ contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model,
 
 template <class Number>
 auto heads_in(const SlipModel& model) {
-  return [&model](const RollerModelOf<double>&, const RollerForcesOf<Number>& f,
-                  const Number& speed) { return both_heads(model, f, speed); };
+  return [&model](const RollerModelOf<double>&, const RollerForcesOf<Number>& f, const Number& speed) {
+    return both_heads(model, f, speed);
+  };
 }
 
 /// R_z with its slope along the slip ratio; none where a contact jams.
@@ -116,8 +106,8 @@ std::optional<Dual<double>> residue_with_slope(const SlipModel& model, double sl
   const RollerBalanceOf<Number> found = roller_balance(
       model, Number(slip_ratio, 1.0),
       [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
-        return interface_forces(model, i, sliding, other_sliding(model, i, Number(slip_ratio, 1.0)),
-                                possible, [](std::size_t, const auto&, const auto&) {});
+        return interface_forces(model, i, sliding, other_sliding(model, i, Number(slip_ratio, 1.0)), possible,
+                                [](std::size_t, const auto&, const auto&) {});
       },
       heads_in<Number>(model));
   if (!possible) return std::nullopt;
@@ -137,14 +127,13 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
         at.normal_load.resize(threads.patches.size());
         at.power = 0.0;
         b.other_sliding[i] = other_sliding(model, i, slip_ratio);
-        return interface_forces(model, i, sliding, b.other_sliding[i], possible,
-                                [&](std::size_t k, const contact::PatchFriction& friction,
-                                    const PatchForces<double>& forces) {
-                                  at.friction[k] = friction;
-                                  at.normal_load[k] = forces.normal_load;
-                                  at.power +=
-                                      threads.alike * forces.normal_load * friction.power_per_load;
-                                });
+        return interface_forces(
+            model, i, sliding, b.other_sliding[i], possible,
+            [&](std::size_t k, const contact::PatchFriction& friction, const PatchForces<double>& forces) {
+              at.friction[k] = friction;
+              at.normal_load[k] = forces.normal_load;
+              at.power += threads.alike * forces.normal_load * friction.power_per_load;
+            });
       },
       heads_in<double>(model)));
   return possible;
@@ -155,9 +144,7 @@ double residue_unit(const SlipModel& m) {
   return m.geometry.centre_distance * (force > 0.0 ? force : 1.0) / m.rollers;
 }
 
-double relative_residue(const SlipModel& m, const SlipBalance& b) {
-  return b.moments.residue() / residue_unit(m);
-}
+double relative_residue(const SlipModel& m, const SlipBalance& b) { return b.moments.residue() / residue_unit(m); }
 
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<double>& near) {
   SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio, near);
@@ -191,8 +178,7 @@ std::optional<double> next_slip_ratio(const SlipModel& model, SlipEquilibrium& s
   return small ? std::optional(at + step) : std::nullopt;
 }
 
-void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
-               const SlipBalance& b) {
+void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model, const SlipBalance& b) {
   heads.clear();
   for_each_roller(model, b.forces, b.motion.roller_to_carrier, [&](const auto& of_roller) {
     std::array<RollerHead, 2>& added = heads.emplace_back();
@@ -200,13 +186,11 @@ void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& m
       const auto& head = of_roller[h];
       added[h] = {head.guide_force, head.bearing_force, {}, {}};
       if (model.has_bearing()) added[h].torque = head.state.torque;
-      if (model.bearing_viscosity > 0.0)
-        added[h].eccentricity_ratio = head.state.eccentricity_ratio;
+      if (model.bearing_viscosity > 0.0) added[h].eccentricity_ratio = head.state.eccentricity_ratio;
     }
   });
   if (model.threads.screw.threads_per_roller == 0) return;
-  if (heads.size() == 1)
-    heads.assign(static_cast<std::size_t>(model.rollers), std::array(heads.front()));
+  if (heads.size() == 1) heads.assign(static_cast<std::size_t>(model.rollers), std::array(heads.front()));
   const std::vector<int>& missing = model.guides.missing;
   for (std::size_t r = 0; r < heads.size() || r < missing.size(); ++r)
     if (std::ranges::find(missing, static_cast<int>(r + 1)) != missing.end())
@@ -232,14 +216,12 @@ DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {
 PowerBySource lost_power(const SlipModel& m, const SlipBalance& b) {
   return {m.rollers * b.patches.screw.power, m.rollers * b.patches.nut.power,
           m.rollers * std::abs(b.carrier_roller_torque * b.motion.roller_to_carrier),
-          m.screw_torque * std::abs(b.motion.screw_to_carrier),
-          m.nut_torque * std::abs(b.motion.nut_to_carrier)};
+          m.screw_torque * std::abs(b.motion.screw_to_carrier), m.nut_torque * std::abs(b.motion.nut_to_carrier)};
 }
 
 PowerFlow power_flow(const SlipModel& m, const DriveTorques& torques) {
   const double advance = -m.geometry.lead / (2.0 * std::numbers::pi) * m.speed;  // (2.5)
-  return {(m.geometry.is_standard() ? torques.screw : torques.nut) *
-              turning_speed(m.geometry.type, m.speed),
+  return {(m.geometry.is_standard() ? torques.screw : torques.nut) * turning_speed(m.geometry.type, m.speed),
           m.axial_force * advance};
 }
 

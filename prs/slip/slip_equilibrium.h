@@ -21,7 +21,7 @@ struct LoadedThreads {
   std::vector<Contact> contacts;
   std::vector<contact::Patch> patches;  ///< Of these contacts.
   double alike = 1.0;                   ///< Threads of the mean roller that each patch stands for.
-  int threads_per_roller = 0;  ///< Of the patches of all rollers, roller after roller; 0: of one.
+  int threads_per_roller = 0;           ///< Of the patches of all rollers, roller after roller; 0: of one.
   /// Patch of each thread; absent where the thread is open.
   std::vector<std::optional<std::size_t>> patch_of_thread;
 };
@@ -124,16 +124,14 @@ struct SlipEquilibrium {
 /// By `SlipSearch`, to 1e-14 or better. Where no friction acts, every slip ratio balances and the
 /// ideal one is returned. An imposed one is taken as it is.
 /// `near`: a slip ratio that may be near.
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model,
-                                      const std::optional<double>& near = {});
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<double>& near = {});
 
 /// Goes on from an equilibrium under loads that have hardly changed: the balance at its slip ratio,
 /// to which a step by the slope then leads. None where that is no small step.
 std::optional<double> next_slip_ratio(const SlipModel& model, SlipEquilibrium& slip);
 
 /// Near and far end: of a full mechanism of each roller, those that are missing without forces.
-void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
-               const SlipBalance& balance);
+void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model, const SlipBalance& balance);
 
 /// Torques on screw and nut that keep them turning (Sandu 2018, (3.30), (3.31)) [N m].
 struct DriveTorques {

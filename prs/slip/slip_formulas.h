@@ -75,8 +75,7 @@ Number dot(const contact::Vector3<Number>& a, const contact::Vector3<Real>& b) {
 }
 
 template <class Number, class Real>
-contact::PatchMotionOf<Number> patch_motion(const ContactFrameOf<Real>& frame,
-                                            const ContactMotionOf<Number>& motion) {
+contact::PatchMotionOf<Number> patch_motion(const ContactFrameOf<Real>& frame, const ContactMotionOf<Number>& motion) {
   using simd::max, simd::select, simd::sqrt, simd::value;
   const Number u_n = dot(motion.rolling, frame.normal);
   const Number u_1 = dot(motion.rolling, frame.major_axis);
@@ -87,8 +86,7 @@ contact::PatchMotionOf<Number> patch_motion(const ContactFrameOf<Real>& frame,
   const auto rolls = value(tangential) > Real(0.0);
   return {select(slides, dot(motion.sliding, frame.major_axis), none),
           select(slides, dot(motion.sliding, frame.minor_axis), none), motion.spin * frame.normal.z,
-          select(rolls, sqrt(tangential), none),
-          select(rolls, Number(u_1 * u_1 / tangential), none)};
+          select(rolls, sqrt(tangential), none), select(rolls, Number(u_1 * u_1 / tangential), none)};
 }
 
 /// Normal load of a patch and what it does to the roller, with its friction.
@@ -104,30 +102,24 @@ contact::Vector3<Number> turned_normal(const ContactFrameOf<Real>& frame,
                                        const contact::PatchFrictionOf<Number>& friction) {
   const auto &n = frame.normal, &t_1 = frame.major_axis, &t_2 = frame.minor_axis;
   const Number &f_1 = friction.traction_major, &f_2 = friction.traction_minor;
-  return {n.x - f_1 * t_1.x - f_2 * t_2.x, n.y - f_1 * t_1.y - f_2 * t_2.y,
-          n.z - f_1 * t_1.z - f_2 * t_2.z};
+  return {n.x - f_1 * t_1.x - f_2 * t_2.x, n.y - f_1 * t_1.y - f_2 * t_2.y, n.z - f_1 * t_1.z - f_2 * t_2.z};
 }
 
 /// Of the normal load of each of the threads `alike` that the patch stands for.
 template <class Number, class Real>
-PatchForces<Number> forces_of(const ContactFrameOf<Real>& frame,
-                              const contact::PatchFrictionOf<Number>& friction,
-                              const contact::Vector3<Number>& m, const Number& normal_load,
-                              const Real& alike) {
+PatchForces<Number> forces_of(const ContactFrameOf<Real>& frame, const contact::PatchFrictionOf<Number>& friction,
+                              const contact::Vector3<Number>& m, const Number& normal_load, const Real& alike) {
   const Number all = normal_load * alike;
-  return {normal_load,
-          {{-(all * m.x), -(all * m.y), -(all * m.z)}, all * friction.spin_arm * frame.normal.z}};
+  return {normal_load, {{-(all * m.x), -(all * m.y), -(all * m.z)}, all * friction.spin_arm * frame.normal.z}};
 }
 
 /// The axial load gives the dynamic normal one (3.11), (3.12).
 template <class Number, class Real>
-PatchForces<Number> patch_forces(const ContactFrameOf<Real>& frame,
-                                 const contact::PatchFrictionOf<Number>& friction,
+PatchForces<Number> patch_forces(const ContactFrameOf<Real>& frame, const contact::PatchFrictionOf<Number>& friction,
                                  const Real& axial_load, const Real& alike) {
   using simd::copysign;
   const contact::Vector3<Number> m = turned_normal<Number, Real>(frame, friction);
-  return forces_of(frame, friction, m,
-                   Number(axial_load / (m.z * copysign(Real(1.0), frame.normal.z))), alike);
+  return forces_of(frame, friction, m, Number(axial_load / (m.z * copysign(Real(1.0), frame.normal.z))), alike);
 }
 
 /// Whether a normal load exists: friction can push a contact open, and numbers overflow.
@@ -152,8 +144,8 @@ RollerForcesOf<Number> forces_with(const RollerModelOf<Real>& m, const RollerBal
                                    const Number& roller_torque) {
   using simd::abs, simd::copysign, simd::select;
   const Real& c = m.geometry.centre_distance;
-  const Number orbit_speed = against_frame(
-      m.geometry.is_standard(), Number(b.motion.slip_ratio * m.speed), m.speed);  // Of omega_p/n.
+  const Number orbit_speed =
+      against_frame(m.geometry.is_standard(), Number(b.motion.slip_ratio * m.speed), m.speed);  // Of omega_p/n.
   const Real carrier_torque = copysign(Real(1.0), m.speed) * (m.nut_torque - m.screw_torque);
   RollerForcesOf<Number> f;
   f.contacts_x = b.interfaces.screw.force.x + b.interfaces.nut.force.x;
@@ -161,8 +153,7 @@ RollerForcesOf<Number> forces_with(const RollerModelOf<Real>& m, const RollerBal
   f.centrifugal = m.roller_mass * c * orbit_speed * orbit_speed;
   f.carrier_y = (m.rollers * roller_torque + carrier_torque) / (c * m.rollers);
   f.gears_y = f.carrier_y - f.contacts_y;
-  f.gears_x =
-      select(m.geometry.is_standard(), Real(-1.0), Real(1.0)) * abs(f.gears_y) * m.gear_tangent;
+  f.gears_x = select(m.geometry.is_standard(), Real(-1.0), Real(1.0)) * abs(f.gears_y) * m.gear_tangent;
   f.carrier_x = f.gears_x + f.contacts_x + f.centrifugal;
   return f;
 }
@@ -187,14 +178,12 @@ contact::JournalBearingStateOf<Number> head_state(const RollerModelOf<Real>& m, 
   const Number ratio = m.bearing.radial_clearance * (1.0 - film.eccentricity_ratio) / h.roughness;
   const Number share = contact::boundary_share(ratio, h.exponent);
   const Number mixed = (1.0 - share) * film.torque + share * dry;
-  return {select(oiled, film.eccentricity_ratio, none),
-          select(touches, select(oiled, mixed, dry), film.torque)};
+  return {select(oiled, film.eccentricity_ratio, none), select(touches, select(oiled, mixed, dry), film.torque)};
 }
 
 /// Both heads of a roller, each under half of the carrier's force.
 template <class Number, class Real>
-contact::JournalBearingStateOf<Number> equal_heads(const RollerModelOf<Real>& m,
-                                                   const RollerForcesOf<Number>& f,
+contact::JournalBearingStateOf<Number> equal_heads(const RollerModelOf<Real>& m, const RollerForcesOf<Number>& f,
                                                    const Number& speed) {
   const Number load(0.5 * simd::length(f.carrier_x, f.carrier_y));
   const auto state = head_state(m, speed, load);
@@ -213,8 +202,7 @@ void balance_carrier(const RollerModelOf<Real>& m, RollerBalanceOf<Number>& b, H
     const RollerForcesOf<Number> f = forces_with(m, b, Number(sense * torque));
     const contact::JournalBearingStateOf<Number> state = heads(m, f, b.motion.roller_to_carrier);
     const Real before = value(torque);
-    b.bearing.eccentricity_ratio =
-        select(active, state.eccentricity_ratio, b.bearing.eccentricity_ratio);
+    b.bearing.eccentricity_ratio = select(active, state.eccentricity_ratio, b.bearing.eccentricity_ratio);
     b.bearing.torque = select(active, state.torque, b.bearing.torque);
     torque = select(active, state.torque, torque);
     active = active && abs(value(torque) - before) > 1e-15 * value(torque);
@@ -225,16 +213,15 @@ void balance_carrier(const RollerModelOf<Real>& m, RollerBalanceOf<Number>& b, H
 
 /// Moment of a force about an axis along z through `axis_x` on the x axis.
 template <class Number, class Real>
-Number moment_z(const contact::Vector2<Real>& point, const Real& axis_x,
-                const contact::Vector3<Number>& force) {
+Number moment_z(const contact::Vector2<Real>& point, const Real& axis_x, const contact::Vector3<Number>& force) {
   return (point.x - axis_x) * force.y - point.y * force.x;
 }
 
 /// Balances all but the moment about the roller's axis, see `balance_at`. `forces_at(i, sliding)`:
 /// `InterfaceForces` of the threads of an interface. `heads`: see `balance_carrier`.
 template <class Number, class Real, class Forces, class Heads>
-RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Number& slip_ratio,
-                                       Forces forces_at, Heads heads) {
+RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Number& slip_ratio, Forces forces_at,
+                                       Heads heads) {
   using simd::select;
   RollerBalanceOf<Number> b;
   b.motion = kinematics(m.geometry, m.speed, slip_ratio);
@@ -243,15 +230,14 @@ RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Numbe
     b.sliding[i] = patch_motion(m.frames[i], contact_motion(m.geometry, b.motion, i));
     b.interfaces[i] = forces_at(i, b.sliding[i]);
     b.moments.contacts +=
-        moment_z(m.geometry.points[i], m.geometry.centre_distance, b.interfaces[i].force) +
-        b.interfaces[i].couple;
+        moment_z(m.geometry.points[i], m.geometry.centre_distance, b.interfaces[i].force) + b.interfaces[i].couple;
     b.moments.spin += b.interfaces[i].spin_torque;
   }
   b.bearing = {Number(Real(0.0)), Number(Real(0.0))};
   balance_carrier(m, b, heads);
   b.moments.carrier = b.carrier_roller_torque;
-  b.moments.gears = select(m.geometry.is_standard(), Real(1.0), Real(-1.0)) *
-                    roller_gear_radius(m.geometry) * b.forces.gears_y;
+  b.moments.gears =
+      select(m.geometry.is_standard(), Real(1.0), Real(-1.0)) * roller_gear_radius(m.geometry) * b.forces.gears_y;
   return b;
 }
 

@@ -9,26 +9,22 @@ namespace {
 
 /// Friction of one patch per lane.
 template <class Number, class Real>
-contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared,
-                                                   const SharedContactNumbers<Real>& c,
+contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared, const SharedContactNumbers<Real>& c,
                                                    const double* viscosity_ratio,
                                                    const contact::PatchMotionOf<Number>& motion) {
   using simd::any, simd::value;
   constexpr std::size_t kLanes = simd::kLanes<Real>;
-  const contact::SlidingFieldOf<Number> field =
-      contact::sliding_field(motion, c.semi_major, c.semi_minor);
+  const contact::SlidingFieldOf<Number> field = contact::sliding_field(motion, c.semi_major, c.semi_minor);
   const contact::PatchLawOf<Number> law = contact::law_at(c.friction, c.peak_pressure, motion);
   contact::PatchSumsOf<Number> sums;
   const auto add_points = [&](auto friction_at) __attribute__((always_inline)) {
     contact::PatchSumsOf<Number> found;
     for (std::size_t k = 0; k < shared.points.size; ++k) {
-      const contact::PatchPoint<Real> at{
-          Real(shared.points.along_major[k]), Real(shared.points.along_minor[k]),
-          Real(shared.points.dome[k]), Real(shared.points.inverse_dome[k])};
+      const contact::PatchPoint<Real> at{Real(shared.points.along_major[k]), Real(shared.points.along_minor[k]),
+                                         Real(shared.points.dome[k]), Real(shared.points.inverse_dome[k])};
       contact::add_point(
-          found, field, at, [&](const Number& speed) __attribute__((always_inline)) {
-            return friction_at(k, at.dome, speed);
-          });
+          found, field,
+          at, [&](const Number& speed) __attribute__((always_inline)) { return friction_at(k, at.dome, speed); });
     }
     sums = found;
   };
@@ -43,10 +39,10 @@ contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared,
     add_points([&](std::size_t k, const Real&, const Number& speed)
                    __attribute__((always_inline)) { return film(k, speed); });
   else
-    add_points([&](std::size_t k, const Real& dome, const Number& speed) __attribute__((
-        always_inline)) { return law.coefficient * dome + film(k, speed); });
-  return contact::patch_friction(sums, shared.cell_load, static_cast<double>(shared.points.size),
-                                 c.semi_major, c.semi_minor);
+    add_points([&](std::size_t k, const Real& dome, const Number& speed)
+                   __attribute__((always_inline)) { return law.coefficient * dome + film(k, speed); });
+  return contact::patch_friction(sums, shared.cell_load, static_cast<double>(shared.points.size), c.semi_major,
+                                 c.semi_minor);
 }
 
 /// A batch of screws.
@@ -55,23 +51,21 @@ class Screws {
  public:
   static constexpr std::size_t kLanes = simd::kLanes<Real>;
 
-  Screws(const SharedPoints& shared, std::span<const SlipNumbers<double>> screws,
-         const double* viscosity_ratio, std::span<SlipTask> tasks, double* memory)
+  Screws(const SharedPoints& shared, std::span<const SlipNumbers<double>> screws, const double* viscosity_ratio,
+         std::span<SlipTask> tasks, double* memory)
       : shared_(shared),
         tasks_(tasks.first(std::min(kLanes, tasks.size()))),
         numbers_(simd::side_by_side<SlipNumbers<Real>>(screws.data(), screws.size())),
         ratio_(memory) {
     for (std::size_t l = 0; l < kLanes; ++l)
       for (std::size_t k = 0; k < 2 * shared.domes; ++k)
-        memory[k * kLanes + l] =
-            viscosity_ratio[(l < tasks.size() ? l : tasks.size() - 1) * 2 * shared.domes + k];
+        memory[k * kLanes + l] = viscosity_ratio[(l < tasks.size() ? l : tasks.size() - 1) * 2 * shared.domes + k];
   }
 
   void search() {
     const auto waits = [](bool with_slope) {
-      return [with_slope](const SlipTask& task) {
-        return !task.search.done() && task.search.wants_slope() == with_slope;
-      };
+      return
+          [with_slope](const SlipTask& task) { return !task.search.done() && task.search.wants_slope() == with_slope; };
     };
     for (;;) {
       const bool slopes = any_task(waits(true)), values = any_task(waits(false));
@@ -134,8 +128,7 @@ class Screws {
     using simd::select, simd::value;
     const Number residue = found.roller.moments.residue() / numbers_.residue_unit;
     const Real possible =
-        select(is_possible(found.normal_load.screw) && is_possible(found.normal_load.nut),
-               Real(1.0), Real(0.0));
+        select(is_possible(found.normal_load.screw) && is_possible(found.normal_load.nut), Real(1.0), Real(0.0));
     double residues[kLanes], slopes[kLanes] = {}, are_possible[kLanes];
     value(residue).store_unaligned(residues);
     possible.store_unaligned(are_possible);
@@ -165,19 +158,16 @@ class Screws {
 }  // namespace
 
 template <class Arch>
-void SlipKernel::operator()(Arch, const SharedPoints& points,
-                            std::span<const SlipNumbers<double>> screws,
-                            const double* viscosity_ratio, std::span<SlipTask> tasks,
-                            double* memory) const {
+void SlipKernel::operator()(Arch, const SharedPoints& points, std::span<const SlipNumbers<double>> screws,
+                            const double* viscosity_ratio, std::span<SlipTask> tasks, double* memory) const {
   using Real = xsimd::batch<double, Arch>;
   for (std::size_t first = 0; first < screws.size(); first += simd::kLanes<Real>)
-    Screws<Real>(points, screws.subspan(first), viscosity_ratio + first * 2 * points.domes,
-                 tasks.subspan(first), memory)
+    Screws<Real>(points, screws.subspan(first), viscosity_ratio + first * 2 * points.domes, tasks.subspan(first),
+                 memory)
         .search();
 }
 
-template void SlipKernel::operator()(PRS_SIMD_ARCHITECTURE, const SharedPoints&,
-                                     std::span<const SlipNumbers<double>>, const double*,
-                                     std::span<SlipTask>, double*) const;
+template void SlipKernel::operator()(PRS_SIMD_ARCHITECTURE, const SharedPoints&, std::span<const SlipNumbers<double>>,
+                                     const double*, std::span<SlipTask>, double*) const;
 
 }  // namespace prs

@@ -29,8 +29,7 @@ KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
   g.lead = contacts.threads.screw.lead;
   g.gear_ratio = contact::kinematic_consistency(contacts.threads).gear_ratio_by_leads;
   g.centre_distance = contacts.threads.centre_distance;
-  for (const Interface i : kInterfaces)
-    g.points[i] = touching(contacts.interfaces[i].geometry, force).point.position;
+  for (const Interface i : kInterfaces) g.points[i] = touching(contacts.interfaces[i].geometry, force).point.position;
   return g;
 }
 
@@ -52,8 +51,7 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
 }
 
 /// Roller and body; none where conductivity, density or specific heat of one is not known.
-std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials& materials,
-                                                                Part body) {
+std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials& materials, Part body) {
   std::array<contact::HeatedBody, 2> bodies;
   const Part parts[] = {Part::roller, body};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -64,8 +62,7 @@ std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials&
   return bodies;
 }
 
-contact::FrictionLaw friction_of(const SlipModel& model, Interface i,
-                                 const contact::FilmContact& film) {
+contact::FrictionLaw friction_of(const SlipModel& model, Interface i, const contact::FilmContact& film) {
   const Friction& friction = model.friction;
   switch (friction.model) {
     case Friction::Model::coulomb:
@@ -73,17 +70,15 @@ contact::FrictionLaw friction_of(const SlipModel& model, Interface i,
     case Friction::Model::jacod:
       return contact::film_friction(*model.oils.threads[i], film);
     case Friction::Model::mixed:
-      return contact::mixed_friction(
-          *model.oils.threads[i], film,
-          {friction.mixed.boundary, friction.mixed.exponent, *model.roughness[i]});
+      return contact::mixed_friction(*model.oils.threads[i], film,
+                                     {friction.mixed.boundary, friction.mixed.exponent, *model.roughness[i]});
   }
   return contact::coulomb_friction(friction.coefficient);
 }
 
 /// A patch under a normal load, by default that of its static axial one.
-LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
-                                  Interface i, double axial_load,
-                                  const std::optional<double>& known = {}) {
+LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact, Interface i,
+                                  double axial_load, const std::optional<double>& known = {}) {
   const double normal_load = known.value_or(axial_load / std::abs(model.frames[i].normal.z));
   const contact::PrincipalValues& relative = contact.geometry.relative;
   const contact::FilmContact film{.normal_load = normal_load,
@@ -92,9 +87,8 @@ LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact
                                   .curvature_ratio = relative.first / relative.second,
                                   .direction = model.film_direction,
                                   .thinning = model.film_thinning};
-  return {axial_load, std::nullopt,
-          false,      contact::at_load(contact.hertz, normal_load),
-          film,       friction_of(model, i, film)};
+  return {
+      axial_load, std::nullopt, false, contact::at_load(contact.hertz, normal_load), film, friction_of(model, i, film)};
 }
 
 }  // namespace
@@ -112,9 +106,8 @@ Oils oils_in_operation(const Conditions& c) {
 }
 
 Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature) {
-  return {
-      {at_temperature(lubricant, temperature.screw), at_temperature(lubricant, temperature.nut)},
-      at_temperature(lubricant, 0.5 * (temperature.screw + temperature.nut))};
+  return {{at_temperature(lubricant, temperature.screw), at_temperature(lubricant, temperature.nut)},
+          at_temperature(lubricant, 0.5 * (temperature.screw + temperature.nut))};
 }
 
 Oils oils_of(const Conditions& c, const LoadCaseResult& loaded) {
@@ -133,13 +126,12 @@ SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, std::optio
       grid_(grid_of(c.model.patch_points)),
       oils_(oils ? std::move(*oils) : oils_in_operation(c)) {}
 
-void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanism,
-                    const LoadCase& load_case, const Oils& oils) {
+void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanism, const LoadCase& load_case,
+                    const Oils& oils) {
   m.axial_force = axial_force_on_nut(load_case);
   m.speed = load_case.speed ? *load_case.speed : c.operation->speed;
   m.rollers = mechanism.rollers;
-  if (c.model.mechanism == ModelOptions::Mechanism::full &&
-      load_case.share == LoadCase::Share::solved)
+  if (c.model.mechanism == ModelOptions::Mechanism::full && load_case.share == LoadCase::Share::solved)
     m.rollers -= static_cast<int>(c.deviations.missing_rollers.size());
   m.screw_torque = c.carrier.screw_torque;
   m.nut_torque = c.carrier.nut_torque;
@@ -151,11 +143,9 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   if (const auto& bearing = c.carrier.bearing) {
     const HeadFriction& f = bearing->friction;
     if (c.carrier.is_oiled()) m.bearing_viscosity = oils.carrier->viscosity;
-    if (f.model == HeadFriction::Model::coulomb)
-      m.head_friction = {1.0, 0.5 * f.coefficient * bearing->diameter};
+    if (f.model == HeadFriction::Model::coulomb) m.head_friction = {1.0, 0.5 * f.coefficient * bearing->diameter};
     if (f.model == HeadFriction::Model::mixed)
-      m.head_friction = {1.0, 0.5 * f.mixed.boundary * bearing->diameter, f.mixed.roughness,
-                         f.mixed.exponent};
+      m.head_friction = {1.0, 0.5 * f.mixed.boundary * bearing->diameter, f.mixed.roughness, f.mixed.exponent};
   }
   m.gear_tangent = std::tan(c.carrier.gear_pressure_angle);
   m.roller_mass = roller_mass(c, mechanism);
@@ -163,8 +153,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.film_direction = c.lubricant ? c.lubricant->film.direction : contact::FilmDirection::minor_axis;
   if (c.lubricant) {
     const Lubricant::Film& film = c.lubricant->film;
-    m.film_thinning = {film.starvation.value_or(1.0),
-                       film.inlet_heating ? film.inlet_heating->conductivity : 0.0};
+    m.film_thinning = {film.starvation.value_or(1.0), film.inlet_heating ? film.inlet_heating->conductivity : 0.0};
   }
   for (const Interface i : kInterfaces) m.heated[i] = heated_bodies(*c.materials, body_of(i));
   m.wear = c.wear;
@@ -182,8 +171,8 @@ void set_equal_contacts(SlipModel& m, const Contacts& contacts) {
   for (const Interface i : kInterfaces) {
     m.threads[i].alike = alike;
     m.threads[i].patch_of_thread.assign(static_cast<std::size_t>(alike), 0);
-    m.threads[i].contacts.assign(
-        1, contact_of(m, contacts.interfaces[i], i, std::abs(m.axial_force) / m.rollers / alike));
+    m.threads[i].contacts.assign(1,
+                                 contact_of(m, contacts.interfaces[i], i, std::abs(m.axial_force) / m.rollers / alike));
   }
 }
 
@@ -193,8 +182,7 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
   SlipModel model = unloaded(loaded.load_case);
   const auto flank = static_cast<std::size_t>(contacts_.mechanism.contacts_per_roller);
   if (loaded.other_flank)
-    model.other_flank = {kinematic_geometry(contacts_, -model.axial_force),
-                         frames_of(contacts_, -model.axial_force)};
+    model.other_flank = {kinematic_geometry(contacts_, -model.axial_force), frames_of(contacts_, -model.axial_force)};
   for (const Interface i : kInterfaces) {
     LoadedThreads& threads = model.threads[i];
     const int row = (*loaded.threads)[i].threads_per_roller;
@@ -207,8 +195,8 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
         if (normal[k] <= 0.0) continue;
         threads.patch_of_thread.back() = threads.contacts.size();
         const InterfaceContact& contact = contacts_.interfaces[i];
-        LoadedThreads::Contact& added = threads.contacts.emplace_back(contact_of(
-            model, contact, i, axial[k], loaded.running ? std::optional(normal[k]) : std::nullopt));
+        LoadedThreads::Contact& added = threads.contacts.emplace_back(
+            contact_of(model, contact, i, axial[k], loaded.running ? std::optional(normal[k]) : std::nullopt));
         added.other_flank = other;
         // Sector and geometry agree on the normal, but where the file states another one.
         if (loaded.running && !conditions_.contact.normal_angle[i]) added.normal_load = normal[k];
@@ -217,8 +205,7 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
       }
     };
     add((*loaded.threads)[i].axial_load, (*loaded.threads)[i].normal_load);
-    if (loaded.other_flank)
-      add(loaded.other_flank->threads[i].axial_load, loaded.other_flank->threads[i].normal_load);
+    if (loaded.other_flank) add(loaded.other_flank->threads[i].axial_load, loaded.other_flank->threads[i].normal_load);
   }
   model.guides = guides_of(loaded);
   add_patches(model);
@@ -244,14 +231,13 @@ GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
   } else {
     std::optional<RollerGuides>& known = roller_guides_[*loaded.load_case.direction];
     if (!known)
-      known.emplace(build_sector(sector_model(
-          contacts_.mechanism, *conditions_.structure, *conditions_.materials, conditions_.model,
-          contact_laws(conditions_, contacts_), *loaded.load_case.direction,
-          *loaded.load_case.position, conditions_.deviations)));
+      known.emplace(
+          build_sector(sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
+                                    conditions_.model, contact_laws(conditions_, contacts_),
+                                    *loaded.load_case.direction, *loaded.load_case.position, conditions_.deviations)));
     const std::vector<double> none(loaded.threads->screw.normal_load.size(), 0.0);
-    guides.of_roller.push_back(
-        known->forces({loaded.threads->screw.normal_load, loaded.threads->nut.normal_load},
-                      {{none, none}, {none, none}}));
+    guides.of_roller.push_back(known->forces({loaded.threads->screw.normal_load, loaded.threads->nut.normal_load},
+                                             {{none, none}, {none, none}}));
   }
   return guides;
 }
@@ -282,13 +268,11 @@ std::vector<SlipModel> SlipModels::of_nuts(const LoadCaseResult& loaded) const {
       (*nut.threads)[i].axial_load = part(loads.axial_load, other.axial_load);
     }
     const std::vector<double>& axial = nut.threads->screw.axial_load;
-    nut.load_case.axial_force =
-        contacts_.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0);
+    nut.load_case.axial_force = contacts_.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0);
     const auto guide = static_cast<std::size_t>(row);
     if (loaded.running) {
       nut.running.emplace();
-      if (loaded.running->guide_force.size() > guide)
-        nut.running->guide_force = {loaded.running->guide_force[guide]};
+      if (loaded.running->guide_force.size() > guide) nut.running->guide_force = {loaded.running->guide_force[guide]};
     } else {
       nut.other_flank.emplace();
       if (loaded.other_flank->guide_force.size() > guide)

@@ -27,8 +27,8 @@ std::shared_ptr<const contact::PatchGrid> grid_of(int points);
 // The parts of a model. Into memory that it keeps, as far as it has any.
 
 /// What the case says of a load case, without contacts. The mechanism is the resolved one.
-void set_conditions(SlipModel& model, const Conditions& c, const Mechanism& mechanism,
-                    const LoadCase& load_case, const Oils& oils);
+void set_conditions(SlipModel& model, const Conditions& c, const Mechanism& mechanism, const LoadCase& load_case,
+                    const Oils& oils);
 /// Points and directions of the faces that touch; `set_conditions` comes first.
 void set_geometry(SlipModel& model, const Contacts& contacts);
 /// One contact that stands for all threads of an interface, without its patch.

@@ -100,8 +100,7 @@ void SlipSearch::step() {
     return evaluate_next_at(ahead ? newton : longest);
   }
   if (std::abs(far_ - near_) <= width) return end_as(SlipStatus::converged);
-  const bool converges = (newton - near_) * (newton - far_) < 0.0 &&
-                         std::abs(newton - t_) < 0.5 * std::abs(last_step_);
+  const bool converges = (newton - near_) * (newton - far_) < 0.0 && std::abs(newton - t_) < 0.5 * std::abs(last_step_);
   evaluate_next_at(converges ? newton : 0.5 * (near_ + far_));
 }
 

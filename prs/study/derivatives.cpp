@@ -20,11 +20,9 @@ constexpr double kSettled = 1e-6;
 constexpr std::array<double, 3> kDifference = {3.0 / 4.0, -3.0 / 20.0, 1.0 / 60.0};
 
 template <class Values>
-auto derivative(const std::array<Values, 3>& forward, const std::array<Values, 3>& backward,
-                double step) {
+auto derivative(const std::array<Values, 3>& forward, const std::array<Values, 3>& backward, double step) {
   Values sum = kDifference[0] * (forward[0] - backward[0]);
-  for (std::size_t m = 1; m < kDifference.size(); ++m)
-    sum += kDifference[m] * (forward[m] - backward[m]);
+  for (std::size_t m = 1; m < kDifference.size(); ++m) sum += kDifference[m] * (forward[m] - backward[m]);
   return Values(sum / step);
 }
 
@@ -85,8 +83,7 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
   const Conditions& c = given;
   model.load_cases = c.load_cases;
   if (command == Command::contact)  // It answers those of equal shares alone.
-    std::erase_if(model.load_cases,
-                  [](const LoadCase& load) { return load.share != LoadCase::Share::equal; });
+    std::erase_if(model.load_cases, [](const LoadCase& load) { return load.share != LoadCase::Share::equal; });
   model.solvers.resize(model.load_cases.size());
   model.solved.resize(model.load_cases.size());
   if (command == Command::contact) return model;
@@ -101,9 +98,8 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
       if (!solved) solved = solved_anew(given, command, load);
       continue;
     }
-    solver = std::make_unique<SectorSolver>(
-        build_sector(model.contacts.mechanism, *c.structure, *c.materials, c.model, model.laws,
-                     *load.direction, *load.position, c.deviations));
+    solver = std::make_unique<SectorSolver>(build_sector(model.contacts.mechanism, *c.structure, *c.materials, c.model,
+                                                         model.laws, *load.direction, *load.position, c.deviations));
   }
   return model;
 }
@@ -129,9 +125,8 @@ Eigen::VectorXd responses(Model& model, Command command, const std::vector<Resul
       }
       result = &*answer;
     }
-    values[static_cast<Eigen::Index>(k)] = numbers[k]
-                                               .value({model.contacts, result})
-                                               .value_or(std::numeric_limits<double>::quiet_NaN());
+    values[static_cast<Eigen::Index>(k)] =
+        numbers[k].value({model.contacts, result}).value_or(std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }
@@ -190,20 +185,18 @@ class BaseCase {
  private:
   Model moved(const Factor& factor, double shift) const {
     const double number = *factor.base->number + shift;
-    const std::string text =
-        fmt::format("{}={}{}{}", factor.path, number, factor.unit.empty() ? "" : " ", factor.unit);
+    const std::string text = fmt::format("{}={}{}{}", factor.path, number, factor.unit.empty() ? "" : " ", factor.unit);
     return model_of(input::read_design(input_, {text}), study_.command, numbers_);
   }
 
-  Eigen::VectorXd state_rate(std::size_t k, const std::array<Model, 3>& forward,
-                             const std::array<Model, 3>& backward, double step) {
+  Eigen::VectorXd state_rate(std::size_t k, const std::array<Model, 3>& forward, const std::array<Model, 3>& backward,
+                             double step) {
     const int size = model_.solvers[k]->equations().size();
     std::array<Eigen::VectorXd, 3> ahead, behind;
     for (std::size_t m = 0; m < kDifference.size(); ++m) {
       const auto residual_in = [&](const Model& model) {
         if (model.solvers[k]->equations().size() != size)
-          throw CaseError("study",
-                          "two sections of the nut meet here: faces, thrust section, contacts");
+          throw CaseError("study", "two sections of the nut meet here: faces, thrust section, contacts");
         return residual(*model.solvers[k], model.load_cases[k], states_[k]);
       };
       ahead[m] = residual_in(forward[m]);
@@ -237,15 +230,13 @@ double usual_size(std::string_view unit) {
                                                               {&input::unit::angle, 1e-3},
                                                               {&input::unit::torque, 10.0}};
   for (const auto& [dimension, size] : sizes)
-    if (const input::Unit* u = input::find_unit(unit, *dimension))
-      return size / u->multiply * u->divide;
+    if (const input::Unit* u = input::find_unit(unit, *dimension)) return size / u->multiply * u->divide;
   return 0.0;
 }
 
 /// Keeps, response by response, the derivative with the smallest difference of its step widths.
-void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide,
-                 const Eigen::VectorXd& narrow, const Eigen::VectorXd& values, double x,
-                 double size) {
+void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide, const Eigen::VectorXd& narrow,
+                 const Eigen::VectorXd& values, double x, double size) {
   for (std::size_t k = 0; k < kept.responses.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     const double error = std::abs(wide[at] - narrow[at]);
@@ -265,8 +256,7 @@ bool complete(const FactorDerivatives& factor, const Eigen::VectorXd& values) {
   return true;
 }
 
-FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base,
-                                 const Eigen::VectorXd& values) {
+FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base, const Eigen::VectorXd& values) {
   FactorDerivatives result;
   result.responses.resize(static_cast<std::size_t>(values.size()));
   if (!factor.base || !factor.base->number) {
@@ -282,8 +272,7 @@ FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base,
   for (const double share : kSteps) {
     const double step = share * size;
     try {
-      keep_better(result, base.rates(factor, step), base.rates(factor, 0.5 * step), values, x,
-                  size);
+      keep_better(result, base.rates(factor, step), base.rates(factor, 0.5 * step), values, x, size);
       result.reason.clear();
     } catch (const input::InputError& error) {
       result.reason = error.what();
@@ -292,14 +281,12 @@ FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base,
     }
     if (complete(result, values)) return result;
   }
-  if (result.reason.empty())
-    result.reason = "some derivatives do not exist: the response has a kink here";
+  if (result.reason.empty()) result.reason = "some derivatives do not exist: the response has a kink here";
   return result;
 }
 
 void require_model(const Study& study, const Case& c) {
-  if (study.command != Command::contact && study.command != Command::solve &&
-      study.command != Command::slip)
+  if (study.command != Command::contact && study.command != Command::solve && study.command != Command::slip)
     throw CaseError("study.command",
                     "got another command than `contact`, `solve` or `slip`; expected one of them "
                     "with `plan: derivatives`; write `command: solve`");
@@ -317,10 +304,8 @@ CaseDerivatives case_derivatives(const input::StudyInput& input) {
   result.study = DesignEngine(input).study();
   BaseCase base(input, result.study);
   const Eigen::VectorXd values = base.values();
-  for (const double value : values)
-    result.values.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
-  for (const Factor& factor : result.study.factors)
-    result.factors.push_back(derivatives_by(factor, base, values));
+  for (const double value : values) result.values.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
+  for (const Factor& factor : result.study.factors) result.factors.push_back(derivatives_by(factor, base, values));
   return result;
 }
 

@@ -12,8 +12,7 @@ T& at(std::vector<T>& values, std::size_t k) {
 
 }  // namespace
 
-std::optional<std::size_t> SharedContacts::add(const Mechanism& mechanism,
-                                               const std::optional<Materials>& materials) {
+std::optional<std::size_t> SharedContacts::add(const Mechanism& mechanism, const std::optional<Materials>& materials) {
   if (mechanism.geometry != Mechanism::Geometry::simulation) return std::nullopt;
   const std::size_t k = found_.size();
   Entry& entry = at(entries_, k);
@@ -23,8 +22,7 @@ std::optional<std::size_t> SharedContacts::add(const Mechanism& mechanism,
   return k;
 }
 
-bool SharedContacts::get(std::optional<std::size_t> k, ContactDetail detail,
-                         Contacts& contacts) const {
+bool SharedContacts::get(std::optional<std::size_t> k, ContactDetail detail, Contacts& contacts) const {
   return k && found_.get(*k, entries_[*k].mechanism, entries_[*k].threads, detail, contacts);
 }
 
@@ -32,8 +30,7 @@ bool BarBatch::takes(const Case& c, std::span<const std::size_t> load_cases) {
   using Compliance = ModelOptions::ToothCompliance::Kind;
   const bool plain = c.model.bodies == ModelOptions::Bodies::bars &&
                      c.model.mechanism == ModelOptions::Mechanism::sector &&
-                     c.model.tooth_compliance.kind == Compliance::none && c.structure &&
-                     c.materials;
+                     c.model.tooth_compliance.kind == Compliance::none && c.structure && c.materials;
   return plain && std::ranges::all_of(load_cases, [&](std::size_t k) {
            if (k >= c.load_cases.size()) return false;
            const LoadCase& load = c.load_cases[k];
@@ -55,8 +52,7 @@ void BarBatch::add(std::size_t row, const Case& c, const Mechanism& mechanism,
                    std::span<const std::size_t> load_cases) {
   load_cases_ = load_cases.size();
   const std::size_t first = forces_.size();
-  designs_.push_back(
-      {row, contacts_.size(), first, mechanism, threads_of(mechanism), c.contact, {}, {}, true});
+  designs_.push_back({row, contacts_.size(), first, mechanism, threads_of(mechanism), c.contact, {}, {}, true});
   contacts_.add(designs_.back().threads, c.materials);
   if (deviates(mechanism, c.deviations)) {
     if (offsets_.size() <= used_offsets_) offsets_.emplace_back();
@@ -75,8 +71,8 @@ void BarBatch::add(std::size_t row, const Case& c, const Mechanism& mechanism,
     if (same != before.end())
       sectors_[first + i] = sectors_[first + static_cast<std::size_t>(same - before.begin())];
     else
-      set_sector_model(sectors_[first + i], mechanism, *c.structure, *c.materials, c.model, {},
-                       *load.direction, *load.position, {});
+      set_sector_model(sectors_[first + i], mechanism, *c.structure, *c.materials, c.model, {}, *load.direction,
+                       *load.position, {});
     forces_.push_back(load.axial_force);
     positions_.push_back(*load.position);
     directions_.push_back(*load.direction);
@@ -114,10 +110,9 @@ void BarBatch::set_laws() {
 void BarBatch::set_gaps(const Design& design) {
   const auto& [deviations, materials] = offsets_[*design.offsets];
   for (std::size_t i = 0; i < load_cases_; ++i)
-    sectors_[design.first_sector + i].gaps =
-        initial_gaps(design.mechanism, deviations, materials,
-                     {design.laws.screw.normal_angle, design.laws.nut.normal_angle},
-                     directions_[design.first_sector + i]);
+    sectors_[design.first_sector + i].gaps = initial_gaps(
+        design.mechanism, deviations, materials, {design.laws.screw.normal_angle, design.laws.nut.normal_angle},
+        directions_[design.first_sector + i]);
 }
 
 bool BarBatch::set_results(const Design& design, const LoadDetail& detail) {
@@ -139,8 +134,8 @@ bool BarBatch::set_results(const Design& design, const LoadDetail& detail) {
   return true;
 }
 
-void SectorBatch::add(std::size_t row, Case& c, const std::vector<std::size_t>& load_cases,
-                      bool is_measured, Detail detail) {
+void SectorBatch::add(std::size_t row, Case& c, const std::vector<std::size_t>& load_cases, bool is_measured,
+                      Detail detail) {
   Design& design = at(designs_, used_);
   design.row = row;
   if (is_measured) {
@@ -186,8 +181,8 @@ bool SectorBatch::add_sectors(std::size_t k) {
     if (known != sectors_.end())
       model = models_[static_cast<std::size_t>(known - sectors_.begin())];
     else
-      set_sector_model(model, design.contacts.mechanism, *c.structure, *c.materials, c.model,
-                       design.laws, *load.direction, *load.position, c.deviations);
+      set_sector_model(model, design.contacts.mechanism, *c.structure, *c.materials, c.model, design.laws,
+                       *load.direction, *load.position, c.deviations);
     if (model.is_refined && !RefinedDesignSolver::takes(model)) return false;
     forces_.push_back(load.axial_force);
     sectors_.push_back({k, i});
@@ -227,8 +222,7 @@ void SectorBatch::solve_sectors(ContactDetail detail, bool tangent_stiffness) {
     Design& design = designs_[sectors_[k].design];
     design.complete = design.complete && FallbackSolver::complete(loads_[k], tangent_stiffness);
     set_solved_result(design.load_cases[sectors_[k].load_case], design.contacts,
-                      {numbers_of(design.laws.screw), numbers_of(design.laws.nut)}, loads_[k],
-                      set_);
+                      {numbers_of(design.laws.screw), numbers_of(design.laws.nut)}, loads_[k], set_);
   }
 }
 
@@ -268,8 +262,7 @@ void SlipBatch::find() {
   for (std::size_t d = 0; d < designs_.size(); ++d) {
     Design& design = designs_[d];
     design.is_sound =
-        contacts_.get(d, design.mechanism, design.threads, ContactDetail::laws, found_) &&
-        rolls(design.threads);
+        contacts_.get(d, design.mechanism, design.threads, ContactDetail::laws, found_) && rolls(design.threads);
     const std::span<SlipModel> models(models_.data() + d * load_cases_, load_cases_);
     for (SlipModel& model : models) {
       if (!design.is_sound) break;
@@ -285,8 +278,7 @@ void SlipBatch::find() {
   if (tasks > 0) solver_.solve(*grid_of(patch_points_));
 }
 
-bool SlipBatch::set_results(const Design& design, const LoadDetail& loads,
-                            const SlipDetail& slips) {
+bool SlipBatch::set_results(const Design& design, const LoadDetail& loads, const SlipDetail& slips) {
   if (!design.is_sound) return false;
   const auto d = static_cast<std::size_t>(&design - designs_.data());
   contacts_.get(d, design.mechanism, design.threads, detail_, found_);

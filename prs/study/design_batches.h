@@ -15,8 +15,7 @@ class SharedContacts {
 
   void clear() { found_.clear(); }
   /// Number of the mechanism here; none where it has yet to be designed.
-  std::optional<std::size_t> add(const Mechanism& mechanism,
-                                 const std::optional<Materials>& materials);
+  std::optional<std::size_t> add(const Mechanism& mechanism, const std::optional<Materials>& materials);
   void find() { found_.find(); }
   /// False where `checked_contacts` finds them or says why there are none.
   bool get(std::optional<std::size_t> k, ContactDetail detail, Contacts& contacts) const;
@@ -44,8 +43,7 @@ class BarBatch {
   /// `detail`: what answers need of the contacts.
   void clear(ContactDetail detail);
   /// `mechanism`: that of the case with all its radii.
-  void add(std::size_t row, const Case& c, const Mechanism& mechanism,
-           std::span<const std::size_t> load_cases);
+  void add(std::size_t row, const Case& c, const Mechanism& mechanism, std::span<const std::size_t> load_cases);
 
   /// Calls `take(row, results, contacts)` of each design with the results of its load cases, and
   /// `leave(row)` of those that have no contacts or no equilibrium here.
@@ -114,14 +112,12 @@ class SectorBatch {
     bool complete = false;                   ///< Needs no other solver.
   };
 
-  explicit SectorBatch(simd::InstructionSet set)
-      : contacts_(set), bars_(set), refined_(set), set_(set) {}
+  explicit SectorBatch(simd::InstructionSet set) : contacts_(set), bars_(set), refined_(set), set_(set) {}
 
   void clear() { used_ = 0, contacts_.clear(); }
   /// `load_cases`: indices, as far as the case has them. Contacts are found together with
   /// Detail::numbers, else here: throws CaseError where there are none.
-  void add(std::size_t row, Case& c, const std::vector<std::size_t>& load_cases, bool is_measured,
-           Detail detail);
+  void add(std::size_t row, Case& c, const std::vector<std::size_t>& load_cases, bool is_measured, Detail detail);
 
   /// Calls `take(design)` of each design that is solved, and `leave(row)` of those that have no
   /// contacts, no place among the sectors or no equilibrium here.
@@ -171,8 +167,7 @@ class SlipBatch {
   /// `detail`: what answers need of the contacts.
   void clear(ContactDetail detail);
   /// `mechanism`: that of the case with all its radii.
-  void add(std::size_t row, const Case& c, const Mechanism& mechanism,
-           std::span<const std::size_t> load_cases);
+  void add(std::size_t row, const Case& c, const Mechanism& mechanism, std::span<const std::size_t> load_cases);
 
   /// Calls `take(row, results, contacts)` of each design with the results of its load cases, and
   /// `leave(row)` of those that have no contacts, gears that break (2.14) or no equilibrium here.

@@ -20,8 +20,7 @@ namespace {
 
 using Bodies = ModelOptions::Bodies;
 
-Result analyze_for(Command command, const Conditions& c, Contacts contacts,
-                   AnalysisOptions options) {
+Result analyze_for(Command command, const Conditions& c, Contacts contacts, AnalysisOptions options) {
   if (command == Command::contact) return analyze_contacts(c, std::move(contacts), options.detail);
   return command == Command::slip ? analyze_heat(c, std::move(contacts), options)
                                   : analyze_loads(c, std::move(contacts), options);
@@ -30,8 +29,7 @@ Result analyze_for(Command command, const Conditions& c, Contacts contacts,
 /// That of a duty, or of the first load case, which did not converge.
 DesignStatus status_of(const Result& result) {
   if (result.heat_cycle && !result.heat_cycle->converged())
-    return {std::string(name(result.heat_cycle->status)),
-            fmt::format("duty: {}", result.heat_cycle->reason)};
+    return {std::string(name(result.heat_cycle->status)), fmt::format("duty: {}", result.heat_cycle->reason)};
   for (const LoadCaseResult& load_case : result.load_cases) {
     if (load_case.heat && !load_case.heat->converged())
       return {std::string(name(load_case.heat->status)),
@@ -64,8 +62,7 @@ DesignStatus status_after(Compute compute) {
 std::vector<std::string> recorded(const Study& study, const Json& document) {
   if (study.responses.empty()) {
     std::vector<std::string> paths = default_responses(study.command);
-    if (!document.is_null())
-      std::erase_if(paths, [&](const std::string& path) { return !response(document, path); });
+    if (!document.is_null()) std::erase_if(paths, [&](const std::string& path) { return !response(document, path); });
     return paths;
   }
   if (document.is_null()) return study.responses;
@@ -73,14 +70,12 @@ std::vector<std::string> recorded(const Study& study, const Json& document) {
     const std::string& path = study.responses[k];
     if (response(document, path)) continue;
     const std::vector<std::string> known = response_paths(document);
-    const std::vector<std::string_view> near =
-        input::near_words(path, {known.begin(), known.end()});
-    throw UnknownResponse(
-        k, fmt::format("got {}; expected a number of the first load case or of the document, as "
-                       "`prs list responses FILE` shows them; {}",
-                       input::shown(path),
-                       near.empty() ? "write for example `" + known.front() + "`"
-                                    : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"))));
+    const std::vector<std::string_view> near = input::near_words(path, {known.begin(), known.end()});
+    throw UnknownResponse(k, fmt::format("got {}; expected a number of the first load case or of the document, as "
+                                         "`prs list responses FILE` shows them; {}",
+                                         input::shown(path),
+                                         near.empty() ? "write for example `" + known.front() + "`"
+                                                      : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"))));
   }
   return study.responses;
 }
@@ -180,11 +175,11 @@ struct DesignEngine::Parts {
   Study study;
   simd::InstructionSet set;
   std::optional<std::vector<ResultNumber>> numbers;
-  std::vector<std::size_t> load_cases;  ///< Load cases that the numbers need.
-  bool needs_duty = false;              ///< Whether one of the numbers is of a duty.
-  bool in_columns = false;              ///< Whether BarBatch or SlipBatch gets what it takes.
-  NumberDetail number_detail;           ///< What the numbers need of load cases.
-  Detail detail = Detail::numbers;      ///< What the numbers need of the results.
+  std::vector<std::size_t> load_cases;                 ///< Load cases that the numbers need.
+  bool needs_duty = false;                             ///< Whether one of the numbers is of a duty.
+  bool in_columns = false;                             ///< Whether BarBatch or SlipBatch gets what it takes.
+  NumberDetail number_detail;                          ///< What the numbers need of load cases.
+  Detail detail = Detail::numbers;                     ///< What the numbers need of the results.
   ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
   Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
   bool all_rollers = false;                            ///< Whether it is a full mechanism.
@@ -235,9 +230,7 @@ struct DesignEngine::Parts {
     return numbers && (study.command == Command::solve || (measures() && !load_cases.empty()));
   }
   /// Whether contacts of many designs are found together; those of Detail::complete are not.
-  bool shares_contacts() const {
-    return numbers && detail == Detail::numbers && study.command != Command::life;
-  }
+  bool shares_contacts() const { return numbers && detail == Detail::numbers && study.command != Command::life; }
 
   /// The history of a case; that of the base case is read once.
   std::optional<LoadHistory> history_of(const Case& c) const {
@@ -258,16 +251,14 @@ struct DesignEngine::Parts {
   /// The chain of the command on one case, the whole document.
   DesignStatus by_document(const Case& c, Json& document) const {
     if (study.command == Command::life)
-      return with_lives(
-          c, [&](const LifeResult& lives) { document = document_of(life_analysis(), lives, {}); });
+      return with_lives(c, [&](const LifeResult& lives) { document = document_of(life_analysis(), lives, {}); });
     if (measures()) {
       const MeasuresResult result = analyze_measures(c);
       document = document_of(measures_analysis(), result, {});
       return status_of(result.analysis);
     }
     const Result result = analyze_for(study.command, c, checked_contacts(c, Detail::complete), {});
-    document = document_of(study.command == Command::slip ? slip_analysis() : solve_analysis(),
-                           result, {});
+    document = document_of(study.command == Command::slip ? slip_analysis() : solve_analysis(), result, {});
     return status_of(result);
   }
 
@@ -293,20 +284,17 @@ struct DesignEngine::Parts {
     load_cases = load_cases_of(*numbers, all_load_cases);
     needs_duty = std::ranges::any_of(*numbers, &ResultNumber::needs_duty);
     const auto of_mechanism = [](const ResultNumber& number) { return !number.load_case; };
-    if (measures() || std::ranges::any_of(*numbers, of_mechanism))
-      contact_detail = ContactDetail::numbers;
+    if (measures() || std::ranges::any_of(*numbers, of_mechanism)) contact_detail = ContactDetail::numbers;
     // A full mechanism has its tangent stiffness only with Detail::complete.
     number_detail = prs::number_detail(*numbers);
     if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete) ||
         (all_rollers && number_detail.loads.tangent_stiffness))
       detail = Detail::complete;
-    in_columns = (study.command == Command::solve || study.command == Command::slip) &&
-                 detail == Detail::numbers;
+    in_columns = (study.command == Command::solve || study.command == Command::slip) && detail == Detail::numbers;
   }
 
   /// `known`: all that does not depend on the load case.
-  void set_numbers(double* row, const Answer& known,
-                   const std::vector<LoadCaseResult>& results = {},
+  void set_numbers(double* row, const Answer& known, const std::vector<LoadCaseResult>& results = {},
                    const std::vector<std::optional<LoadMeasures>>& load_measures = {}) const {
     for (std::size_t k = 0; k < numbers->size(); ++k) {
       const ResultNumber& number = (*numbers)[k];
@@ -316,16 +304,15 @@ struct DesignEngine::Parts {
         const auto index = static_cast<std::size_t>(at - load_cases.begin());
         if (index >= results.size()) continue;
         answer.load_case = &results[index];
-        if (index < load_measures.size() && load_measures[index])
-          answer.load_measures = &*load_measures[index];
+        if (index < load_measures.size() && load_measures[index]) answer.load_measures = &*load_measures[index];
       }
       row[k] = number.value(answer).value_or(kNoResponse);
     }
   }
 
   void set_numbers(double* row, const MeasuresResult& result) const {
-    set_numbers(row, {.contacts = result.analysis.contacts, .measures = &result.measures},
-                result.analysis.load_cases, result.load_measures);
+    set_numbers(row, {.contacts = result.analysis.contacts, .measures = &result.measures}, result.analysis.load_cases,
+                result.load_measures);
   }
 
   /// `found`: the contacts, where they are known.
@@ -339,9 +326,8 @@ struct DesignEngine::Parts {
       return status;
     }
     if (study.command == Command::life)
-      return with_lives(c, [&](const LifeResult& lives) {
-        set_numbers(row, {.contacts = lives.contacts, .life = &lives});
-      });
+      return with_lives(
+          c, [&](const LifeResult& lives) { set_numbers(row, {.contacts = lives.contacts, .life = &lives}); });
     const OnlyLoadCases needed(c, load_cases, study.command, needs_duty, worker.load_cases);
     AnalysisOptions options = kManyDesigns;
     options.detail = detail;
@@ -356,8 +342,7 @@ struct DesignEngine::Parts {
     const Result result = analyze_for(study.command, c, std::move(contacts), options);
     DesignStatus status = status_of(result);
     const HeatCycle* cycle = result.heat_cycle ? &*result.heat_cycle : nullptr;
-    if (status.converged())
-      set_numbers(row, {.contacts = result.contacts, .cycle = cycle}, result.load_cases);
+    if (status.converged()) set_numbers(row, {.contacts = result.contacts, .cycle = cycle}, result.load_cases);
     return status;
   }
 
@@ -377,15 +362,14 @@ struct DesignEngine::Parts {
 
   /// Rows [from, to) of a block, or those before the row that is returned: side by side what a
   /// batch takes, then one by one what is left, whose contacts are found together.
-  std::size_t evaluate_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
-                             RowBlock& block, const Stop& stop) const {
+  std::size_t evaluate_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker, RowBlock& block,
+                             const Stop& stop) const {
     const auto keep_failure = [&](std::size_t row, const auto& compute) {
       DesignStatus status = status_after(compute);
       if (!status.converged()) block.failures.push_back({row, std::move(status)});
     };
     read_batch(read, from, to, worker, keep_failure);
-    const auto take = [&](std::size_t row, const std::vector<LoadCaseResult>& results,
-                          const Contacts& contacts) {
+    const auto take = [&](std::size_t row, const std::vector<LoadCaseResult>& results, const Contacts& contacts) {
       set_numbers(row_of(block, row), {.contacts = contacts}, results);
     };
     const auto leave = [&](std::size_t row) { worker.alone.push_back({row}); };
@@ -406,8 +390,7 @@ struct DesignEngine::Parts {
     for (const auto& [row, contacts] : worker.alone) {
       const bool known = worker.contacts.get(contacts, contact_detail, found);
       keep_failure(row, [&, row = row] {
-        return answer(read(worker.reader, row), worker, row_of(block, row),
-                      known ? &found : nullptr);
+        return answer(read(worker.reader, row), worker, row_of(block, row), known ? &found : nullptr);
       });
       if (stop && stop()) return row + 1;
     }
@@ -443,11 +426,9 @@ struct DesignEngine::Parts {
 
   /// False where no batch takes the design.
   bool add_to_batch(std::size_t row, Case& c, Worker& worker) const {
-    if (study.command == Command::solve && c.model.loads == ModelOptions::Loads::running)
-      return false;
+    if (study.command == Command::solve && c.model.loads == ModelOptions::Loads::running) return false;
     const bool slips = study.command == Command::slip;
-    if (in_columns &&
-        (slips ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases))) {
+    if (in_columns && (slips ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases))) {
       const std::optional<Mechanism> mechanism = sound_mechanism(c);
       if (!mechanism) return false;
       if (slips)
@@ -456,8 +437,7 @@ struct DesignEngine::Parts {
         worker.columns.add(row, c, *mechanism, load_cases);
       return true;
     }
-    if (!in_batches() || c.model.bodies == Bodies::influence ||
-        c.model.mechanism == ModelOptions::Mechanism::full)
+    if (!in_batches() || c.model.bodies == Bodies::influence || c.model.mechanism == ModelOptions::Mechanism::full)
       return false;
     worker.sectors.add(row, c, load_cases, measures(), detail);
     return true;
@@ -491,19 +471,14 @@ DesignEngine::~DesignEngine() = default;
 
 const Study& DesignEngine::study() const { return parts_->study; }
 
-RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count,
-                                const std::function<bool()>& stop) const {
+RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count, const std::function<bool()>& stop) const {
   return parts_->evaluate(
-      first, count,
-      [first](DesignReader& reader, std::size_t row) -> Case& { return reader.read(first + row); },
-      stop);
+      first, count, [first](DesignReader& reader, std::size_t row) -> Case& { return reader.read(first + row); }, stop);
 }
 
 RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) const {
   return parts_->evaluate(
-      0, designs.size(),
-      [&](DesignReader& reader, std::size_t row) -> Case& { return reader.read(designs[row]); },
-      {});
+      0, designs.size(), [&](DesignReader& reader, std::size_t row) -> Case& { return reader.read(designs[row]); }, {});
 }
 
 std::size_t DesignEngine::chunk() const {

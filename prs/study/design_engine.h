@@ -11,8 +11,7 @@ namespace prs {
 /// A response that the base case does not have: its index in the study, and how to fix it.
 class UnknownResponse : public std::runtime_error {
  public:
-  UnknownResponse(std::size_t index, const std::string& message)
-      : std::runtime_error(message), index_(index) {}
+  UnknownResponse(std::size_t index, const std::string& message) : std::runtime_error(message), index_(index) {}
   std::size_t index() const { return index_; }
 
  private:
@@ -24,8 +23,7 @@ class DesignEngine {
  public:
   /// Runs the base case. Throws UnknownResponse. The input must outlive the engine. With any
   /// instruction set a design has the same verdict and, to 1e-11, the same answers.
-  explicit DesignEngine(const input::StudyInput& input,
-                        simd::InstructionSet set = simd::InstructionSet::best);
+  explicit DesignEngine(const input::StudyInput& input, simd::InstructionSet set = simd::InstructionSet::best);
   ~DesignEngine();
 
   /// The study with the responses that it records.
@@ -34,8 +32,7 @@ class DesignEngine {
   /// Designs [first, first + count): a pure function of the study, from any thread. Never throws
   /// for what is wrong with a design. `stop` is asked between slow designs, and those that follow
   /// are left out; one at least is answered.
-  RowBlock evaluate(std::size_t first, std::size_t count,
-                    const std::function<bool()>& stop = {}) const;
+  RowBlock evaluate(std::size_t first, std::size_t count, const std::function<bool()>& stop = {}) const;
 
   /// Designs that are given by their values, one draw per factor: row k of the block belongs to the
   /// k-th design.

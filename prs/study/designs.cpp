@@ -31,9 +31,7 @@ constexpr std::uint64_t random_bits(std::uint64_t key, std::uint64_t k) {
 }
 
 /// The middle of the cell of width 2^-52 that the highest bits name: never 0, never 1.
-constexpr double in_unit_interval(std::uint64_t bits) {
-  return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52;
-}
+constexpr double in_unit_interval(std::uint64_t bits) { return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52; }
 
 /// Direction numbers of each dimension, that of the lowest bit of the index first. In Gray-code
 /// order the point 2^b is the exclusive or of the numbers b and b - 1.
@@ -75,8 +73,7 @@ std::uint64_t permuted(std::uint64_t key, std::uint64_t k, std::uint64_t n) {
   return k;
 }
 
-double latin_hypercube_number(std::uint64_t seed, std::size_t dimension, std::uint64_t k,
-                              std::uint64_t n) {
+double latin_hypercube_number(std::uint64_t seed, std::size_t dimension, std::uint64_t k, std::uint64_t n) {
   const std::uint64_t stratum = permuted(key_of(seed, dimension, Purpose::strata), k, n);
   const std::uint64_t bits = random_bits(key_of(seed, dimension, Purpose::within_stratum), k);
   // 32 bits within the stratum: the sum with its index does not round up to the next one.
@@ -89,8 +86,7 @@ std::uint64_t sobol_fraction(std::size_t dimension, std::uint64_t k) {
   static const std::vector<std::uint64_t> numbers = direction_numbers();
   const std::uint64_t* const own = &numbers[dimension * kBits];
   std::uint64_t fraction = 0;
-  for (std::uint64_t bits = k ^ (k >> 1U); bits != 0; bits &= bits - 1)
-    fraction ^= own[std::countr_zero(bits)];
+  for (std::uint64_t bits = k ^ (k >> 1U); bits != 0; bits &= bits - 1) fraction ^= own[std::countr_zero(bits)];
   return fraction;
 }
 
@@ -130,11 +126,8 @@ Sample sample_of(const Study& study, std::size_t k) {
   const std::size_t each = designs_per_sample(study);
   const std::size_t which = (k - 1) % each;
   if (study.plan == Plan::tolerances)
-    return {(k - 1) / each, Sample::kNone,
-            which == 0 ? Sample::kNone : halved_blocks(study)[which - 1]};
-  const std::size_t from_second = which == 0   ? Sample::kNone
-                                  : which == 1 ? Sample::kAll
-                                               : which - 2;
+    return {(k - 1) / each, Sample::kNone, which == 0 ? Sample::kNone : halved_blocks(study)[which - 1]};
+  const std::size_t from_second = which == 0 ? Sample::kNone : which == 1 ? Sample::kAll : which - 2;
   return {(k - 1) / each, from_second, Sample::kNone};
 }
 
@@ -176,8 +169,7 @@ Draw drawn(const Factor& factor, double share) {
 void draw_one(const Study& study, std::size_t k, std::vector<Draw>& draws) {
   std::size_t level = k - 1;
   std::size_t factor = 0;
-  while (level >= study.factors[factor].levels.size())
-    level -= study.factors[factor++].levels.size();
+  while (level >= study.factors[factor].levels.size()) level -= study.factors[factor++].levels.size();
   draws[factor] = {.kind = Draw::Kind::level, .level = level};
 }
 
@@ -213,8 +205,7 @@ std::vector<std::string> words_of(const Factor& factor) {
   std::vector<std::string> words;
   if (factor.is_numeric()) return words;
   for (const Level& level : factor.levels) words.push_back(level.text);
-  if (factor.base && std::ranges::find(words, factor.base->text) == words.end())
-    words.push_back(factor.base->text);
+  if (factor.base && std::ranges::find(words, factor.base->text) == words.end()) words.push_back(factor.base->text);
   return words;
 }
 
@@ -225,8 +216,7 @@ FactorColumn column_of(const Factor& factor) {
   if (column.is_numeric())
     column.base = factor.base->number.value_or(kNoResponse);
   else
-    column.base = static_cast<double>(std::ranges::find(column.words, factor.base->text) -
-                                      column.words.begin());
+    column.base = static_cast<double>(std::ranges::find(column.words, factor.base->text) - column.words.begin());
   return column;
 }
 
@@ -235,8 +225,7 @@ double value_of(const Factor& factor, const FactorColumn& column, const Draw& dr
     case Draw::Kind::number:
       return draw.number;
     case Draw::Kind::level:
-      return column.is_numeric() ? *factor.levels[draw.level].number
-                                 : static_cast<double>(draw.level);
+      return column.is_numeric() ? *factor.levels[draw.level].number : static_cast<double>(draw.level);
     case Draw::Kind::as_in_file:
       break;
   }
@@ -274,8 +263,7 @@ std::size_t design_count(const Study& study) {
   if (is_sampled(study.plan)) return 1 + study.samples * designs_per_sample(study);
   const bool grid = study.plan == Plan::grid;
   std::size_t count = grid ? 1 : 0;
-  for (const Factor& factor : study.factors)
-    count = grid ? count * factor.levels.size() : count + factor.levels.size();
+  for (const Factor& factor : study.factors) count = grid ? count * factor.levels.size() : count + factor.levels.size();
   return 1 + count;
 }
 
@@ -309,8 +297,7 @@ void set_draws(const Study& study, std::size_t k, std::vector<Draw>& draws) {
 std::optional<Level> value_in(const Factor& input, const Draw& draw) {
   switch (draw.kind) {
     case Draw::Kind::number:
-      return Level{fmt::format(FMT_COMPILE("{}{}{}"), draw.number, input.unit.empty() ? "" : " ",
-                               input.unit),
+      return Level{fmt::format(FMT_COMPILE("{}{}{}"), draw.number, input.unit.empty() ? "" : " ", input.unit),
                    draw.number};
     case Draw::Kind::level:
       return input.levels[draw.level];
@@ -330,8 +317,7 @@ Design design(const Study& study, const std::vector<Draw>& draws) {
     if (draws[i].kind == Draw::Kind::as_in_file) continue;
     const Factor& factor = study.factors[i];
     Setting setting{i, *value_in(factor, draws[i]), {}};
-    for (const Factor& companion : factor.companions)
-      setting.companions.push_back(*value_in(companion, draws[i]));
+    for (const Factor& companion : factor.companions) setting.companions.push_back(*value_in(companion, draws[i]));
     design.settings.push_back(std::move(setting));
   }
   return design;
@@ -425,8 +411,8 @@ std::vector<FactorColumn> factor_columns(const Study& study) {
   return columns;
 }
 
-std::vector<double> factor_values(const Study& study, const std::vector<FactorColumn>& columns,
-                                  std::size_t first, std::size_t count) {
+std::vector<double> factor_values(const Study& study, const std::vector<FactorColumn>& columns, std::size_t first,
+                                  std::size_t count) {
   const std::vector<DrawnInput> inputs = drawn_inputs(study);
   std::vector<double> values;
   values.reserve(count * columns.size());

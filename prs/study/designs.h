@@ -27,8 +27,7 @@ double monte_carlo_number(std::uint64_t seed, std::size_t dimension, std::uint64
 
 /// Latin hypercube of n samples, k < n: (pi(k) + xi)/n with a random permutation pi of the n strata
 /// in each dimension and xi random within the stratum (McKay, Beckman & Conover 1979).
-double latin_hypercube_number(std::uint64_t seed, std::size_t dimension, std::uint64_t k,
-                              std::uint64_t n);
+double latin_hypercube_number(std::uint64_t seed, std::size_t dimension, std::uint64_t k, std::uint64_t n);
 
 /// A random permutation of 0 .. n - 1 that a random key chooses, at k < n, in constant time and
 /// memory: a Feistel network over the next power of two, repeated until it falls below n (Black &
@@ -98,8 +97,8 @@ struct FactorColumn {
 std::vector<FactorColumn> factor_columns(const Study& study);
 
 /// What designs [first, first + count) set: count x columns.
-std::vector<double> factor_values(const Study& study, const std::vector<FactorColumn>& columns,
-                                  std::size_t first, std::size_t count);
+std::vector<double> factor_values(const Study& study, const std::vector<FactorColumn>& columns, std::size_t first,
+                                  std::size_t count);
 
 /// A unit as it stands in keys: `N/mm^1.5` is `N_per_mm1_5`.
 std::string unit_key(const std::string& unit);

@@ -47,9 +47,7 @@ std::uint64_t crc32c(std::string_view bytes) {
   return crc.checksum();
 }
 
-std::uint64_t integer_at(std::string_view bytes, std::size_t offset) {
-  return Cursor(bytes.substr(offset)).number();
-}
+std::uint64_t integer_at(std::string_view bytes, std::size_t offset) { return Cursor(bytes.substr(offset)).number(); }
 
 /// A sealed text: its length, itself and the checksum of both.
 std::string sealed(std::string text) {
@@ -77,8 +75,8 @@ std::optional<RowBlock> decode(std::string_view bytes, const JournalHeader& head
   block.first = cursor.number();
   block.rows = cursor.number();
   const std::uint64_t responses = cursor.number();
-  if (!cursor.good() || responses != header.responses.size() || block.rows == 0 ||
-      block.first >= header.designs || block.rows > header.designs - block.first)
+  if (!cursor.good() || responses != header.responses.size() || block.rows == 0 || block.first >= header.designs ||
+      block.rows > header.designs - block.first)
     return std::nullopt;
   if (responses > 0 && block.rows > bytes.size() / sizeof(double) / responses) return std::nullopt;
   const std::string_view numbers = cursor.text(block.rows * responses * sizeof(double));
@@ -120,26 +118,24 @@ std::optional<JournalHeader> decode_header(std::string_view bytes) {
 }
 
 [[noreturn]] void refuse_foreign(const fs::path& path) {
-  throw StudyFolderError(fmt::format(
-      "{}: error: this is no journal of a study, or it is damaged or of another kind of machine; "
-      "remove it, give another folder with --output, or --restart to discard it",
-      path.string()));
+  throw StudyFolderError(
+      fmt::format("{}: error: this is no journal of a study, or it is damaged or of another kind of machine; "
+                  "remove it, give another folder with --output, or --restart to discard it",
+                  path.string()));
 }
 
 FileDescriptor open_temporary() {
   std::string pattern = (temporary_folder() / "prs-study-XXXXXX").string();
   FileDescriptor file(::mkostemp(pattern.data(), O_APPEND | O_CLOEXEC));
   if (!file.is_open())
-    throw std::system_error(errno, std::generic_category(),
-                            fmt::format("cannot write '{}'", pattern));
+    throw std::system_error(errno, std::generic_category(), fmt::format("cannot write '{}'", pattern));
   ::unlink(pattern.c_str());
   return file;
 }
 
 }  // namespace
 
-std::string study_key(std::string_view version, const input::Source& source,
-                      std::span<const std::string> referred) {
+std::string study_key(std::string_view version, const input::Source& source, std::span<const std::string> referred) {
   std::string bytes;
   put(bytes, version);
   put(bytes, source.text);
@@ -153,8 +149,7 @@ std::string study_key(std::string_view version, const input::Source& source,
 std::vector<std::string> referred_of(std::string_view key) {
   constexpr std::size_t kDigest = 64;
   std::vector<std::string> digests;
-  for (std::size_t at = kDigest; at < key.size(); at += kDigest)
-    digests.emplace_back(key.substr(at, kDigest));
+  for (std::size_t at = kDigest; at < key.size(); at += kDigest) digests.emplace_back(key.substr(at, kDigest));
   return digests;
 }
 
@@ -164,8 +159,7 @@ std::string encode(const RowBlock& block) {
   put(bytes, block.first);
   put(bytes, block.rows);
   put(bytes, block.rows == 0 ? 0 : block.responses.size() / block.rows);
-  bytes.append(reinterpret_cast<const char*>(block.responses.data()),
-               block.responses.size() * sizeof(double));
+  bytes.append(reinterpret_cast<const char*>(block.responses.data()), block.responses.size() * sizeof(double));
   for (const RowBlock::Failure& failure : block.failures) {
     put(bytes, failure.row);
     put(bytes, failure.status.name);
@@ -174,19 +168,17 @@ std::string encode(const RowBlock& block) {
   return sealed(std::move(bytes));
 }
 
-DesignRange designs_of(std::string_view record) {
-  return {integer_at(record, kWord), integer_at(record, 2 * kWord)};
-}
+DesignRange designs_of(std::string_view record) { return {integer_at(record, kWord), integer_at(record, 2 * kWord)}; }
 
 Journal Journal::append_to(const fs::path& path, const JournalHeader& header, bool afresh) {
   Journal journal;
   journal.path_ = path;
   journal.file_ = open_study_file(path, O_RDWR | O_CREAT | O_APPEND);
   if (!lock_file(journal.file_, LOCK_EX, path))
-    throw StudyFolderError(fmt::format(
-        "{}: error: another process is writing this journal; wait for it, or give another folder "
-        "with --output",
-        path.string()));
+    throw StudyFolderError(
+        fmt::format("{}: error: another process is writing this journal; wait for it, or give another folder "
+                    "with --output",
+                    path.string()));
   if (afresh || !journal.load()) {
     journal.header_ = header;
     journal.begin();
@@ -214,21 +206,18 @@ Journal Journal::read(const fs::path& path) {
 }
 
 bool Journal::is_of(const JournalHeader& study) const {
-  return header_.key == study.key && header_.designs == study.designs &&
-         header_.responses == study.responses;
+  return header_.key == study.key && header_.designs == study.designs && header_.responses == study.responses;
 }
 
 void Journal::require(const JournalHeader& study) const {
   if (is_of(study)) return;
-  throw StudyFolderError(fmt::format(
-      "{}: error: it holds the journal {} of another study: the file, an override or the program "
-      "changed since; give another folder with --output, or --restart to discard what was computed",
-      path_.parent_path().string(), path_.filename().string()));
+  throw StudyFolderError(
+      fmt::format("{}: error: it holds the journal {} of another study: the file, an override or the program "
+                  "changed since; give another folder with --output, or --restart to discard what was computed",
+                  path_.parent_path().string(), path_.filename().string()));
 }
 
-bool Journal::takes(std::string_view record) const {
-  return is_whole(record) && decode(record, header_);
-}
+bool Journal::takes(std::string_view record) const { return is_whole(record) && decode(record, header_); }
 
 void Journal::append(std::string_view record) {
   if (const int error = write_all(file_, record); error != 0) {
@@ -244,8 +233,7 @@ RowBlock Journal::block(const Record& record) const {
   const std::string raw = bytes(record.offset, record.length);
   std::optional<RowBlock> block = is_whole(raw) ? decode(raw, header_) : std::nullopt;
   if (!block)
-    throw std::runtime_error(
-        fmt::format("'{}' changed while it was read; run the same command again", path_.string()));
+    throw std::runtime_error(fmt::format("'{}' changed while it was read; run the same command again", path_.string()));
   return *std::move(block);
 }
 
@@ -295,8 +283,7 @@ std::string Journal::bytes(std::uint64_t offset, std::uint64_t length) const {
   std::string read(length, '\0');
   std::size_t done = 0;
   while (done < length) {
-    const ssize_t got =
-        ::pread(file_.get(), read.data() + done, length - done, static_cast<off_t>(offset + done));
+    const ssize_t got = ::pread(file_.get(), read.data() + done, length - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(errno);
     if (got == 0) break;
@@ -307,8 +294,7 @@ std::string Journal::bytes(std::uint64_t offset, std::uint64_t length) const {
 }
 
 void Journal::fail(int error) const {
-  throw std::system_error(error, std::generic_category(),
-                          fmt::format("cannot write '{}'", path_.string()));
+  throw std::system_error(error, std::generic_category(), fmt::format("cannot write '{}'", path_.string()));
 }
 
 }  // namespace prs

@@ -48,8 +48,7 @@ class Journal {
   /// Continues the journal of `header.key`, or begins one; a torn tail is cut. `afresh` discards
   /// what the file holds. Throws StudyFolderError where another process writes it or it is of
   /// another key or not a journal, and std::system_error.
-  static Journal append_to(const std::filesystem::path& path, const JournalHeader& header,
-                           bool afresh = false);
+  static Journal append_to(const std::filesystem::path& path, const JournalHeader& header, bool afresh = false);
 
   /// A temporary journal, removed together with the object.
   static Journal temporary(const JournalHeader& header);

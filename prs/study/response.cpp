@@ -15,9 +15,8 @@ namespace {
 
 /// Numbers, or rows of numbers.
 bool is_series(const Json& json) {
-  return json.is_array() && !json.empty() && std::ranges::all_of(json, [](const Json& entry) {
-           return entry.is_number() || is_series(entry);
-         });
+  return json.is_array() && !json.empty() &&
+         std::ranges::all_of(json, [](const Json& entry) { return entry.is_number() || is_series(entry); });
 }
 
 void collect(const Json& series, std::vector<double>& values) {
@@ -58,8 +57,7 @@ void list_paths(const Json& json, const std::string& path, std::vector<std::stri
   if (json.is_number()) paths.push_back(path);
   if (is_series(json)) paths.push_back(path + ".max");
   if (!json.is_object()) return;
-  for (const auto& [key, value] : json.items())
-    list_paths(value, path.empty() ? key : path + "." + key, paths);
+  for (const auto& [key, value] : json.items()) list_paths(value, path.empty() ? key : path + "." + key, paths);
 }
 
 /// A number of what `part` finds in an answer or not.
@@ -90,8 +88,7 @@ std::optional<std::size_t> take_load_case(std::string_view& path) {
 }
 
 /// A number of the threads of one interface, which most responses are, read without detours.
-std::optional<ResultNumber> number_of_threads(std::string_view path, Interface i,
-                                              std::size_t load_case) {
+std::optional<ResultNumber> number_of_threads(std::string_view path, Interface i, std::size_t load_case) {
   std::optional<Reader<InterfaceLoads>> reader = reader_of<InterfaceLoads>(path);
   if (!reader || reader->delivery != Reach::numbers) return std::nullopt;
   return ResultNumber{load_case, false, false, OnDemand::nothing,
@@ -103,16 +100,11 @@ std::optional<ResultNumber> number_of_threads(std::string_view path, Interface i
 }
 
 constexpr std::pair<std::string_view, OnDemand> kOnDemand[] = {
-    {"axial_load_N", OnDemand::axial_load},
-    {"load_rate_percent", OnDemand::load_rate},
-    {"semi_major_mm", OnDemand::ellipses},
-    {"semi_minor_mm", OnDemand::ellipses},
-    {"peak_pressure_MPa", OnDemand::ellipses},
-    {"tangent_stiffness_N_per_um", OnDemand::tangent_stiffness},
-    {"film_thickness_nm", OnDemand::films},
-    {"central_film_nm", OnDemand::films},
-    {"film_factor", OnDemand::films},
-    {"film_ratio", OnDemand::films},
+    {"axial_load_N", OnDemand::axial_load},    {"load_rate_percent", OnDemand::load_rate},
+    {"semi_major_mm", OnDemand::ellipses},     {"semi_minor_mm", OnDemand::ellipses},
+    {"peak_pressure_MPa", OnDemand::ellipses}, {"tangent_stiffness_N_per_um", OnDemand::tangent_stiffness},
+    {"film_thickness_nm", OnDemand::films},    {"central_film_nm", OnDemand::films},
+    {"film_factor", OnDemand::films},          {"film_ratio", OnDemand::films},
     {"boundary_share", OnDemand::films}};
 
 /// What the number at a path of a load case needs.
@@ -123,8 +115,7 @@ OnDemand on_demand(std::string_view path) {
   const std::string_view key = path.substr(0, path.find_first_of(".["));
   const auto found = std::ranges::find(kOnDemand, key, [](const auto& row) { return row.first; });
   if (found != std::end(kOnDemand)) return found->second;
-  return of_slip && (of_threads || key == "hottest_thread") ? OnDemand::slip_of_threads
-                                                            : OnDemand::nothing;
+  return of_slip && (of_threads || key == "hottest_thread") ? OnDemand::slip_of_threads : OnDemand::nothing;
 }
 
 }  // namespace
@@ -144,35 +135,28 @@ std::vector<std::string> response_paths(const Json& document) {
 }
 
 std::vector<std::string> default_responses(Command command) {
-  for (const AnyAnalysis& analysis :
-       {any(contact_analysis()), any(solve_analysis()), any(slip_analysis()), any(life_analysis()),
-        any(measures_analysis())})
+  for (const AnyAnalysis& analysis : {any(contact_analysis()), any(solve_analysis()), any(slip_analysis()),
+                                      any(life_analysis()), any(measures_analysis())})
     if (analysis.command == command) return {analysis.responses.begin(), analysis.responses.end()};
   return {};
 }
 
 NumberDetail number_detail(std::span<const ResultNumber> numbers) {
-  const auto any = [&](OnDemand part) {
-    return std::ranges::count(numbers, part, &ResultNumber::on_demand) > 0;
-  };
-  return {{any(OnDemand::axial_load), any(OnDemand::load_rate), any(OnDemand::ellipses),
-           any(OnDemand::tangent_stiffness)},
-          {any(OnDemand::slip_of_threads), any(OnDemand::films)}};
+  const auto any = [&](OnDemand part) { return std::ranges::count(numbers, part, &ResultNumber::on_demand) > 0; };
+  return {
+      {any(OnDemand::axial_load), any(OnDemand::load_rate), any(OnDemand::ellipses), any(OnDemand::tangent_stiffness)},
+      {any(OnDemand::slip_of_threads), any(OnDemand::films)}};
 }
 
 std::optional<ResultNumber> result_number(std::string_view path) {
   std::string_view rest = path;
   if (take(rest, "measures."))
-    if (auto number = number_of<Measures>(rest, {}, [](const Answer& a) { return a.measures; }))
-      return number;
+    if (auto number = number_of<Measures>(rest, {}, [](const Answer& a) { return a.measures; })) return number;
   rest = path;
-  if (take(rest, "contact."))
-    return number_of<Contacts>(rest, {}, [](const Answer& a) { return &a.contacts; });
+  if (take(rest, "contact.")) return number_of<Contacts>(rest, {}, [](const Answer& a) { return &a.contacts; });
   if (take(rest, "threads."))
-    return number_of<contact::MechanismGeometry>(
-        rest, {}, [](const Answer& a) { return &a.contacts.threads; });
-  if (take(rest, "life."))
-    return number_of<LifeResult>(rest, {}, [](const Answer& a) { return a.life; });
+    return number_of<contact::MechanismGeometry>(rest, {}, [](const Answer& a) { return &a.contacts.threads; });
+  if (take(rest, "life.")) return number_of<LifeResult>(rest, {}, [](const Answer& a) { return a.life; });
   if (take(rest, "heat_cycle.")) {
     auto number = number_of<HeatCycle>(rest, {}, [](const Answer& a) { return a.cycle; });
     if (number) number->needs_duty = true;
@@ -181,8 +165,7 @@ std::optional<ResultNumber> result_number(std::string_view path) {
   const std::optional<std::size_t> load_case = take_load_case(rest);
   if (!load_case) return std::nullopt;
   if (take(rest, "measures."))
-    return number_of<LoadMeasures>(rest, load_case,
-                                   [](const Answer& a) { return a.load_measures; });
+    return number_of<LoadMeasures>(rest, load_case, [](const Answer& a) { return a.load_measures; });
   std::optional<ResultNumber> number;
   for (const Interface i : kInterfaces)
     if (std::string_view key = rest; !number && take(key, name(i)) && take(key, "."))
@@ -195,9 +178,7 @@ std::optional<ResultNumber> result_number(std::string_view path) {
     number = number_of<HeatResult>(key, load_case, [](const Answer& a) {
       return a.load_case && a.load_case->heat ? &*a.load_case->heat : nullptr;
     });
-  if (!number)
-    number =
-        number_of<LoadCaseResult>(rest, load_case, [](const Answer& a) { return a.load_case; });
+  if (!number) number = number_of<LoadCaseResult>(rest, load_case, [](const Answer& a) { return a.load_case; });
   if (number) number->on_demand = on_demand(rest);
   return number;
 }
@@ -213,8 +194,7 @@ struct Values {
   std::string path = {};
   bool number = false;                ///< A drawn number can be set without reading it.
   const input::Unit* unit = nullptr;  ///< None of bare numbers.
-  std::vector<double> levels =
-      {};  ///< As `input::slot_value` gives them; NaN where one must be read.
+  std::vector<double> levels = {};    ///< As `input::slot_value` gives them; NaN where one must be read.
 };
 
 Values values_of(const DrawnInput& input, input::CaseFile& file) {
@@ -222,13 +202,11 @@ Values values_of(const DrawnInput& input, input::CaseFile& file) {
   const input::Slot slot = input::find_slot(file, factor.path);
   Values values{.factor = input.factor, .path = factor.path};
   if (slot.dimension) values.unit = input::find_unit(factor.unit, *slot.dimension);
-  values.number = slot.kind == input::Slot::Kind::number &&
-                  (slot.dimension ? values.unit != nullptr : factor.unit.empty());
-  const bool numeric =
-      slot.kind == input::Slot::Kind::number || slot.kind == input::Slot::Kind::whole;
+  values.number =
+      slot.kind == input::Slot::Kind::number && (slot.dimension ? values.unit != nullptr : factor.unit.empty());
+  const bool numeric = slot.kind == input::Slot::Kind::number || slot.kind == input::Slot::Kind::whole;
   for (const Level& level : factor.levels)
-    values.levels.push_back(numeric ? input::slot_value(slot, level.text).value_or(kNoNumber)
-                                    : kNoNumber);
+    values.levels.push_back(numeric ? input::slot_value(slot, level.text).value_or(kNoNumber) : kNoNumber);
   return values;
 }
 
@@ -263,23 +241,19 @@ struct Frame {
 
 /// Whether checks find the same in both; names must differ from all others.
 bool is_checked_alike(const LoadCase& a, const LoadCase& b) {
-  const auto sign = [](const LoadCase& load) {
-    return (load.axial_force > 0.0) - (load.axial_force < 0.0);
-  };
-  return a.direction == b.direction && a.position == b.position && a.share == b.share &&
-         a.speed == b.speed && a.spatial == b.spatial && sign(a) == sign(b);
+  const auto sign = [](const LoadCase& load) { return (load.axial_force > 0.0) - (load.axial_force < 0.0); };
+  return a.direction == b.direction && a.position == b.position && a.share == b.share && a.speed == b.speed &&
+         a.spatial == b.spatial && sign(a) == sign(b);
 }
 
-std::optional<Frame::Checked> checked_cases(const std::vector<LoadCase>& all,
-                                            const std::vector<bool>& varies) {
+std::optional<Frame::Checked> checked_cases(const std::vector<LoadCase>& all, const std::vector<bool>& varies) {
   std::unordered_set<std::string_view> names;
   for (const LoadCase& load : all)
     if (!names.insert(load.name).second) return std::nullopt;
   Frame::Checked checked;
   for (std::size_t k = 0; k < all.size(); ++k)
-    if (!varies[k] && std::ranges::none_of(checked.load_cases, [&](const LoadCase& other) {
-          return is_checked_alike(other, all[k]);
-        }))
+    if (!varies[k] && std::ranges::none_of(checked.load_cases,
+                                           [&](const LoadCase& other) { return is_checked_alike(other, all[k]); }))
       checked.load_cases.push_back(all[k]);
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (!varies[k]) continue;
@@ -343,17 +317,14 @@ struct DesignReader::Parts {
       const std::string& path = values[i].path;
       if (made->file.speeds_follow_lead && path == "mechanism.lead") return nullptr;
       input::Slot slot = input::find_slot(made->file, path);
-      if (slot.kind != input::Slot::Kind::number && slot.kind != input::Slot::Kind::whole)
-        return nullptr;
+      if (slot.kind != input::Slot::Kind::number && slot.kind != input::Slot::Kind::whole) return nullptr;
       made->bound.push_back({i, std::move(slot)});
-      if (const std::optional<std::size_t> item = load_case_item(path))
-        made->varied_items.push_back(*item);
+      if (const std::optional<std::size_t> item = load_case_item(path)) made->varied_items.push_back(*item);
     }
     std::vector<bool> varies(load_cases.size());
     for (const std::size_t item : made->varied_items)
       std::fill(varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item)),
-                varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item + 1)),
-                true);
+                varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item + 1)), true);
     made->checked = checked_cases(load_cases, varies);
     return made;
   }
@@ -379,9 +350,8 @@ struct DesignReader::Parts {
     for (const auto& [input_index, slot] : frame->bound) {
       const Values& known = values[input_index];
       const Draw& draw = draws[known.factor];
-      const std::optional<double> value = draw.kind == Draw::Kind::level
-                                              ? known.levels[draw.level]
-                                              : input::slot_value(slot, draw.number, known.unit);
+      const std::optional<double> value =
+          draw.kind == Draw::Kind::level ? known.levels[draw.level] : input::slot_value(slot, draw.number, known.unit);
       if (!value) return false;
       set(slot, *value);
     }
@@ -406,8 +376,7 @@ struct DesignReader::Parts {
 
 DesignReader::DesignReader(const input::StudyInput& input) : parts_(new Parts{.input = input}) {
   input::CaseFile base = input::read_design_file(input, {}).file;
-  for (const DrawnInput& drawn : drawn_inputs(input.study))
-    parts_->values.push_back(values_of(drawn, base));
+  for (const DrawnInput& drawn : drawn_inputs(input.study)) parts_->values.push_back(values_of(drawn, base));
 }
 
 DesignReader::~DesignReader() = default;

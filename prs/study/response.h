@@ -31,15 +31,7 @@ struct Answer {
 };
 
 /// Numbers that results of many designs have only where they are asked for.
-enum class OnDemand {
-  nothing,
-  axial_load,
-  load_rate,
-  ellipses,
-  tangent_stiffness,
-  slip_of_threads,
-  films
-};
+enum class OnDemand { nothing, axial_load, load_rate, ellipses, tangent_stiffness, slip_of_threads, films };
 
 /// A response in the tables of quantities, read from the results without a document. Its value is
 /// the one that the document would have.

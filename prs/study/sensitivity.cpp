@@ -113,8 +113,7 @@ Eigen::MatrixXd LinearRegression::triangle() const {
 std::optional<std::size_t> LinearRegression::dependent_column() const {
   const Eigen::MatrixXd r = triangle();
   for (Eigen::Index k = 1; k <= factors_; ++k)
-    if (!(std::abs(r(k, k)) > kDependent * r.col(k).head(k + 1).norm()))
-      return static_cast<std::size_t>(k - 1);
+    if (!(std::abs(r(k, k)) > kDependent * r.col(k).head(k + 1).norm())) return static_cast<std::size_t>(k - 1);
   return std::nullopt;
 }
 
@@ -137,14 +136,12 @@ std::vector<std::optional<LinearFit>> LinearRegression::fits() const {
     LinearFit fit;
     fit.intercept = first_(j) + b(0, j);
     fit.r_squared = 1.0 - residual / sum_of_squares;
-    if (left_over > 0.0)
-      fit.adjusted_r_squared = 1.0 - (residual / left_over) / (sum_of_squares / (rows - 1.0));
+    if (left_over > 0.0) fit.adjusted_r_squared = 1.0 - (residual / left_over) / (sum_of_squares / (rows - 1.0));
     const double magnitudes = b.col(j).tail(factors_).lpNorm<1>();
     for (Eigen::Index i = 1; i < coefficients; ++i) {
       FactorEffect effect{static_cast<std::size_t>(i - 1), b(i, j), std::nullopt,
                           100.0 * std::abs(b(i, j)) / magnitudes};
-      if (left_over > 0.0)
-        effect.standard_error = std::sqrt(residual / left_over) * root_of_covariance(i);
+      if (left_over > 0.0) effect.standard_error = std::sqrt(residual / left_over) * root_of_covariance(i);
       fit.effects.push_back(effect);
     }
     fits[static_cast<std::size_t>(j)] = std::move(fit);
@@ -152,18 +149,17 @@ std::vector<std::optional<LinearFit>> LinearRegression::fits() const {
   return fits;
 }
 
-ResponseSurfaces response_surfaces(const LinearRegression& regression,
-                                   const std::vector<NormalisedFactor>& factors,
+ResponseSurfaces response_surfaces(const LinearRegression& regression, const std::vector<NormalisedFactor>& factors,
                                    const Study& study) {
   ResponseSurfaces surfaces{regression.rows()};
   if (regression.rows() <= factors.size()) {
-    surfaces.reason = fmt::format("{} designs with all responses do not determine {} coefficients",
-                                  regression.rows(), factors.size() + 1);
+    surfaces.reason = fmt::format("{} designs with all responses do not determine {} coefficients", regression.rows(),
+                                  factors.size() + 1);
     return surfaces;
   }
   if (const auto column = regression.dependent_column()) {
-    surfaces.reason = fmt::format("{} does not vary independently of the others",
-                                  study.factors[factors[*column].factor].label);
+    surfaces.reason =
+        fmt::format("{} does not vary independently of the others", study.factors[factors[*column].factor].label);
     return surfaces;
   }
   surfaces.fits = regression.fits();
@@ -195,17 +191,14 @@ double VarianceIndices::Sums::first(Eigen::Index factor) const {
   return (bd[factor] - b * d[factor] / samples) / (samples * variance());
 }
 
-double VarianceIndices::Sums::total(Eigen::Index factor) const {
-  return dd[factor] / (2.0 * samples * variance());
-}
+double VarianceIndices::Sums::total(Eigen::Index factor) const { return dd[factor] / (2.0 * samples * variance()); }
 
 VarianceIndices::Sums VarianceIndices::empty() const {
   const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(factors_));
   return {.d = zeros, .bd = zeros, .dd = zeros};
 }
 
-VarianceIndices::VarianceIndices(std::size_t factors, std::size_t samples)
-    : factors_(factors), samples_(samples) {
+VarianceIndices::VarianceIndices(std::size_t factors, std::size_t samples) : factors_(factors), samples_(samples) {
   batches_.assign(std::min(samples, kMostBatches), empty());
 }
 
@@ -247,8 +240,7 @@ Estimate VarianceIndices::estimate(const Sums& all, double (Sums::*index)(Eigen:
   for (const double value : without_one) squares += (value - mean) * (value - mean);
   const double standard_error = std::sqrt((batches - 1.0) / batches * squares);
   const boost::math::students_t distribution(batches - 1.0);
-  return {(all.*index)(factor),
-          boost::math::quantile(distribution, kUpperQuantile) * standard_error};
+  return {(all.*index)(factor), boost::math::quantile(distribution, kUpperQuantile) * standard_error};
 }
 
 ResponseIndices VarianceIndices::result() const {
@@ -261,10 +253,9 @@ ResponseIndices VarianceIndices::result() const {
   result.variance = std::max(0.0, all.variance());
   if (std::sqrt(result.variance) <= kConstant * largest_) return result;
   for (Eigen::Index i = 0; i < all.d.size(); ++i)
-    result.factors.push_back({static_cast<std::size_t>(i), estimate(all, &Sums::first, i),
-                              estimate(all, &Sums::total, i)});
-  std::ranges::stable_sort(result.factors, std::greater{},
-                           [](const FactorIndices& f) { return f.total.value; });
+    result.factors.push_back(
+        {static_cast<std::size_t>(i), estimate(all, &Sums::first, i), estimate(all, &Sums::total, i)});
+  std::ranges::stable_sort(result.factors, std::greater{}, [](const FactorIndices& f) { return f.total.value; });
   return result;
 }
 
@@ -278,8 +269,7 @@ bool has_numbers(std::span<const double> row) {
 }
 
 bool same_numbers(std::span<const double> one, std::span<const double> other) {
-  return std::ranges::equal(
-      one, other, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+  return std::ranges::equal(one, other, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
 }
 
 std::uint64_t hash_of(std::span<const double> row) {
@@ -321,8 +311,7 @@ FollowedFactors::FollowedFactors(const Study& study) : study_(study), seen_(stud
   for (std::size_t f = 0; f < seen_.size(); ++f) {
     const std::size_t levels = study.factors[f].levels.size();
     seen_[f].varies = levels != 1;
-    for (std::size_t level = 0; level + 1 < levels; ++level)
-      seen_[f].last_weight -= level_weight(level);
+    for (std::size_t level = 0; level + 1 < levels; ++level) seen_[f].last_weight -= level_weight(level);
   }
 }
 
@@ -369,8 +358,7 @@ void FollowedFactors::add(std::span<const double> row, std::size_t design) {
 std::vector<std::size_t> FollowedFactors::idle() const {
   std::vector<std::size_t> idle;
   for (std::size_t f = 0; f < seen_.size(); ++f)
-    if (const Seen& s = seen_[f]; s.varies && s.compared && !s.followed && s.sum == 0)
-      idle.push_back(f);
+    if (const Seen& s = seen_[f]; s.varies && s.compared && !s.followed && s.sum == 0) idle.push_back(f);
   return idle;
 }
 
@@ -394,9 +382,7 @@ std::vector<std::size_t> idle_drawn_factors(
   if (designs.empty()) return idle;
   const RowBlock block = evaluate(designs);
   const std::size_t width = study.responses.size();
-  const auto row = [&](std::size_t k) {
-    return std::span(block.responses).subspan(k * width, width);
-  };
+  const auto row = [&](std::size_t k) { return std::span(block.responses).subspan(k * width, width); };
   for (std::size_t i = 0; i < tried.size(); ++i) {
     bool compared = false, followed = false;
     for (const std::size_t k : {4 * i, 4 * i + 2}) {

@@ -101,8 +101,7 @@ class LinearRegression {
 };
 
 /// The fits with the study's factors, ranked, or why there are none.
-ResponseSurfaces response_surfaces(const LinearRegression& regression,
-                                   const std::vector<NormalisedFactor>& factors,
+ResponseSurfaces response_surfaces(const LinearRegression& regression, const std::vector<NormalisedFactor>& factors,
                                    const Study& study);
 
 /// An estimate and the half width of its 95 % confidence interval.
@@ -163,8 +162,7 @@ class VarianceIndices {
   };
 
   Sums empty() const;
-  Estimate estimate(const Sums& all, double (Sums::*index)(Eigen::Index) const,
-                    Eigen::Index factor) const;
+  Estimate estimate(const Sums& all, double (Sums::*index)(Eigen::Index) const, Eigen::Index factor) const;
 
   std::size_t factors_ = 0;
   std::size_t samples_ = 0;

@@ -48,8 +48,7 @@ bool add_map(Figure& figure, const GridData& grid, std::string label, std::strin
   for (const double value : grid.values) range.include(value);
   std::vector<double> levels = round_levels(range, kMostBands);
   if (levels.empty()) return false;
-  figure.colours =
-      ColourScale{std::move(label), std::move(unit), levels.front(), levels.back(), levels};
+  figure.colours = ColourScale{std::move(label), std::move(unit), levels.front(), levels.back(), levels};
   figure.panels.emplace_back().map.grid = thinned(grid, kMostMapNodes);
   return true;
 }
@@ -72,15 +71,13 @@ std::array<std::size_t, 2> map_factors(const Study& study, const FigureOptions& 
   std::vector<std::size_t> usable;
   for (std::size_t k = 0; k < study.factors.size(); ++k)
     if (is_mapped(study.factors[k])) usable.push_back(k);
-  if (usable.size() < 2)
-    throw NoFigure("a map needs two factors of numbers with several values each");
+  if (usable.size() < 2) throw NoFigure("a map needs two factors of numbers with several values each");
   const auto named = [&](const std::string& name) {
     for (const std::size_t k : usable)
       if (study.factors[k].path == name || study.factors[k].label == name) return k;
     throw NoFigure(fmt::format("no factor of numbers {}", name));
   };
-  std::ranges::stable_sort(usable, std::greater{},
-                           [&](std::size_t k) { return study.factors[k].levels.size(); });
+  std::ranges::stable_sort(usable, std::greater{}, [&](std::size_t k) { return study.factors[k].levels.size(); });
   std::optional<std::size_t> x, y;
   if (options.x) x = named(*options.x);
   if (options.y) y = named(*options.y);
@@ -116,8 +113,7 @@ std::string held_level(const Factor& factor) {
 }
 
 /// A response of a grid over two factors, the others held.
-std::optional<Figure> grid_map(const StudyResult& result, std::size_t response,
-                               const FigureOptions& options) {
+std::optional<Figure> grid_map(const StudyResult& result, std::size_t response, const FigureOptions& options) {
   const Study& study = result.study;
   const auto [across, up] = map_factors(study, options);
   Figure figure = response_figure(study.responses, response);
@@ -154,8 +150,7 @@ std::optional<Figure> grid_map(const StudyResult& result, std::size_t response,
 
 /// A map of a study with an envelope, with the designs read off it; next to it the same as a
 /// surface.
-std::optional<Figure> marked_map(const StudyResult& result, Figure figure, Axis axis,
-                                 const GridMap& values) {
+std::optional<Figure> marked_map(const StudyResult& result, Figure figure, Axis axis, const GridMap& values) {
   const GridMaps& maps = *result.summary.maps;
   const GridData grid = answered({maps.axes[0].numbers, maps.axes[1].numbers, values});
   if (grid.empty()) return std::nullopt;
@@ -174,11 +169,9 @@ std::optional<Figure> marked_map(const StudyResult& result, Figure figure, Axis 
     const double x = maps.axes[0].number(point.place[0]), y = maps.axes[1].number(point.place[1]);
     marks.parts.push_back({{x, y}});
     const bool at_right = x > 0.2 * grid.x.front() + 0.8 * grid.x.back();
-    figure.panels[0].labels.push_back({at_right ? point.name + "  " : "  " + point.name, x, y,
-                                       false,
+    figure.panels[0].labels.push_back({at_right ? point.name + "  " : "  " + point.name, x, y, false,
                                        at_right ? Label::Anchor::right : Label::Anchor::left});
-    const double z =
-        &values == &envelope.values ? point.envelope : map_value(maps, values, point.place);
+    const double z = &values == &envelope.values ? point.envelope : map_value(maps, values, point.place);
     if (std::isfinite(z)) surface.points.push_back({point.name, x, y, z});
   }
   if (!marks.parts.empty()) figure.panels[0].series.push_back(std::move(marks));
@@ -206,8 +199,7 @@ Figure surface_figure(const StudyResult& result, std::size_t response, const Lin
   for (const FactorEffect& effect : fit.effects) {
     if (names.size() == kMostBars) break;
     names.push_back(factor_name(result.study.factors[effect.factor]));
-    values.push_back(effect.coefficient < 0.0 ? -effect.contribution_percent
-                                              : effect.contribution_percent);
+    values.push_back(effect.coefficient < 0.0 ? -effect.contribution_percent : effect.contribution_percent);
   }
   return ranked_bars(std::move(figure), names, values);
 }
@@ -221,8 +213,7 @@ void add_estimate(const Estimate& estimate, double at, Series& bars, Series& int
   const double from = std::max(value - 100.0 * *estimate.half_width, -20.0);
   const double to = std::min(value + 100.0 * *estimate.half_width, 120.0);
   intervals.parts.push_back({{from, at}, {to, at}});
-  for (const double end : {from, to})
-    intervals.parts.push_back({{end, at - kCap}, {end, at + kCap}});
+  for (const double end : {from, to}) intervals.parts.push_back({{end, at - kCap}, {end, at + kCap}});
 }
 
 std::string block_name(const Study& study, std::size_t factor) {
@@ -232,8 +223,7 @@ std::string block_name(const Study& study, std::size_t factor) {
   return factor_name(block);
 }
 
-Figure variance_figure(const StudyResult& result, std::size_t response,
-                       const ResponseIndices& indices) {
+Figure variance_figure(const StudyResult& result, std::size_t response, const ResponseIndices& indices) {
   Figure figure = kind_of_figure(result, response, "variance");
   figure.title += fmt::format(": shares of the variance, {} samples", indices.samples);
   figure.x = {"Share of the variance", "%"};
@@ -257,8 +247,7 @@ Figure variance_figure(const StudyResult& result, std::size_t response,
   return figure;
 }
 
-Figure gain_figure(const StudyResult& result, std::size_t response,
-                   const std::vector<ToleranceGain>& gains) {
+Figure gain_figure(const StudyResult& result, std::size_t response, const std::vector<ToleranceGain>& gains) {
   Figure figure = kind_of_figure(result, response, "tolerances");
   figure.title += ": what half the deviation of a factor buys";
   figure.x = {"Less of what 95 % of the designs stay below", "%"};
@@ -268,8 +257,7 @@ Figure gain_figure(const StudyResult& result, std::size_t response,
   for (std::size_t k = 0; k < bars; ++k) {
     names.push_back(block_name(result.study, gains[k].factor));
     const double at = rank_position(k, bars), gain = 100.0 * gains[k].gain();
-    series.parts.push_back(
-        rectangle(std::min(gain, 0.0), std::max(gain, 0.0), at - 0.36, at + 0.36));
+    series.parts.push_back(rectangle(std::min(gain, 0.0), std::max(gain, 0.0), at - 0.36, at + 0.36));
   }
   Panel panel;
   panel.series = {std::move(series)};
@@ -287,21 +275,16 @@ std::optional<double> value_of(const StudyRow& row, std::size_t factor) {
 }
 
 /// What the surface gives over one factor, the others in the middle of their ranges.
-Polyline line_of_fit(const FactorEffect& effect, double intercept, const NormalisedFactor& x,
-                     double from, double to) {
-  return {{from, intercept + effect.coefficient * x(from)},
-          {to, intercept + effect.coefficient * x(to)}};
+Polyline line_of_fit(const FactorEffect& effect, double intercept, const NormalisedFactor& x, double from, double to) {
+  return {{from, intercept + effect.coefficient * x(from)}, {to, intercept + effect.coefficient * x(to)}};
 }
 
 /// The designs over the factors that matter most, so many of them.
-Figure cloud_figure(const StudyResult& result, std::size_t response, const LinearFit& fit,
-                    std::size_t most) {
+Figure cloud_figure(const StudyResult& result, std::size_t response, const LinearFit& fit, std::size_t most) {
   const std::vector<NormalisedFactor> normalised = normalised_factors(result.study);
   Figure figure = kind_of_figure(result, response, "designs");
-  const std::size_t dots =
-      figure.add("designs", points_of(Colour::sky, Mark::circle, Weight::thin));
-  const std::size_t line =
-      figure.add("linear surface, others in the middle", line_of(Colour::vermillion));
+  const std::size_t dots = figure.add("designs", points_of(Colour::sky, Mark::circle, Weight::thin));
+  const std::size_t line = figure.add("linear surface, others in the middle", line_of(Colour::vermillion));
   const std::size_t panels = std::min(fit.effects.size(), most);
   figure.columns = columns_for(panels);
   for (std::size_t rank = 0; rank < panels; ++rank) {
@@ -320,8 +303,7 @@ Figure cloud_figure(const StudyResult& result, std::size_t response, const Linea
     panel.x->ticks.clear();
     panel.series.push_back(std::move(cloud));
     const NormalisedFactor& x = *std::ranges::find(normalised, factor, &NormalisedFactor::factor);
-    panel.series.push_back(
-        {line, {line_of_fit(fit.effects[rank], fit.intercept, x, panel.x->from, panel.x->to)}});
+    panel.series.push_back({line, {line_of_fit(fit.effects[rank], fit.intercept, x, panel.x->from, panel.x->to)}});
   }
   fit_y_range(figure);
   return figure;
@@ -347,11 +329,9 @@ Panel histogram_panel(const StudyResult& result, std::size_t response) {
   panel.x->from = shown.from;
   panel.x->to = shown.to;
   panel.y = Axis{"Designs", "", 0.0, 1.06 * counts.to};
-  panel.references = {
-      {1, s.quantiles[1], true}, {1, s.quantiles[3], true}, {2, s.quantiles[2], true}};
+  panel.references = {{1, s.quantiles[1], true}, {1, s.quantiles[3], true}, {2, s.quantiles[2], true}};
   const std::optional<double>& base = result.base().responses[response];
-  if (base && *base >= shown.from && *base <= shown.to)
-    panel.references.push_back({3, *base, true});
+  if (base && *base >= shown.from && *base <= shown.to) panel.references.push_back({3, *base, true});
   return panel;
 }
 
@@ -393,8 +373,7 @@ Figures contributions(const StudyResult& result, const FigureOptions& options) {
     const std::vector<ResponseIndices>& indices = result.summary.indices;
     const auto& gains = result.summary.tolerances;
     if (!gains.empty() && !gains[k].empty()) return gain_figure(result, k, gains[k]);
-    if (!indices.empty() && !indices[k].factors.empty())
-      return variance_figure(result, k, indices[k]);
+    if (!indices.empty() && !indices[k].factors.empty()) return variance_figure(result, k, indices[k]);
     const LinearFit* fit = fit_of(result, k);
     return fit ? std::optional(surface_figure(result, k, *fit)) : std::nullopt;
   });

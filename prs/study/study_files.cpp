@@ -23,12 +23,10 @@ std::vector<std::string> known_statuses() {
   const auto add = [&](std::string_view name) {
     if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
   };
-  for (const fe::NewtonStatus status :
-       {fe::NewtonStatus::iteration_limit, fe::NewtonStatus::line_search_failed,
-        fe::NewtonStatus::not_positive_definite})
+  for (const fe::NewtonStatus status : {fe::NewtonStatus::iteration_limit, fe::NewtonStatus::line_search_failed,
+                                        fe::NewtonStatus::not_positive_definite})
     add(fe::name(status));
-  for (const SlipStatus status :
-       {SlipStatus::not_computed, SlipStatus::no_equilibrium, SlipStatus::jammed})
+  for (const SlipStatus status : {SlipStatus::not_computed, SlipStatus::no_equilibrium, SlipStatus::jammed})
     add(name(status));
   return names;
 }
@@ -38,27 +36,23 @@ std::string flag_meaning(std::string text) {
   std::ranges::replace_if(
       text,
       [](unsigned char c) {
-        return std::isalnum(c) == 0 &&
-               std::string_view("_-.+@").find(static_cast<char>(c)) == std::string_view::npos;
+        return std::isalnum(c) == 0 && std::string_view("_-.+@").find(static_cast<char>(c)) == std::string_view::npos;
       },
       '_');
   return text;
 }
 
 /// More than the file can have: rows, texts twice, and what HDF5 needs for each variable.
-std::uint64_t most_bytes(const Study& study, const std::vector<FactorColumn>& columns,
-                         const DocumentInfo& info) {
+std::uint64_t most_bytes(const Study& study, const std::vector<FactorColumn>& columns, const DocumentInfo& info) {
   std::uint64_t texts = 0;
   const auto add = [&](const std::string& text) { texts += text.size() + 64; };
   for (const std::string& text : info.overrides) add(text);
   for (const std::string& text : study.responses) add(text);
-  for (const DrawnInput& drawn : drawn_inputs(study))
-    add(drawn.input->path + drawn.input->label + drawn.input->unit);
+  for (const DrawnInput& drawn : drawn_inputs(study)) add(drawn.input->path + drawn.input->label + drawn.input->unit);
   for (const FactorColumn& column : columns)
     for (const std::string& text : column.words) add(text);
   const std::uint64_t variables = columns.size() + study.responses.size() + 1;
-  return design_count(study) * variables * sizeof(double) + 4 * texts + 16'384 * variables +
-         (1u << 20);
+  return design_count(study) * variables * sizeof(double) + 4 * texts + 16'384 * variables + (1u << 20);
 }
 
 /// The files of a study, published together.
@@ -68,8 +62,8 @@ struct RowFiles {
   std::optional<StudyNetcdf> netcdf;
   std::string absent;  ///< What is not written, and why.
 
-  RowFiles(const std::filesystem::path& below, const Study& study,
-           const std::vector<FactorColumn>& columns, const DocumentInfo& info)
+  RowFiles(const std::filesystem::path& below, const Study& study, const std::vector<FactorColumn>& columns,
+           const DocumentInfo& info)
       : folder(below), csv(folder / "study.csv") {
     try {
       netcdf.emplace(folder / "study.nc", study, columns, info);
@@ -110,8 +104,7 @@ void factor_field(CsvWriter& csv, const FactorColumn& column, double value) {
     csv.text(value >= 0.0 ? column.words[static_cast<std::size_t>(value)] : "");
 }
 
-void input_fields(CsvWriter& csv, const std::vector<FactorColumn>& columns,
-                  const std::vector<Level>& inputs) {
+void input_fields(CsvWriter& csv, const std::vector<FactorColumn>& columns, const std::vector<Level>& inputs) {
   for (std::size_t k = 0; k < columns.size(); ++k)
     if (columns[k].is_numeric())
       csv.number(inputs[k].number);
@@ -155,8 +148,8 @@ void StudyNetcdf::define(const Study& study, const DocumentInfo& info) {
 }
 
 void StudyNetcdf::define_factor(const Factor& factor, const FactorColumn& column) {
-  const int id = file_->add_column(
-      column.name, column.is_numeric() ? ColumnFile::Type::real : ColumnFile::Type::integer);
+  const int id =
+      file_->add_column(column.name, column.is_numeric() ? ColumnFile::Type::real : ColumnFile::Type::integer);
   variables_.push_back({id});
   file_->describe(id, "long_name", factor.label);
   file_->describe(id, "path", factor.path);
@@ -234,8 +227,8 @@ void StudyNetcdf::finish() {
 void StudyNetcdf::publish() { staged_.publish(); }
 
 std::string write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
-                       const std::filesystem::path* folder, std::size_t threads,
-                       const TakeRows& add, const CsvStyle& style) {
+                       const std::filesystem::path* folder, std::size_t threads, const TakeRows& add,
+                       const CsvStyle& style) {
   const std::vector<FactorColumn> columns = factor_columns(study);
   const StudyCsv csv(study, columns, style);
   std::optional<RowFiles> files;
@@ -303,16 +296,13 @@ std::string envelope_csv(const Study& study, const GridMaps& maps, const Envelop
   csv.fields("point", "design");
   for (const FactorColumn& column : columns) csv.text(column.name);
   csv.fields(study.responses);
-  for (const MeasureMap& measure : envelope.measures)
-    csv.text("normalised." + study.responses[measure.response]);
+  for (const MeasureMap& measure : envelope.measures) csv.text("normalised." + study.responses[measure.response]);
   csv.row("envelope");
 
   const std::size_t row = maps.axes[1].nodes();
   for (std::size_t k = 0; k < maps.nodes(); ++k) {
     csv.fields("", maps.design(k));
-    input_fields(
-        csv, columns,
-        inputs_at(study, maps, {static_cast<double>(k / row), static_cast<double>(k % row)}));
+    input_fields(csv, columns, inputs_at(study, maps, {static_cast<double>(k / row), static_cast<double>(k % row)}));
     for (const GridMap& map : maps.responses) csv.number(map[k]);
     for (const MeasureMap& measure : envelope.measures)
       csv.number(maps.responses[measure.response][k] / measure.normalised_by);
@@ -356,9 +346,7 @@ struct DerivativeOf {
   const Factor& input() const { return result->study.factors[factor]; }
   const std::string& path() const { return input().path; }
   const std::string& unit() const { return input().unit; }
-  const std::optional<Derivative>& found() const {
-    return result->factors[factor].responses[response];
-  }
+  const std::optional<Derivative>& found() const { return result->factors[factor].responses[response]; }
   std::vector<DerivativeOf> by_factors() const {
     std::vector<DerivativeOf> all;
     for (std::size_t k = 0; k < result->factors.size(); ++k) all.push_back({result, response, k});
@@ -374,11 +362,9 @@ constexpr auto of_derivative =
 constexpr Quantity<DerivativeOf> kByFactor[] = {
     {"path", always<&DerivativeOf::path>},
     {"unit", filled<&DerivativeOf::unit>},
-    {"at", of<[](auto& d) { return d.input().base ? d.input().base->number : std::nullopt; }>,
-     "in this unit"},
+    {"at", of<[](auto& d) { return d.input().base ? d.input().base->number : std::nullopt; }>, "in this unit"},
     {"reason",
-     of<[](auto& d) { return d.result->factors[d.factor].reason; },
-        [](auto& d) { return !d.found().has_value(); }>,
+     of<[](auto& d) { return d.result->factors[d.factor].reason; }, [](auto& d) { return !d.found().has_value(); }>,
      "why there is none"},
     {"derivative", of_derivative<&Derivative::value>},
     as_shown<DerivativeOf>({"percent_per_percent", of_derivative<&Derivative::elasticity>}),
@@ -395,8 +381,7 @@ constexpr Quantity<CaseDerivatives> kDerivatives[] = {
     {"derivatives", always_table<kOfResponse,
                                  [](auto& result) {
                                    std::vector<DerivativeOf> all;
-                                   for (std::size_t k = 0; k < result.values.size(); ++k)
-                                     all.push_back({&result, k});
+                                   for (std::size_t k = 0; k < result.values.size(); ++k) all.push_back({&result, k});
                                    return all;
                                  }>},
 };
@@ -405,8 +390,7 @@ constexpr Quantity<CaseDerivatives> kDerivatives[] = {
 std::string without_derivative(const CaseDerivatives& result, std::size_t factor) {
   std::vector<std::string> names;
   for (std::size_t k = 0; k < result.study.responses.size(); ++k)
-    if (!result.factors[factor].responses[k])
-      names.push_back(response_title(result.study.responses[k]).name);
+    if (!result.factors[factor].responses[k]) names.push_back(response_title(result.study.responses[k]).name);
   if (names.size() > 1 && names.size() == result.study.responses.size()) return "any response";
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -414,23 +398,21 @@ std::string without_derivative(const CaseDerivatives& result, std::size_t factor
 /// What 1 % of each factor does to the responses, the factors that matter most.
 Figures elasticities(const CaseDerivatives& result, const FigureOptions& options) {
   constexpr std::size_t kMostDrawn = 14;
-  return figures_of(
-      result.study.responses, options, [&](std::size_t response) -> std::optional<Figure> {
-        std::vector<std::pair<double, std::string>> bars;
-        for (std::size_t f = 0; f < result.factors.size(); ++f)
-          if (const auto& d = result.factors[f].responses[response]; d && d->elasticity)
-            bars.emplace_back(*d->elasticity, factor_name(result.study.factors[f]));
-        if (bars.empty()) return std::nullopt;
-        std::ranges::stable_sort(bars, std::greater{},
-                                 [](const auto& b) { return std::abs(b.first); });
-        bars.resize(std::min(bars.size(), kMostDrawn));
-        Figure figure = response_figure(result.study.responses, response);
-        figure.name = "derivatives_" + figure.name;
-        figure.title += ": change by 1 % of each factor";
-        figure.x = {"Change of the response", "%"};
-        using Bar = std::pair<double, std::string>;
-        return ranked_bars(std::move(figure), each(bars, &Bar::second), each(bars, &Bar::first));
-      });
+  return figures_of(result.study.responses, options, [&](std::size_t response) -> std::optional<Figure> {
+    std::vector<std::pair<double, std::string>> bars;
+    for (std::size_t f = 0; f < result.factors.size(); ++f)
+      if (const auto& d = result.factors[f].responses[response]; d && d->elasticity)
+        bars.emplace_back(*d->elasticity, factor_name(result.study.factors[f]));
+    if (bars.empty()) return std::nullopt;
+    std::ranges::stable_sort(bars, std::greater{}, [](const auto& b) { return std::abs(b.first); });
+    bars.resize(std::min(bars.size(), kMostDrawn));
+    Figure figure = response_figure(result.study.responses, response);
+    figure.name = "derivatives_" + figure.name;
+    figure.title += ": change by 1 % of each factor";
+    figure.x = {"Change of the response", "%"};
+    using Bar = std::pair<double, std::string>;
+    return ranked_bars(std::move(figure), each(bars, &Bar::second), each(bars, &Bar::first));
+  });
 }
 
 }  // namespace
@@ -445,8 +427,7 @@ Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
 
 std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style) {
   CsvWriter csv(style);
-  csv.row("response", "value", "factor", "label", "at", "unit", "derivative", "percent_per_percent",
-          "error", "reason");
+  csv.row("response", "value", "factor", "label", "at", "unit", "derivative", "percent_per_percent", "error", "reason");
   for (std::size_t k = 0; k < result.values.size(); ++k)
     for (std::size_t f = 0; f < result.factors.size(); ++f) {
       const Factor& factor = result.study.factors[f];
@@ -465,35 +446,28 @@ std::string derivatives_table(const CaseDerivatives& result) {
   std::string text;
   for (std::size_t k = 0; k < result.values.size(); ++k) {
     const auto& [title, shown] = table_response(result.study.responses[k]);
-    text +=
-        fmt::format("{}{}: {}{}\n", k > 0 ? "\n" : "", title.name,
-                    result.values[k] ? fmt::format("{:.6g}", shown * *result.values[k]) : "absent",
-                    title.unit.empty() ? "" : " " + title.unit);
-    text += fmt::format("  {:<{}}  {:>16}  {:>16}  {}\n", "factor", kFactorWidth, "% per 1 %",
-                        "derivative", "per");
+    text += fmt::format("{}{}: {}{}\n", k > 0 ? "\n" : "", title.name,
+                        result.values[k] ? fmt::format("{:.6g}", shown * *result.values[k]) : "absent",
+                        title.unit.empty() ? "" : " " + title.unit);
+    text += fmt::format("  {:<{}}  {:>16}  {:>16}  {}\n", "factor", kFactorWidth, "% per 1 %", "derivative", "per");
     for (const std::size_t f : ranked(result, k)) {
       const Factor& factor = result.study.factors[f];
       const Derivative& d = *result.factors[f].responses[k];
-      text += fmt::format(
-          "  {}  {}  {:>16.7g}  {}\n", fitted(printable(factor.label), kFactorWidth, true),
-          padded(d.elasticity ? fmt::format("{:.5f}", *d.elasticity) : std::string(kAbsent), 16,
-                 false),
-          shown * d.value, factor.unit.empty() ? "1" : printable(factor.unit));
+      text += fmt::format("  {}  {}  {:>16.7g}  {}\n", fitted(printable(factor.label), kFactorWidth, true),
+                          padded(d.elasticity ? fmt::format("{:.5f}", *d.elasticity) : std::string(kAbsent), 16, false),
+                          shown * d.value, factor.unit.empty() ? "1" : printable(factor.unit));
     }
   }
   for (std::size_t f = 0; f < result.factors.size(); ++f)
     if (!result.factors[f].reason.empty())
-      text += "\n" + wrapped(fmt::format("{}: no derivative of {}: {}",
-                                         printable(result.study.factors[f].label),
-                                         without_derivative(result, f),
-                                         printable(result.factors[f].reason)),
+      text += "\n" + wrapped(fmt::format("{}: no derivative of {}: {}", printable(result.study.factors[f].label),
+                                         without_derivative(result, f), printable(result.factors[f].reason)),
                              "  ", kTableWidth);
   return text + warning_section(result.warnings);
 }
 
 Pictures derivatives_pictures(const CaseDerivatives& r) {
-  return {{"elasticities", "factors and responses other than 0 in the file",
-           of_result(r, elasticities)}};
+  return {{"elasticities", "factors and responses other than 0 in the file", of_result(r, elasticities)}};
 }
 
 }  // namespace prs

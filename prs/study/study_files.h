@@ -40,8 +40,8 @@ class StudyNetcdf {
  public:
   /// Study and columns must outlive the object. Errors of all members: std::system_error or
   /// std::runtime_error that names the file; before it is created, modules::Missing.
-  StudyNetcdf(const std::filesystem::path& path, const Study& study,
-              const std::vector<FactorColumn>& columns, const DocumentInfo& info);
+  StudyNetcdf(const std::filesystem::path& path, const Study& study, const std::vector<FactorColumn>& columns,
+              const DocumentInfo& info);
 
   /// The next block; `factors` are those of `factor_values`.
   void add(const RowBlock& block, const std::vector<double>& factors);
@@ -83,8 +83,8 @@ using TakeRows = std::function<void(const RowBlock& block, std::span<const doubl
 /// needed does not depend on the number of designs. Throws std::system_error that names a file that
 /// cannot be written; earlier files of that name are then as they were.
 std::string write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
-                       const std::filesystem::path* folder, std::size_t threads,
-                       const TakeRows& add, const CsvStyle& style = {});
+                       const std::filesystem::path* folder, std::size_t threads, const TakeRows& add,
+                       const CsvStyle& style = {});
 
 Record<CaseDerivatives> record_of(Type<CaseDerivatives>);
 
@@ -134,7 +134,6 @@ std::string study_failures(const StudyResult& result);
 
 /// `120 of 500 designs (40 from the journal), 850 a second, 0:12 left`; `done` counts the `found`
 /// ones of the journal too, which took no time.
-std::string progress_line(std::size_t done, std::size_t total, double seconds,
-                          std::size_t found = 0);
+std::string progress_line(std::size_t done, std::size_t total, double seconds, std::size_t found = 0);
 
 }  // namespace prs

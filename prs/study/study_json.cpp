@@ -71,9 +71,7 @@ constexpr Quantity<Study> kStudy[] = {
     {"samples", of<&Study::samples, sampled>},
     {"seed", of<&Study::seed, sampled>},
     {"factors", always<[](auto& study) {
-       return each(study.factors, [&](const Factor& factor) {
-         return FactorOf{&factor, sampled(study)};
-       });
+       return each(study.factors, [&](const Factor& factor) { return FactorOf{&factor, sampled(study)}; });
      }>},
     {"responses", always<&Study::responses>},
 };
@@ -105,11 +103,9 @@ constexpr Quantity<Statistics> kStatistics[] = {
        return quantiles;
      }>,
      "by their probability"},
-    {"quantiles_from",
-     of<&Statistics::values_kept, [](auto& s) { return s.values_kept < s.count; }>,
+    {"quantiles_from", of<&Statistics::values_kept, [](auto& s) { return s.values_kept < s.count; }>,
      "values that they are taken from"},
-    {"histogram", of_table<kHistogram, &Statistics::histogram,
-                           [](auto& s) { return !s.histogram.counts.empty(); }>},
+    {"histogram", of_table<kHistogram, &Statistics::histogram, [](auto& s) { return !s.histogram.counts.empty(); }>},
 };
 
 constexpr auto factor_of = [](const auto& part) -> const Factor& {
@@ -119,15 +115,13 @@ constexpr auto path = [](const auto& part) -> const std::string& { return factor
 
 constexpr Quantity<In<FactorEffect>> kEffect[] = {
     {"path", always<path>},
-    as_shown<In<FactorEffect>>(
-        {"contribution_percent", always<its<&FactorEffect::contribution_percent>>}),
+    as_shown<In<FactorEffect>>({"contribution_percent", always<its<&FactorEffect::contribution_percent>>}),
     {"coefficient", always<its<&FactorEffect::coefficient>>},
     {"standard_error", of<its<&FactorEffect::standard_error>>},
 };
 
 template <auto list>
-constexpr auto parts =
-    [](const auto& part) { return within(*part.whole, std::invoke(list, *part.item)); };
+constexpr auto parts = [](const auto& part) { return within(*part.whole, std::invoke(list, *part.item)); };
 
 constexpr Quantity<In<LinearFit>> kFit[] = {
     {"r_squared", always<its<&LinearFit::r_squared>>},
@@ -143,8 +137,7 @@ constexpr Quantity<StudyResult> kSurface[] = {
                                [](auto& r) {
                                  ByKey<In<LinearFit>> fits;
                                  for (std::size_t k = 0; k < r.summary.surfaces->fits.size(); ++k)
-                                   if (const std::optional<LinearFit>& fit =
-                                           r.summary.surfaces->fits[k])
+                                   if (const std::optional<LinearFit>& fit = r.summary.surfaces->fits[k])
                                      fits.push_back({r.study.responses[k], {&r, &*fit}});
                                  return fits;
                                }>},
@@ -155,9 +148,7 @@ constexpr Quantity<Estimate> kEstimate[] = {
     {"half_width_95", of<&Estimate::half_width>},
 };
 
-constexpr auto path_of_list = [](const auto& part) {
-  return path_of_block(part.whole->study, part.item->factor);
-};
+constexpr auto path_of_list = [](const auto& part) { return path_of_block(part.whole->study, part.item->factor); };
 
 constexpr Quantity<In<FactorIndices>> kFactorIndices[] = {
     {"path", always<path_of_list>},
@@ -176,30 +167,24 @@ constexpr Quantity<In<ToleranceGain>> kGain[] = {
     {"path", always<path_of_list>},
     {"quantile_95", always<its<&ToleranceGain::quantile>>},
     {"quantile_95_halved", always<its<&ToleranceGain::halved>>},
-    {"gain_percent", of<its<&ToleranceGain::gain>>,
-     "100 (1 - halved/quantile): what half the tolerance buys"},
+    {"gain_percent", of<its<&ToleranceGain::gain>>, "100 (1 - halved/quantile): what half the tolerance buys"},
 };
 
 constexpr Quantity<StudyResult> kSummary[] = {
     {"designs", always<&StudyResult::designs>},
     {"refused", always<&StudyResult::refused>},
     {"not_converged", always<&StudyResult::failed>},
-    {"statistics",
-     always_table<kStatistics,
-                  [](auto& r) { return by_key(r.study.responses, r.summary.statistics); }>,
+    {"statistics", always_table<kStatistics, [](auto& r) { return by_key(r.study.responses, r.summary.statistics); }>,
      "by the paths of the responses"},
-    {"response_surface",
-     of_table<kSurface, std::identity{}, [](auto& r) { return r.summary.surfaces.has_value(); }>,
+    {"response_surface", of_table<kSurface, std::identity{}, [](auto& r) { return r.summary.surfaces.has_value(); }>,
      "a plane through the responses over the ranges of the factors"},
     {"sobol_indices",
-     filled_table<kIndices,
-                  [](auto& r) { return by_key(r.study.responses, within(r, r.summary.indices)); }>},
+     filled_table<kIndices, [](auto& r) { return by_key(r.study.responses, within(r, r.summary.indices)); }>},
     {"tolerances",
      filled_table<kGain,
                   [](auto& r) {
                     return by_key(r.study.responses,
-                                  each(r.summary.tolerances,
-                                       [&](const auto& gains) { return within(r, gains); }));
+                                  each(r.summary.tolerances, [&](const auto& gains) { return within(r, gains); }));
                   }>,
      "what halving each deviation does to each response, the largest gain first"},
 };
@@ -223,9 +208,7 @@ static Map rows_of(const StudyResult& result, const GridMap& map) {
   return rows;
 }
 
-constexpr auto shows_maps = [](const StudyResult& r) {
-  return r.summary.maps->nodes() <= kMostRowsShown;
-};
+constexpr auto shows_maps = [](const StudyResult& r) { return r.summary.maps->nodes() <= kMostRowsShown; };
 
 constexpr Quantity<In<MeasureMap>> kMeasure[] = {
     {"response", always<[](auto& m) { return m.whole->study.responses[m.item->response]; }>},
@@ -233,9 +216,8 @@ constexpr Quantity<In<MeasureMap>> kMeasure[] = {
     {"rms", always<its<&MeasureMap::rms>>},
     {"normalised_by", always<its<&MeasureMap::normalised_by>>},
     {"designs_without", always<its<&MeasureMap::without>>},
-    {"normalised",
-     of<[](auto& m) { return rows_of(*m.whole, normalised(*m.whole->summary.maps, *m.item)); },
-        [](auto& m) { return shows_maps(*m.whole); }>},
+    {"normalised", of<[](auto& m) { return rows_of(*m.whole, normalised(*m.whole->summary.maps, *m.item)); },
+                      [](auto& m) { return shows_maps(*m.whole); }>},
 };
 
 template <auto get>
@@ -246,13 +228,10 @@ constexpr Quantity<InPoint> kPoint[] = {
     {"reason", filled<its<&EnvelopePoint::reason>>},
     {"design", of_found<its<&EnvelopePoint::design>>},
     {"settings", filled<[](auto& p) {
-       return by_key(
-           each(drawn_inputs(p.whole->study), [](auto& drawn) { return drawn.input->path; }),
-           p.item->inputs);
+       return by_key(each(drawn_inputs(p.whole->study), [](auto& drawn) { return drawn.input->path; }), p.item->inputs);
      }>,
      "by the paths of the inputs"},
-    {"responses",
-     of_found<[](auto& p) { return by_key(p.whole->study.responses, p.item->responses); }>,
+    {"responses", of_found<[](auto& p) { return by_key(p.whole->study.responses, p.item->responses); }>,
      "by their paths"},
     {"normalised", of_found<[](auto& p) {
        const auto response = [&](auto& m) { return p.whole->study.responses[m.response]; };
@@ -263,14 +242,12 @@ constexpr Quantity<InPoint> kPoint[] = {
 };
 
 template <auto get>
-constexpr auto found =
-    [](const StudyResult& r) -> decltype(auto) { return std::invoke(get, *r.summary.envelope); };
+constexpr auto found = [](const StudyResult& r) -> decltype(auto) { return std::invoke(get, *r.summary.envelope); };
 constexpr auto has_best = [](const StudyResult& r) { return r.summary.envelope->best.has_value(); };
 
 constexpr Quantity<StudyResult> kEnvelope[] = {
-    {"combine", always<[](auto& r) {
-       return r.study.envelope->combine == Envelope::Combine::product ? "product" : "sum";
-     }>,
+    {"combine",
+     always<[](auto& r) { return r.study.envelope->combine == Envelope::Combine::product ? "product" : "sum"; }>,
      "product | sum"},
     {"normalise", always<[](auto& r) {
        constexpr std::array kNames{"rms", "max", "none"};
@@ -282,17 +259,13 @@ constexpr Quantity<StudyResult> kEnvelope[] = {
                             const std::array<MapAxis, 2>& axes = r.summary.maps->axes;
                             return std::vector<In<MapAxis>>{{&r, &axes[0]}, {&r, &axes[1]}};
                           }>},
-    {"measures",
-     always_table<kMeasure, [](auto& r) { return within(r, r.summary.envelope->measures); }>},
+    {"measures", always_table<kMeasure, [](auto& r) { return within(r, r.summary.envelope->measures); }>},
     {"rms", of<found<&EnvelopeResult::rms>>},
     {"designs_without", of<found<&EnvelopeResult::without>>},
-    {"max",
-     of<[](auto& r) { return r.summary.envelope->values[*r.summary.envelope->best]; }, has_best>},
-    {"max_design",
-     of<[](auto& r) { return r.summary.maps->design(*r.summary.envelope->best); }, has_best>},
+    {"max", of<[](auto& r) { return r.summary.envelope->values[*r.summary.envelope->best]; }, has_best>},
+    {"max_design", of<[](auto& r) { return r.summary.maps->design(*r.summary.envelope->best); }, has_best>},
     {"values", of<[](auto& r) { return rows_of(r, r.summary.envelope->values); }, shows_maps>},
-    {"maps_in",
-     of<[](const StudyResult&) { return "envelope.csv"; }, [](auto& r) { return !shows_maps(r); }>,
+    {"maps_in", of<[](const StudyResult&) { return "envelope.csv"; }, [](auto& r) { return !shows_maps(r); }>,
      "the file with maps that are too large for here"},
     {"points", always_table<kPoint, [](auto& r) { return within(r, r.summary.envelope->points); }>},
 };
@@ -311,36 +284,30 @@ constexpr Quantity<InRow> kRow[] = {
        return settings;
      }>,
      "by the paths of the inputs"},
-    {"base", always<[](auto& row) { return is_base(row.whole->study, row.item->design); }>,
-     "as in the file"},
+    {"base", always<[](auto& row) { return is_base(row.whole->study, row.item->design); }>, "as in the file"},
     {"converged", always<[](auto& row) { return row.item->status.converged(); }>},
     {"status", always<[](auto& row) { return row.item->status.name; }>},
     {"reason", filled<[](auto& row) { return row.item->status.reason; }>},
-    {"responses",
-     always<[](auto& row) { return by_key(row.whole->study.responses, row.item->responses); }>,
+    {"responses", always<[](auto& row) { return by_key(row.whole->study.responses, row.item->responses); }>,
      "by their paths"},
 };
 
 constexpr Quantity<StudyDocument> kDocument[] = {
     {"study", always_table<kStudy, [](auto& d) -> const Study& { return d.result->study; }>},
     {"summary", always_table<kSummary, &StudyDocument::result>},
-    {"envelope", of_table<kEnvelope, &StudyDocument::result,
-                          [](auto& d) { return !!d.result->summary.envelope; }>},
+    {"envelope", of_table<kEnvelope, &StudyDocument::result, [](auto& d) { return !!d.result->summary.envelope; }>},
     {"designs_shown",
      of<[](auto& d) { return d.result->rows.size(); },
         [](auto& d) { return d.result->rows.size() < d.result->designs; }>,
      "where not all are; study.csv has all"},
-    {"designs", always_table<kRow,
-                             [](auto& d) {
-                               return d.with_rows ? within(*d.result, d.result->rows)
-                                                  : std::vector<InRow>();
-                             }>},
+    {"designs",
+     always_table<kRow,
+                  [](auto& d) { return d.with_rows ? within(*d.result, d.result->rows) : std::vector<InRow>(); }>},
 };
 
 }  // namespace study_document
 
-PRS_RECORD(Level, "Level", "As in the file; the number in the unit of the factor.",
-           study_document::kLevel);
+PRS_RECORD(Level, "Level", "As in the file; the number in the unit of the factor.", study_document::kLevel);
 PRS_RECORD(study_document::FactorOf, "Factor", "An input that varies.", study_document::kFactor);
 PRS_RECORD(StudyDocument, "Study", "What a study finds.", study_document::kDocument);
 

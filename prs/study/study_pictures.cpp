@@ -44,13 +44,11 @@ std::string factor_title(const Factor& factor) {
   return factor.label == factor.path ? text : capitalised(text);
 }
 
-std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses,
-                                          const FigureOptions& options) {
+std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses, const FigureOptions& options) {
   if (options.response) {
     const auto found = std::ranges::find(responses, *options.response);
     if (found == responses.end())
-      throw NoFigure(fmt::format("no response {}; there is {}", *options.response,
-                                 fmt::join(responses, ", ")));
+      throw NoFigure(fmt::format("no response {}; there is {}", *options.response, fmt::join(responses, ", ")));
     return {static_cast<std::size_t>(found - responses.begin())};
   }
   const std::size_t first = std::min(responses.size(), kMostStudyFigures);
@@ -82,12 +80,10 @@ Axis factor_axis(const Factor& factor, const std::vector<double>& values) {
   axis.from = range.from;
   axis.to = range.to;
   axis.logarithmic =
-      (factor.logarithmic || factor.distribution.kind == Distribution::Kind::log_uniform) &&
-      axis.from > 0.0;
+      (factor.logarithmic || factor.distribution.kind == Distribution::Kind::log_uniform) && axis.from > 0.0;
   if (!factor.is_numeric()) {
     for (std::size_t k = 0; k < factor.levels.size(); ++k)
-      axis.ticks.push_back(
-          {static_cast<double>(k + 1), shortened(printable(factor.levels[k].text), 16)});
+      axis.ticks.push_back({static_cast<double>(k + 1), shortened(printable(factor.levels[k].text), 16)});
     return axis;
   }
   axis.whole = factor.unit.empty() && std::ranges::all_of(values, [](double value) {
@@ -113,17 +109,13 @@ std::vector<double> positions(const Factor& factor) {
 
 std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   std::vector<std::size_t> some(std::min(count, most));
-  for (std::size_t k = 0; k < some.size(); ++k)
-    some[k] = some.size() == 1 ? 0 : k * (count - 1) / (some.size() - 1);
+  for (std::size_t k = 0; k < some.size(); ++k) some[k] = some.size() == 1 ? 0 : k * (count - 1) / (some.size() - 1);
   return some;
 }
 
-std::size_t columns_for(std::size_t panels) {
-  return panels == 1 ? 1 : panels == 2 || panels == 4 ? 2 : 3;
-}
+std::size_t columns_for(std::size_t panels) { return panels == 1 ? 1 : panels == 2 || panels == 4 ? 2 : 3; }
 
-Figure ranked_bars(Figure figure, const std::vector<std::string>& names,
-                   const std::vector<double>& values) {
+Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values) {
   Series grows{figure.add("grows with the factor", area_of(Colour::blue))};
   Series falls{figure.add("falls", area_of(Colour::vermillion))};
   Panel panel;
@@ -133,8 +125,7 @@ Figure ranked_bars(Figure figure, const std::vector<std::string>& names,
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double value = values[k], at = rank_position(k, values.size());
     (value < 0.0 ? falls : grows)
-        .parts.push_back(
-            rectangle(std::min(value, 0.0), std::max(value, 0.0), at - 0.35, at + 0.35));
+        .parts.push_back(rectangle(std::min(value, 0.0), std::max(value, 0.0), at - 0.35, at + 0.35));
     panel.labels.push_back({fmt::format("{}{:.3g}", value < 0.0 ? "−" : "", std::abs(value)),
                             value < 0.0 ? value - gap : value + gap, at, false,
                             value < 0.0 ? Label::Anchor::right : Label::Anchor::left});
@@ -178,8 +169,8 @@ Sweep sweep_of(const StudyResult& result, std::size_t index) {
     sweep.points.push_back({x, &row});
     if (is_base(result.study, row.design)) sweep.base = x;
   }
-  const bool on_axis = factor.is_numeric() && factor.base && factor.base->number &&
-                       !(factor.logarithmic && *factor.base->number <= 0.0);
+  const bool on_axis =
+      factor.is_numeric() && factor.base && factor.base->number && !(factor.logarithmic && *factor.base->number <= 0.0);
   if (!sweep.base && on_axis) {
     sweep.base = factor.base->number;
     sweep.points.push_back({*sweep.base, &result.base()});
@@ -202,16 +193,13 @@ void widen(Axis& axis, double least) {
   axis.to += margin;
 }
 
-std::optional<double> recorded(const StudyResult& result, const StudyRow& row,
-                               const std::string& path) {
+std::optional<double> recorded(const StudyResult& result, const StudyRow& row, const std::string& path) {
   const auto found = std::ranges::find(result.study.responses, path);
   if (found == result.study.responses.end() || !row.status.converged()) return std::nullopt;
   return row.responses[static_cast<std::size_t>(found - result.study.responses.begin())];
 }
 
-std::string share_path(const PowerSource& source) {
-  return fmt::format("slip.share_percent.{}", source.key);
-}
+std::string share_path(const PowerSource& source) { return fmt::format("slip.share_percent.{}", source.key); }
 
 /// Power by source and efficiency of a row; not converged where it has none.
 SlipResult slip_of(const StudyResult& result, const StudyRow& row) {
@@ -222,8 +210,7 @@ SlipResult slip_of(const StudyResult& result, const StudyRow& row) {
   slip.efficiency = recorded(result, row, "slip.efficiency");
   slip.efficiency_fit = recorded(result, row, "slip.efficiency_fit");
   for (const PowerSource& source : kPowerSources)
-    slip.power.*source.value =
-        *loss * recorded(result, row, share_path(source)).value_or(0.0) / per_si::percent;
+    slip.power.*source.value = *loss * recorded(result, row, share_path(source)).value_or(0.0) / per_si::percent;
   return slip;
 }
 
@@ -235,8 +222,7 @@ std::optional<Figure> power_figure(const StudyResult& result, std::size_t index)
   for (const Point& point : sweep.points) {
     x.push_back(point.x);
     slips.push_back(slip_of(result, *point.row));
-    if (slips.back().efficiency_fit)
-      options.comparison.push_back({point.x, *slips.back().efficiency_fit});
+    if (slips.back().efficiency_fit) options.comparison.push_back({point.x, *slips.back().efficiency_fit});
   }
   if (std::ranges::none_of(slips, &SlipResult::converged)) return std::nullopt;
   options.name = study_figure_name(index, sweep.factor->label);
@@ -245,14 +231,12 @@ std::optional<Figure> power_figure(const StudyResult& result, std::size_t index)
   const SlipResult base = slip_of(result, result.base());
   if (base.converged() && base.power.total() > 0.0) {
     options.relative_to = base.power.total();
-    if (sweep.base)
-      options.references = {{kBaseTitle, *sweep.base, base.power.total(), base.efficiency}};
+    if (sweep.base) options.references = {{kBaseTitle, *sweep.base, base.power.total(), base.efficiency}};
   }
   const Axis axis = axis_of(sweep);
   Figure figure = power_by_source_figure(x, axis, slips, options);
   figure.x = axis;
-  if (std::optional<Axis>& efficiency = figure.panels[1].y)
-    widen(*efficiency, kLeastEfficiencySpan);
+  if (std::optional<Axis>& efficiency = figure.panels[1].y) widen(*efficiency, kLeastEfficiencySpan);
   return figure;
 }
 
@@ -278,8 +262,7 @@ Figure panels_of_factors(const StudyResult& result, std::size_t response) {
   const std::size_t panels = std::min(factors, kMostStudyPanels);
   if (panels < factors) figure.title += fmt::format(", first {} of {} factors", panels, factors);
   figure.columns = columns_for(panels);
-  for (std::size_t k = 0; k < panels; ++k)
-    figure.panels.push_back(factor_panel(result, k, response));
+  for (std::size_t k = 0; k < panels; ++k) figure.panels.push_back(factor_panel(result, k, response));
   fit_y_range(figure);
   return figure;
 }
@@ -304,8 +287,7 @@ std::optional<Figure> changes_of_factors(const StudyResult& result, std::size_t 
       if (const std::optional<double>& value = point.row->responses[response])
         line.push_back({100.0 * (point.x / *own - 1.0), 100.0 * (*value / *base - 1.0)});
     if (line.size() > 1)
-      panel.series.push_back(
-          {figure.add(factor_name(*sweep.factor), marked_line(figure.legend.size())), {line}});
+      panel.series.push_back({figure.add(factor_name(*sweep.factor), marked_line(figure.legend.size())), {line}});
   }
   if (panel.series.empty()) return std::nullopt;
   figure.panels.push_back(std::move(panel));
@@ -324,9 +306,7 @@ struct Layout {
   std::vector<std::size_t> panels;
 };
 
-std::size_t levels(const Study& study, std::size_t factor) {
-  return study.factors[factor].levels.size();
-}
+std::size_t levels(const Study& study, std::size_t factor) { return study.factors[factor].levels.size(); }
 
 /// Of these factors the one with most levels, the first of several.
 std::size_t longest(const Study& study, const std::vector<std::size_t>& factors) {
@@ -335,8 +315,7 @@ std::size_t longest(const Study& study, const std::vector<std::size_t>& factors)
 
 Layout layout_of(const Study& study) {
   std::vector<std::size_t> all = spread(study.factors.size(), study.factors.size()), numeric;
-  std::ranges::copy_if(all, std::back_inserter(numeric),
-                       [&](std::size_t k) { return study.factors[k].is_numeric(); });
+  std::ranges::copy_if(all, std::back_inserter(numeric), [&](std::size_t k) { return study.factors[k].is_numeric(); });
   Layout layout;
   layout.x = longest(study, numeric.empty() ? all : numeric);
   std::erase(all, layout.x);
@@ -347,17 +326,15 @@ Layout layout_of(const Study& study) {
 }
 
 /// The response of a combination: the last factor changes fastest.
-std::optional<double> value_at(const StudyResult& result, const Combination& combination,
-                               std::size_t response) {
+std::optional<double> value_at(const StudyResult& result, const Combination& combination, std::size_t response) {
   std::size_t index = 0;
-  for (std::size_t k = 0; k < combination.size(); ++k)
-    index = index * levels(result.study, k) + combination[k];
+  for (std::size_t k = 0; k < combination.size(); ++k) index = index * levels(result.study, k) + combination[k];
   return index + 1 < result.rows.size() ? result.rows[index + 1].responses[response] : std::nullopt;
 }
 
 /// Along an ascending axis, interrupted where a design has no answer.
-Series series_over(const StudyResult& result, std::size_t response, std::size_t x,
-                   Combination combination, std::size_t style) {
+Series series_over(const StudyResult& result, std::size_t response, std::size_t x, Combination combination,
+                   std::size_t style) {
   const std::vector<double> at = positions(result.study.factors[x]);
   std::vector<std::size_t> order = spread(at.size(), at.size());
   std::ranges::stable_sort(order, {}, [&](std::size_t k) { return at[k]; });
@@ -399,8 +376,8 @@ Figure line_figure(const StudyResult& result, std::size_t response) {
       index /= levels(study, factor);
     }
     for (const std::size_t factor : layout.panels)
-      panel.title += fmt::format("{}{}", panel.title.empty() ? "" : ", ",
-                                 setting_text(study, factor, combination[factor]));
+      panel.title +=
+          fmt::format("{}{}", panel.title.empty() ? "" : ", ", setting_text(study, factor, combination[factor]));
     panel.title = shortened(panel.title, kMaxPanelTitle);
     for (std::size_t k = 0; k < lines.size(); ++k) {
       combination[layout.line] = lines[k];
@@ -418,17 +395,14 @@ bool has_power(const StudyResult& result) {
     return std::ranges::find(result.study.responses, path) != result.study.responses.end();
   };
   return is_recorded("slip.power_loss_W") && is_recorded("slip.efficiency") &&
-         std::ranges::all_of(kPowerSources, [&](const PowerSource& source) {
-           return is_recorded(share_path(source));
-         });
+         std::ranges::all_of(kPowerSources, [&](const PowerSource& source) { return is_recorded(share_path(source)); });
 }
 
 /// A response over each factor, a panel each; in one panel its changes over those of the factors.
 Figures one_at_a_time_lines(const StudyResult& result, const FigureOptions& options) {
   return figures_of(result.study.responses, options, [&](std::size_t k) {
     std::optional<Figure> figure;
-    if (options.one_panel && result.study.factors.size() > 1)
-      figure = changes_of_factors(result, k);
+    if (options.one_panel && result.study.factors.size() > 1) figure = changes_of_factors(result, k);
     if (!figure) figure = panels_of_factors(result, k);
     return figure;
   });
@@ -440,16 +414,14 @@ Figures study_power(const StudyResult& result, const FigureOptions&) {
   Figures figures;
   if (!varies_one_at_a_time(result.study) || !has_power(result)) return figures;
   for (std::size_t k = 0; k < std::min(result.study.factors.size(), kMostStudyFigures); ++k)
-    if (std::optional<Figure> figure = power_figure(result, k))
-      figures.push_back(std::move(*figure));
+    if (std::optional<Figure> figure = power_figure(result, k)) figures.push_back(std::move(*figure));
   return figures;
 }
 
 /// A response over the numeric factor with most values, a line for each value of a second factor
 /// and a panel for each combination of the others.
 Figures grid_lines(const StudyResult& result, const FigureOptions& options) {
-  return figures_of(result.study.responses, options,
-                    [&](std::size_t k) { return line_figure(result, k); });
+  return figures_of(result.study.responses, options, [&](std::size_t k) { return line_figure(result, k); });
 }
 
 }  // namespace
@@ -466,12 +438,9 @@ Pictures study_pictures(const StudyResult& r) {
       {"envelope", "`study.envelope` in the case", of_result(r, study_envelope)},
       {"map", "`plan: grid` with two factors of numbers", of_result(r, study_maps), drawn_if(map)},
       {"power", "`plan: one_at_a_time` of slip", of_result(r, study_power)},
-      {"contributions", "a plan that draws samples, and a response that varies",
-       of_result(r, contributions)},
-      {"lines", "designs with an answer", of_result(r, lines),
-       drawn_if(sampled || (!map && !power))},
-      {"histogram", "several designs whose responses differ", of_result(r, histograms),
-       drawn_if(sampled)},
+      {"contributions", "a plan that draws samples, and a response that varies", of_result(r, contributions)},
+      {"lines", "designs with an answer", of_result(r, lines), drawn_if(sampled || (!map && !power))},
+      {"histogram", "several designs whose responses differ", of_result(r, histograms), drawn_if(sampled)},
   };
 }
 

@@ -21,22 +21,18 @@ constexpr const char* kBaseTitle = "as in the file";
 
 /// Whether each design differs from the file in one factor.
 inline bool varies_one_at_a_time(const Study& study) {
-  return study.plan == Plan::one_at_a_time ||
-         (study.plan == Plan::grid && study.factors.size() == 1);
+  return study.plan == Plan::one_at_a_time || (study.plan == Plan::grid && study.factors.size() == 1);
 }
 
 /// Indices of those that the options choose, else of the first. Throws NoFigure.
-std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses,
-                                          const FigureOptions& options);
+std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses, const FigureOptions& options);
 
 /// A figure of each of these responses that `make` gives one of, as far as it has data.
 template <class Make>
-Figures figures_of(const std::vector<std::string>& responses, const FigureOptions& options,
-                   Make make) {
+Figures figures_of(const std::vector<std::string>& responses, const FigureOptions& options, Make make) {
   Figures figures;
   for (const std::size_t k : chosen_responses(responses, options))
-    if (std::optional<Figure> figure = make(k); figure && has_data(*figure))
-      figures.push_back(std::move(*figure));
+    if (std::optional<Figure> figure = make(k); figure && has_data(*figure)) figures.push_back(std::move(*figure));
   return figures;
 }
 
@@ -62,8 +58,7 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most);
 std::size_t columns_for(std::size_t panels);
 
 /// Signed bars from above to below, the longest first, with their numbers.
-Figure ranked_bars(Figure figure, const std::vector<std::string>& names,
-                   const std::vector<double>& values);
+Figure ranked_bars(Figure figure, const std::vector<std::string>& names, const std::vector<double>& values);
 
 /// Whether a map shows more than lines do: a grid over two numeric factors of many levels.
 bool suits_map(const Study& study);

@@ -123,8 +123,7 @@ bool is_finite(double value) { return std::isfinite(value); }
 bool all_finite(std::span<const double> values) { return std::ranges::all_of(values, is_finite); }
 bool any_finite(std::span<const double> values) { return std::ranges::any_of(values, is_finite); }
 
-std::vector<std::optional<double>> numbers(const RowBlock& block, std::size_t row,
-                                           std::size_t responses) {
+std::vector<std::optional<double>> numbers(const RowBlock& block, std::size_t row, std::size_t responses) {
   std::vector<std::optional<double>> numbers(responses);
   for (std::size_t j = 0; j < responses; ++j) {
     const double value = block.responses[row * responses + j];
@@ -150,14 +149,12 @@ struct StudyAnalysis::Parts {
       input += 1 + factor.companions.size();
     }
     if (factors.size() > kMostFactorsOfSurface) {
-      reason = fmt::format("it takes at most {} factors, the study has {}", kMostFactorsOfSurface,
-                           factors.size());
+      reason = fmt::format("it takes at most {} factors, the study has {}", kMostFactorsOfSurface, factors.size());
       factors.clear();
     }
     regression = LinearRegression(factors.size(), study.responses.size());
     if (study.plan == Plan::tolerances)
-      drawn.assign(1 + halved_blocks(study).size(),
-                   std::vector<std::vector<double>>(study.responses.size()));
+      drawn.assign(1 + halved_blocks(study).size(), std::vector<std::vector<double>>(study.responses.size()));
     if (study.plan != Plan::sobol_indices) return;
     const std::size_t d = blocks_of(study).size();
     indices.assign(study.responses.size(), VarianceIndices(d, study.samples));
@@ -182,8 +179,7 @@ struct StudyAnalysis::Parts {
   }
 
   void add_to_surface(std::span<const double> row, std::span<const double> inputs) {
-    for (std::size_t i = 0; i < factors.size(); ++i)
-      x[i] = factors[i](inputs[input_of_factor[factors[i].factor]]);
+    for (std::size_t i = 0; i < factors.size(); ++i) x[i] = factors[i](inputs[input_of_factor[factors[i].factor]]);
     if (all_finite(x)) regression.add(x, row);
   }
 
@@ -218,8 +214,7 @@ struct StudyAnalysis::Parts {
     const std::vector<std::size_t> blocks = blocks_of(study), halved = halved_blocks(study);
     for (std::size_t k = 1; k < drawn.size(); ++k)
       if (!drawn[0][response].empty() && !drawn[k][response].empty())
-        all.push_back({blocks[halved[k - 1]], quantiles(drawn[0][response])[3],
-                       quantiles(drawn[k][response])[3]});
+        all.push_back({blocks[halved[k - 1]], quantiles(drawn[0][response])[3], quantiles(drawn[k][response])[3]});
     std::ranges::stable_sort(all, std::greater<>(), &ToleranceGain::gain);
     return all;
   }
@@ -237,14 +232,11 @@ void StudyAnalysis::add(const RowBlock& block, std::span<const double> inputs) {
   const std::vector<FactorColumn>& columns = parts_->columns;
   const std::size_t width = columns.size();
   std::vector<double> drawn;
-  if (inputs.empty())
-    inputs = drawn = factor_values(parts_->study, columns, block.first, block.rows);
+  if (inputs.empty()) inputs = drawn = factor_values(parts_->study, columns, block.first, block.rows);
   assert(inputs.size() == block.rows * width);
   const std::vector<double> none(responses, kNoResponse);
   for (std::size_t k = 0; k < block.rows; ++k)
-    parts_->add(block.status(k).converged()
-                    ? std::span(block.responses).subspan(k * responses, responses)
-                    : none,
+    parts_->add(block.status(k).converged() ? std::span(block.responses).subspan(k * responses, responses) : none,
                 block.first + k, inputs.subspan(k * width, width));
   if (parts_->maps) parts_->maps->add(block);
   parts_->next += block.rows;
@@ -267,12 +259,10 @@ StudySummary StudyAnalysis::summary() const {
   if (!parts_->reason.empty()) summary.surfaces = ResponseSurfaces{0, parts_->reason};
   for (const VarianceIndices& indices : parts_->indices) {
     summary.indices.push_back(indices.result());
-    for (FactorIndices& f : summary.indices.back().factors)
-      f.factor = blocks_of(parts_->study)[f.factor];
+    for (FactorIndices& f : summary.indices.back().factors) f.factor = blocks_of(parts_->study)[f.factor];
   }
   if (!parts_->drawn.empty())
-    for (std::size_t j = 0; j < parts_->moments.size(); ++j)
-      summary.tolerances.push_back(parts_->gains(j));
+    for (std::size_t j = 0; j < parts_->moments.size(); ++j) summary.tolerances.push_back(parts_->gains(j));
   summary.idle_factors = parts_->followed.idle();
   if (parts_->maps && parts_->maps->maps()) {
     summary.maps = parts_->maps->maps();
@@ -282,14 +272,13 @@ StudySummary StudyAnalysis::summary() const {
 }
 
 void add(StudyResult& result, const RowBlock& block) {
-  if (result.rows.empty())
-    result.rows.reserve(std::min(kMostRowsShown, design_count(result.study)));
+  if (result.rows.empty()) result.rows.reserve(std::min(kMostRowsShown, design_count(result.study)));
   for (std::size_t k = 0; k < block.rows; ++k) {
     const DesignStatus status = block.status(k);
     if (!status.converged()) ++(status.name == "refused" ? result.refused : result.failed);
     if (result.rows.size() >= kMostRowsShown) continue;
-    result.rows.push_back({design(result.study, block.first + k), status,
-                           numbers(block, k, result.study.responses.size())});
+    result.rows.push_back(
+        {design(result.study, block.first + k), status, numbers(block, k, result.study.responses.size())});
   }
   result.designs += block.rows;
 }
@@ -301,8 +290,7 @@ std::vector<std::size_t> nodes_of(const GridMaps& maps) {
   std::array<std::vector<std::size_t>, 2> node_of_level;
   for (std::size_t a = 0; a < 2; ++a) {
     node_of_level[a].resize(maps.axes[a].nodes());
-    for (std::size_t k = 0; k < maps.axes[a].nodes(); ++k)
-      node_of_level[a][maps.axes[a].levels[k]] = k;
+    for (std::size_t k = 0; k < maps.axes[a].nodes(); ++k) node_of_level[a][maps.axes[a].levels[k]] = k;
   }
   std::vector<std::size_t> nodes;
   nodes.reserve(maps.nodes());
@@ -325,8 +313,7 @@ Level level_at(const Factor& input, const MapAxis& axis, double place) {
 constexpr double kRoundingOfRoot = 1e-9;
 
 std::size_t index_of(const Study& study, const std::string& response) {
-  return static_cast<std::size_t>(std::ranges::find(study.responses, response) -
-                                  study.responses.begin());
+  return static_cast<std::size_t>(std::ranges::find(study.responses, response) - study.responses.begin());
 }
 
 /// Root mean square and number of what is finite.
@@ -356,8 +343,7 @@ double normalisation(Envelope::Normalise normalise, const MeanSquare& mean) {
 }
 
 /// E of normalised measures; NaN where it is no finite number.
-double combined(Envelope::Combine combine, std::span<const MeasureMap> measures,
-                std::span<const double> normalised) {
+double combined(Envelope::Combine combine, std::span<const MeasureMap> measures, std::span<const double> normalised) {
   const bool product = combine == Envelope::Combine::product;
   double value = product ? 1.0 : 0.0;
   for (std::size_t k = 0; k < measures.size(); ++k)
@@ -389,8 +375,8 @@ struct Bilinear {
 std::vector<MapPlace> zeros(const Bilinear& f, const Bilinear& g) {
   std::vector<MapPlace> found;
   const auto in_cell = [](double x) { return x >= -kRoundingOfRoot && x <= 1.0 + kRoundingOfRoot; };
-  for (const double u : roots(f.b * g.d - g.b * f.d, f.a * g.d + f.b * g.c - g.a * f.d - g.b * f.c,
-                              f.a * g.c - g.a * f.c)) {
+  for (const double u :
+       roots(f.b * g.d - g.b * f.d, f.a * g.d + f.b * g.c - g.a * f.d - g.b * f.c, f.a * g.c - g.a * f.c)) {
     if (!in_cell(u)) continue;
     const double slope_f = f.c + f.d * u, slope_g = g.c + g.d * u;
     const bool by_f = std::abs(slope_f) > std::abs(slope_g);
@@ -409,9 +395,8 @@ class Evaluator {
     for (const Envelope::Measure& measure : envelope().measures) {
       const std::size_t response = index_of(study, measure.response);
       const MeanSquare mean = mean_square(maps.responses[response]);
-      result_.measures.push_back({response, measure.weight, mean.rms,
-                                  normalisation(envelope().normalise, mean),
-                                  maps.nodes() - mean.count});
+      result_.measures.push_back(
+          {response, measure.weight, mean.rms, normalisation(envelope().normalise, mean), maps.nodes() - mean.count});
     }
     for (std::size_t i = 0; i < maps.axes[0].nodes(); ++i)
       for (std::size_t j = 0; j < maps.axes[1].nodes(); ++j)
@@ -420,14 +405,12 @@ class Evaluator {
     result_.rms = mean.rms;
     result_.without = maps.nodes() - mean.count;
     for (std::size_t k = 0; k < result_.values.size(); ++k)
-      if (!std::isnan(result_.values[k]) &&
-          (!result_.best || result_.values[k] > result_.values[*result_.best]))
+      if (!std::isnan(result_.values[k]) && (!result_.best || result_.values[k] > result_.values[*result_.best]))
         result_.best = k;
   }
 
   EnvelopeResult result() {
-    for (const Envelope::Point& point : envelope().points)
-      result_.points.push_back(read_back(point));
+    for (const Envelope::Point& point : envelope().points) result_.points.push_back(read_back(point));
     return std::move(result_);
   }
 
@@ -437,13 +420,10 @@ class Evaluator {
   std::vector<double> normalised_at(MapPlace place) const {
     std::vector<double> values;
     for (const MeasureMap& measure : result_.measures)
-      values.push_back(map_value(maps_, maps_.responses[measure.response], place) /
-                       measure.normalised_by);
+      values.push_back(map_value(maps_, maps_.responses[measure.response], place) / measure.normalised_by);
     return values;
   }
-  double value(MapPlace place) const {
-    return combined(envelope().combine, result_.measures, normalised_at(place));
-  }
+  double value(MapPlace place) const { return combined(envelope().combine, result_.measures, normalised_at(place)); }
   MapPlace place_of(std::size_t node) const {
     const std::size_t row = maps_.axes[1].nodes();
     return {static_cast<double>(node / row), static_cast<double>(node % row)};
@@ -494,8 +474,7 @@ class Evaluator {
   }
 
   /// Where two responses have two values.
-  std::vector<MapPlace> meetings(const Envelope::Target& first,
-                                 const Envelope::Target& second) const {
+  std::vector<MapPlace> meetings(const Envelope::Target& first, const Envelope::Target& second) const {
     std::vector<MapPlace> places;
     for (std::size_t i = 0; i + 1 < maps_.axes[0].nodes(); ++i)
       for (std::size_t j = 0; j + 1 < maps_.axes[1].nodes(); ++j)
@@ -505,8 +484,8 @@ class Evaluator {
   }
   Bilinear cell(const Envelope::Target& target, std::size_t i, std::size_t j) const {
     const GridMap& map = maps_.responses[index_of(study_, target.response)];
-    const double low = map[maps_.node(i, j)], right = map[maps_.node(i + 1, j)],
-                 up = map[maps_.node(i, j + 1)], both = map[maps_.node(i + 1, j + 1)];
+    const double low = map[maps_.node(i, j)], right = map[maps_.node(i + 1, j)], up = map[maps_.node(i, j + 1)],
+                 both = map[maps_.node(i + 1, j + 1)];
     return {low - target.value, right - low, up - low, both - right - up + low};
   }
 
@@ -533,12 +512,11 @@ class Evaluator {
       const auto [least, largest] = range(target.response);
       if (least > largest) return fmt::format("no design has a number for {}", target.response);
       if (target.value >= least && target.value <= largest) continue;
-      text += fmt::format("{}{} lies between {:.6g} and {:.6g} in the grid, {:.6g} is wanted",
-                          text.empty() ? "" : "; ", target.response, least, largest, target.value);
+      text += fmt::format("{}{} lies between {:.6g} and {:.6g} in the grid, {:.6g} is wanted", text.empty() ? "" : "; ",
+                          target.response, least, largest, target.value);
     }
     if (!text.empty()) return text;
-    return targets.size() == 2 ? "no place of the grid has both values"
-                               : "no line of the grid meets the value";
+    return targets.size() == 2 ? "no place of the grid has both values" : "no line of the grid meets the value";
   }
 
   std::optional<MapPlace> place_of(const Envelope::Point& point, std::string& why) const {
@@ -570,11 +548,10 @@ class Evaluator {
     }
     read.place = *place;
     if (std::floor(read.place[0]) == read.place[0] && std::floor(read.place[1]) == read.place[1])
-      read.design = maps_.design(maps_.node(static_cast<std::size_t>(read.place[0]),
-                                            static_cast<std::size_t>(read.place[1])));
+      read.design =
+          maps_.design(maps_.node(static_cast<std::size_t>(read.place[0]), static_cast<std::size_t>(read.place[1])));
     read.inputs = inputs_at(study_, maps_, read.place);
-    for (const GridMap& map : maps_.responses)
-      read.responses.push_back(map_value(maps_, map, read.place));
+    for (const GridMap& map : maps_.responses) read.responses.push_back(map_value(maps_, map, read.place));
     read.normalised = normalised_at(read.place);
     read.envelope = value(read.place);
     return read;
@@ -628,14 +605,11 @@ void GridMapCollector::add(const RowBlock& block) {
   for (std::size_t row = 0; row < block.rows; ++row) {
     const std::size_t design = block.first + row;
     if (design == 0) continue;
-    for (std::size_t k = 0; k < width; ++k)
-      maps_->responses[k][nodes_[design - 1]] = block.responses[row * width + k];
+    for (std::size_t k = 0; k < width; ++k) maps_->responses[k][nodes_[design - 1]] = block.responses[row * width + k];
   }
 }
 
-EnvelopeResult evaluate_envelope(const Study& study, const GridMaps& maps) {
-  return Evaluator(study, maps).result();
-}
+EnvelopeResult evaluate_envelope(const Study& study, const GridMaps& maps) { return Evaluator(study, maps).result(); }
 
 GridMap normalised(const GridMaps& maps, const MeasureMap& measure) {
   GridMap map = maps.responses[measure.response];

@@ -71,8 +71,8 @@ struct EnvelopePoint {
 /// An envelope over the grid and the designs read off it.
 struct EnvelopeResult {
   std::vector<MeasureMap> measures;
-  GridMap values;    ///< E; NaN where it is not defined, as for a root of a negative measure.
-  double rms = 0.0;  ///< Root mean square of the values.
+  GridMap values;                        ///< E; NaN where it is not defined, as for a root of a negative measure.
+  double rms = 0.0;                      ///< Root mean square of the values.
   std::size_t without = 0;               ///< Nodes without a value.
   std::optional<std::size_t> best = {};  ///< The first node with the largest value.
   std::vector<EnvelopePoint> points;

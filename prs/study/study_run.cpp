@@ -24,10 +24,7 @@ RowBlock cropped(const RowBlock& block, DesignRange designs) {
   const std::size_t skipped = designs.first - block.first;
   const std::size_t width = block.responses.size() / block.rows;
   const auto first = block.responses.begin() + static_cast<std::ptrdiff_t>(skipped * width);
-  RowBlock rows{designs.first,
-                designs.count,
-                {first, first + static_cast<std::ptrdiff_t>(designs.count * width)},
-                {}};
+  RowBlock rows{designs.first, designs.count, {first, first + static_cast<std::ptrdiff_t>(designs.count * width)}, {}};
   for (const RowBlock::Failure& failure : block.failures)
     if (failure.row >= skipped && failure.row < skipped + designs.count)
       rows.failures.push_back({failure.row - skipped, failure.status});
@@ -57,8 +54,7 @@ class RangeQueue {
 
 /// The journals of the study that others wrote into the folder. Those of other studies are errors
 /// where no shard can have left them.
-std::vector<Journal> others(const StudyFolder& folder, const JournalHeader& header,
-                            const StudyRunOptions& options) {
+std::vector<Journal> others(const StudyFolder& folder, const JournalHeader& header, const StudyRunOptions& options) {
   std::vector<Journal> journals;
   const fs::path own = journal_path(folder.path(), header.shard);
   const bool alone = folder.use() == StudyFolder::Use::alone;
@@ -80,21 +76,19 @@ std::vector<Journal> open_journals(const StudyFolder* folder, const JournalHeade
                                    const StudyRunOptions& options) {
   std::vector<Journal> journals;
   if (folder) journals = others(*folder, header, options);
-  journals.push_back(folder ? Journal::append_to(journal_path(folder->path(), header.shard), header,
-                                                 options.restart)
+  journals.push_back(folder ? Journal::append_to(journal_path(folder->path(), header.shard), header, options.restart)
                             : Journal::temporary(header));
   for (const Journal& journal : journals)
     if (journal.is_damaged() && options.warn)
-      options.warn(fmt::format("{}: warning: damaged; what follows the damage is computed again",
-                               journal.path().string()));
+      options.warn(
+          fmt::format("{}: warning: damaged; what follows the damage is computed again", journal.path().string()));
   return journals;
 }
 
 /// What is missing of each shard, as many as there are shards in the finest division.
 std::string missing_shards(const StoredRows& rows, std::size_t designs) {
   std::size_t shards = 1;
-  for (const Journal& journal : rows.journals())
-    shards = std::max(shards, journal.header().shard.count);
+  for (const Journal& journal : rows.journals()) shards = std::max(shards, journal.header().shard.count);
   const std::vector<DesignRange> gaps = rows.missing({0, designs});
   constexpr std::size_t kMostNamed = 20;
   std::size_t incomplete = 0;
@@ -109,8 +103,7 @@ std::string missing_shards(const StoredRows& rows, std::size_t designs) {
       if (gap->end() > all.end()) break;  // It goes on in the next shard.
     }
     if (absent == 0 || ++incomplete > kMostNamed) continue;
-    text +=
-        fmt::format("\n  shard {}: {} of {} designs are missing", name(shard), absent, all.count);
+    text += fmt::format("\n  shard {}: {} of {} designs are missing", name(shard), absent, all.count);
   }
   if (incomplete > kMostNamed) text += fmt::format("\n  … and {} more", incomplete - kMostNamed);
   return text;
@@ -121,8 +114,7 @@ constexpr std::size_t kBlocksPerThread = 4;
 
 /// PipelineModule::run on items that are kept here. One thread does without the module.
 template <class Item, class Give, class Prepare, class Take>
-void run_pipeline(std::size_t threads, bool in_order, const Give& give, const Prepare& prepare,
-                  const Take& take) {
+void run_pipeline(std::size_t threads, bool in_order, const Give& give, const Prepare& prepare, const Take& take) {
   std::vector<Item> items(threads == 1 ? 1 : kBlocksPerThread * threads);
   if (threads == 1) {
     for (Item& item = items.front(); give(item); take(item)) prepare(item);
@@ -181,9 +173,7 @@ std::vector<fs::path> journal_paths(const fs::path& folder) {
 }
 
 StudyFolder::StudyFolder(fs::path path, Use use, const std::string& command)
-    : path_(std::move(path)),
-      use_(use),
-      lock_(path_, use == Use::alone ? LOCK_EX : LOCK_SH, {command}) {}
+    : path_(std::move(path)), use_(use), lock_(path_, use == Use::alone ? LOCK_EX : LOCK_SH, {command}) {}
 
 void StudyFolder::remove_journals() const {
   // The names of the files reach the disk before those of the journals are gone.
@@ -224,8 +214,7 @@ StoredRows gather_rows(const std::vector<fs::path>& folders) {
   std::string damaged;
   for (const fs::path& folder : folders) {
     if (!fs::is_directory(folder))
-      throw StudyFolderError(fmt::format(
-          "{}: error: no such folder; give the folders of the shards", folder.string()));
+      throw StudyFolderError(fmt::format("{}: error: no such folder; give the folders of the shards", folder.string()));
     for (const fs::path& path : journal_paths(folder)) {
       Journal journal = Journal::read(path);
       if (journal.is_damaged()) damaged += fmt::format("\n  {} is damaged", path.string());
@@ -239,18 +228,17 @@ StoredRows gather_rows(const std::vector<fs::path>& folders) {
     }
   }
   if (journals.empty())
-    throw StudyFolderError(fmt::format(
-        "{}: error: no journal of a study; give the folders that `prs study FILE --shard i/n "
-        "--output DIR` wrote into",
-        folders.front().string()));
+    throw StudyFolderError(
+        fmt::format("{}: error: no journal of a study; give the folders that `prs study FILE --shard i/n "
+                    "--output DIR` wrote into",
+                    folders.front().string()));
   const JournalHeader header = journals.front().header();
   StoredRows rows(std::move(journals));
   const std::size_t absent = count(rows.missing({0, header.designs}));
   if (absent > 0)
-    throw StudyFolderError(fmt::format(
-        "{}: error: {} of {} designs are missing; run what is missing, and merge again{}{}",
-        folders.front().string(), absent, header.designs, missing_shards(rows, header.designs),
-        damaged));
+    throw StudyFolderError(
+        fmt::format("{}: error: {} of {} designs are missing; run what is missing, and merge again{}{}",
+                    folders.front().string(), absent, header.designs, missing_shards(rows, header.designs), damaged));
   return rows;
 }
 
@@ -388,15 +376,12 @@ std::optional<std::string> Ranks::share(const std::function<std::string()>& make
   return text;
 }
 
-void Ranks::lead(const NextRange& next, const TakeRecord& take, std::size_t chunk,
-                 const RunDesigns& run) {
+void Ranks::lead(const NextRange& next, const TakeRecord& take, std::size_t chunk, const RunDesigns& run) {
   if (size_ == 1) return run(next, take);
   std::exception_ptr error;
   std::atomic<bool> failed = false;
   // After an error nobody gets more.
-  const auto next_unless_failed = [&](std::size_t most) {
-    return failed ? std::nullopt : next(most);
-  };
+  const auto next_unless_failed = [&](std::size_t most) { return failed ? std::nullopt : next(most); };
   std::thread own([&] {
     try {
       run(next_unless_failed, take);
@@ -504,8 +489,8 @@ std::size_t default_threads() {
   return processors;
 }
 
-void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next,
-                  const Evaluate& evaluate, const TakeRecord& take) {
+void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next, const Evaluate& evaluate,
+                  const TakeRecord& take) {
   struct Block {
     DesignRange designs;
     std::string record;

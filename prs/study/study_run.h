@@ -26,8 +26,8 @@ std::size_t default_threads();
 /// in as many blocks as `evaluate` makes of them. The number of blocks under way is limited, so
 /// that a slow `take` slows the rest down. An exception in one of the functions ends the run and is
 /// thrown again.
-void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next,
-                  const Evaluate& evaluate, const TakeRecord& take);
+void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next, const Evaluate& evaluate,
+                  const TakeRecord& take);
 
 /// Calls `prepare(k)` for k = 0 .. count-1 on `threads` threads, and what it returns one at a time
 /// in the order of k.
@@ -153,8 +153,7 @@ class Ranks {
   std::optional<std::string> share(const std::function<std::string()>& make) const;
 
   /// First rank: `run` here, while the other ranks do their part of it.
-  void lead(const NextRange& next, const TakeRecord& take, std::size_t chunk,
-            const RunDesigns& run);
+  void lead(const NextRange& next, const TakeRecord& take, std::size_t chunk, const RunDesigns& run);
 
   /// Other ranks: evaluates designs that the first rank gives, on `threads` threads, until it ends
   /// the work. A rank that does not call it takes no part.

@@ -36,8 +36,7 @@ Heading broken(const std::string& text) {
   Heading best{text, ""};
   for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
     const Heading h{text.substr(0, at), text.substr(at + 1)};
-    if (std::max(width(h.upper), width(h.lower)) < std::max(width(best.upper), width(best.lower)))
-      best = h;
+    if (std::max(width(h.upper), width(h.lower)) < std::max(width(best.upper), width(best.lower))) best = h;
   }
   return best;
 }
@@ -59,9 +58,8 @@ Columns columns_of(const StudyResult& result) {
   columns.value_width = width(kBaseMark);
   for (const StudyRow& row : result.rows)
     for (const Setting& setting : row.design.settings)
-      columns.value_width =
-          std::max(columns.value_width,
-                   width(level_text(setting.level, result.study.factors[setting.factor].unit)) + 2);
+      columns.value_width = std::max(columns.value_width,
+                                     width(level_text(setting.level, result.study.factors[setting.factor].unit)) + 2);
   columns.value_width = std::min(columns.value_width, kMaxValueWidth);
   std::size_t used = columns.value_width;
   for (const std::string& path : result.study.responses) {
@@ -81,8 +79,7 @@ std::string row_line(const Columns& columns, const std::string& value, const Stu
   std::string line = fitted(value, columns.value_width, true);
   if (!row.status.converged()) return fmt::format("{}{}{}\n", line, kGap, row.status.name);
   for (std::size_t c = 0; c < columns.widths.size(); ++c)
-    line.append(kGap).append(
-        padded(number(row.responses[c], columns.factors[c]), columns.widths[c], false));
+    line.append(kGap).append(padded(number(row.responses[c], columns.factors[c]), columns.widths[c], false));
   return line + '\n';
 }
 
@@ -124,8 +121,7 @@ std::string factor_table(const StudyResult& result, std::size_t index, const Col
   std::string title = printable(factor.label);
   if (factor.label != factor.path) title += fmt::format(" ({})", printable(factor.path));
   for (const Factor& companion : factor.companions)
-    title += fmt::format(", {}{}", &companion == &factor.companions[0] ? "with " : "",
-                         printable(companion.label));
+    title += fmt::format(", {}{}", &companion == &factor.companions[0] ? "with " : "", printable(companion.label));
   std::string text = shortened(title, kTableWidth) + '\n';
   const std::size_t step = (rows.size() + kMostRows - 1) / kMostRows;
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -134,8 +130,7 @@ std::string factor_table(const StudyResult& result, std::size_t index, const Col
     const std::string value = level_text(*level, factor.unit);
     text += row_line(columns, fmt::format("{} {}", base ? '*' : ' ', value), *row);
   }
-  if (step > 1)
-    text += fmt::format("  … of {} values; {}\n", factor.levels.size(), all_in("study.csv"));
+  if (step > 1) text += fmt::format("  … of {} values; {}\n", factor.levels.size(), all_in("study.csv"));
   return text;
 }
 
@@ -169,13 +164,10 @@ std::string study_failures(const StudyResult& result) {
     const StudyRow& row = result.rows[k];
     if (row.status.converged()) continue;
     ++shown;
-    const std::string name =
-        drawn ? fmt::format("design {}", k) : settings_text(result.study, row.design);
-    text += wrapped(fmt::format("{} {}: {}", name, row.status.name, printable(row.status.reason)),
-                    "  ", kTableWidth);
+    const std::string name = drawn ? fmt::format("design {}", k) : settings_text(result.study, row.design);
+    text += wrapped(fmt::format("{} {}: {}", name, row.status.name, printable(row.status.reason)), "  ", kTableWidth);
   }
-  if (failed > shown)
-    text += fmt::format("  … and {} more; {}\n", failed - shown, all_in("study.csv"));
+  if (failed > shown) text += fmt::format("  … and {} more; {}\n", failed - shown, all_in("study.csv"));
   return text;
 }
 
@@ -190,9 +182,8 @@ std::string factor_tables(const StudyResult& result) {
     text.append("\n").append(factor_table(result, k, columns));
   text += "\n* as in the file";
   if (columns.headings.size() < result.study.responses.size())
-    text +=
-        fmt::format("; {} more responses; {}",
-                    result.study.responses.size() - columns.headings.size(), all_in("study.csv"));
+    text += fmt::format("; {} more responses; {}", result.study.responses.size() - columns.headings.size(),
+                        all_in("study.csv"));
   return text + '\n';
 }
 
@@ -206,16 +197,16 @@ std::string bar(double share) {
 
 /// The first factors, those with a share of at least `least` of what makes all of it.
 template <class Ranked>
-std::string ranking(const Study& study, const std::vector<Ranked>& factors, double least,
-                    const auto& share, const auto& numbers) {
+std::string ranking(const Study& study, const std::vector<Ranked>& factors, double least, const auto& share,
+                    const auto& numbers) {
   std::string text;
   std::size_t k = 0;
   for (; k < std::min(factors.size(), kMostRanked); ++k) {
     const Ranked& f = factors[k];
     if (k > 0 && share(f) < least) break;
     text += ended(fmt::format("  {:>3}  {}  {}  {}", k + 1,
-                              fitted(printable(label_of_block(study, f.factor)), kMaxName, true),
-                              numbers(f), bar(share(f) / share(factors[0]))));
+                              fitted(printable(label_of_block(study, f.factor)), kMaxName, true), numbers(f),
+                              bar(share(f) / share(factors[0]))));
   }
   if (k == factors.size()) return text;
   return text + fmt::format("       … {} more; {}\n", factors.size() - k, all_in("study.json"));
@@ -230,8 +221,7 @@ std::string contributions(const Study& study, std::size_t response, const Linear
                     study, fit.effects, 100.0 * kLeastShare,
                     [](const FactorEffect& e) { return e.contribution_percent; },
                     [](const FactorEffect& e) {
-                      return fmt::format("{:+7.2f} %",
-                                         std::copysign(e.contribution_percent, e.coefficient));
+                      return fmt::format("{:+7.2f} %", std::copysign(e.contribution_percent, e.coefficient));
                     });
 }
 
@@ -240,22 +230,17 @@ std::string estimate_text(const Estimate& estimate) {
   return fmt::format("{:7.4f} ± {:.4f}", estimate.value, *estimate.half_width);
 }
 
-std::string variance_shares(const Study& study, std::size_t response,
-                            const ResponseIndices& indices) {
+std::string variance_shares(const Study& study, std::size_t response, const ResponseIndices& indices) {
   std::string text = fmt::format("\n{}: shares of the variance, {} samples",
                                  table_response(study.responses[response]).text(), indices.samples);
   if (indices.left_out > 0) text += fmt::format(", {} left out", indices.left_out);
   text += fmt::format("\n       {}    alone             with others\n", std::string(kMaxName, ' '));
   return text + ranking(
-                    study, indices.factors, kLeastShare,
-                    [](const FactorIndices& f) { return f.total.value; },
-                    [](const FactorIndices& f) {
-                      return estimate_text(f.first) + "  " + estimate_text(f.total);
-                    });
+                    study, indices.factors, kLeastShare, [](const FactorIndices& f) { return f.total.value; },
+                    [](const FactorIndices& f) { return estimate_text(f.first) + "  " + estimate_text(f.total); });
 }
 
-std::string gains(const Study& study, std::size_t response,
-                  const std::vector<ToleranceGain>& gains) {
+std::string gains(const Study& study, std::size_t response, const std::vector<ToleranceGain>& gains) {
   const TableResponse shown = table_response(study.responses[response]);
   return fmt::format(
              "\n{}: 95 % of the designs stay below {}; with half the deviation of one "
@@ -264,8 +249,7 @@ std::string gains(const Study& study, std::size_t response,
          ranking(
              study, gains, -1.0, [](const ToleranceGain& g) { return g.gain(); },
              [&](const ToleranceGain& g) {
-               return fmt::format("{:>10}  {:+7.2f} %", significant(shown.factor * g.halved, 4),
-                                  100.0 * g.gain());
+               return fmt::format("{:>10}  {:+7.2f} %", significant(shown.factor * g.halved, 4), 100.0 * g.gain());
              });
 }
 
@@ -286,21 +270,18 @@ std::string rankings(const StudyResult& result) {
       text += contributions(study, k, *summary.surfaces->fits[k]);
   }
   if (!text.empty() && shown < study.responses.size())
-    text += fmt::format("\n… {} more responses; {}\n", study.responses.size() - shown,
-                        all_in("study.json"));
+    text += fmt::format("\n… {} more responses; {}\n", study.responses.size() - shown, all_in("study.json"));
   return text;
 }
 
 std::string statistics(const StudyResult& result) {
-  std::string text =
-      "\n" + kStatistics("", {"in file", "mean", "std dev", "min", "5 %", "95 %", "max"});
+  std::string text = "\n" + kStatistics("", {"in file", "mean", "std dev", "min", "5 %", "95 %", "max"});
   for (std::size_t k = 0; k < result.summary.statistics.size(); ++k) {
     const ResponseStatistics& s = result.summary.statistics[k];
     const TableResponse response = table_response(result.study.responses[k]);
     std::vector<std::optional<double>> values{result.base().responses[k]};
     if (s.count > 0)
-      values.insert(values.end(),
-                    {s.mean, s.standard_deviation, s.min, s.quantiles[1], s.quantiles[3], s.max});
+      values.insert(values.end(), {s.mean, s.standard_deviation, s.min, s.quantiles[1], s.quantiles[3], s.max});
     std::vector<std::string> cells;
     for (const std::optional<double>& value : values) {
       const double shown = response.factor * value.value_or(0.0);
@@ -309,8 +290,8 @@ std::string statistics(const StudyResult& result) {
     }
     text += kStatistics(shortened(response.text(), kMaxName), cells);
   }
-  const bool all_kept = std::ranges::all_of(result.summary.statistics,
-                                            [](const auto& s) { return s.values_kept == s.count; });
+  const bool all_kept =
+      std::ranges::all_of(result.summary.statistics, [](const auto& s) { return s.values_kept == s.count; });
   if (!all_kept) text += fmt::format("quantiles of {} designs, drawn at random\n", kMostValuesKept);
   return text;
 }
@@ -323,8 +304,7 @@ std::string extremes(const StudyResult& result) {
     if (s.count == 0 || s.min == s.max) continue;
     const TableResponse response = table_response(result.study.responses[k]);
     text += fmt::format("\n{}\n", response.text());
-    for (const auto& [word, value, at] :
-         {std::tuple{"min", s.min, s.min_design}, {"max", s.max, s.max_design}})
+    for (const auto& [word, value, at] : {std::tuple{"min", s.min, s.min_design}, {"max", s.max, s.max_design}})
       text += wrapped(fmt::format("{} {}: {}", word, number(value, response.factor),
                                   labelled_settings(result.study, design(result.study, at))),
                       "  ", kTableWidth);
@@ -341,19 +321,18 @@ std::string envelope_row(const std::string& label, std::vector<std::string> cell
 std::string envelope_measures(const StudyResult& result) {
   const EnvelopeResult& envelope = *result.summary.envelope;
   const bool product = result.study.envelope->combine == Envelope::Combine::product;
-  std::string text = fmt::format("\nEnvelope, {} of the normalised measures\n",
-                                 product ? "product of powers" : "weighted sum");
+  std::string text =
+      fmt::format("\nEnvelope, {} of the normalised measures\n", product ? "product of powers" : "weighted sum");
   text += envelope_row("", {product ? "exponent" : "factor", "divided by", "rms"});
   for (const MeasureMap& measure : envelope.measures) {
     const TableResponse response = table_response(result.study.responses[measure.response]);
-    text += envelope_row(response.text(), {fmt::format("{:g}", measure.weight),
-                                           number(measure.normalised_by, response.factor),
-                                           number(measure.rms, response.factor)});
+    text += envelope_row(response.text(),
+                         {fmt::format("{:g}", measure.weight), number(measure.normalised_by, response.factor),
+                          number(measure.rms, response.factor)});
   }
   text += envelope_row("envelope", {"", "", number(envelope.rms)});
   if (envelope.without > 0)
-    text += fmt::format("{} of {} designs have no envelope\n", envelope.without,
-                        envelope.values.size());
+    text += fmt::format("{} of {} designs have no envelope\n", envelope.without, envelope.values.size());
   return text;
 }
 
@@ -366,21 +345,17 @@ std::string envelope_points(const StudyResult& result) {
     if (point.reason.empty())
       found.push_back(&point);
     else
-      reasons += wrapped(fmt::format("{}: {}", printable(point.name), printable(point.reason)),
-                         "  ", kTableWidth);
+      reasons += wrapped(fmt::format("{}: {}", printable(point.name), printable(point.reason)), "  ", kTableWidth);
   if (!reasons.empty()) reasons = "\nPoints that the grid does not have\n" + reasons;
   if (found.empty()) return reasons;
-  const std::size_t shown =
-      std::min(found.size(), (kTableWidth - kMaxName) / (kEnvelope.cell_width + kEnvelope.gap));
+  const std::size_t shown = std::min(found.size(), (kTableWidth - kMaxName) / (kEnvelope.cell_width + kEnvelope.gap));
   const auto row = [&](const std::string& label, auto cell) {
     std::vector<std::string> cells;
     for (std::size_t k = 0; k < shown; ++k) cells.push_back(cell(*found[k]));
     return envelope_row(label, cells);
   };
   std::string text = "\n" + row("point", [](const EnvelopePoint& p) { return printable(p.name); });
-  text += row("design", [](const EnvelopePoint& p) {
-    return p.design ? fmt::format("{}", *p.design) : "between";
-  });
+  text += row("design", [](const EnvelopePoint& p) { return p.design ? fmt::format("{}", *p.design) : "between"; });
   const std::vector<DrawnInput> inputs = drawn_inputs(study);
   for (std::size_t k = 0; k < inputs.size(); ++k)
     text += row(factor_title(*inputs[k].input), [&](const EnvelopePoint& p) {
@@ -391,12 +366,10 @@ std::string envelope_points(const StudyResult& result) {
     });
   for (std::size_t k = 0; k < study.responses.size(); ++k) {
     const TableResponse response = table_response(study.responses[k]);
-    text += row(response.text(),
-                [&](const EnvelopePoint& p) { return number(p.responses[k], response.factor); });
+    text += row(response.text(), [&](const EnvelopePoint& p) { return number(p.responses[k], response.factor); });
   }
   text += row("envelope", [](const EnvelopePoint& p) { return number(p.envelope); });
-  if (shown < found.size())
-    text += fmt::format("… {} more points; {}\n", found.size() - shown, all_in("study.json"));
+  if (shown < found.size()) text += fmt::format("… {} more points; {}\n", found.size() - shown, all_in("study.json"));
   if (std::ranges::any_of(found, [](const EnvelopePoint* p) { return !p->design; }))
     text += "between: interpolated between four designs of the grid\n";
   return text + reasons;
@@ -422,8 +395,8 @@ std::string study_table(const StudyResult& result) {
   if (!end.empty()) end.insert(0, "\n");
   end += warning_section(result.warnings);
   if (varies_one_at_a_time(study)) return factor_tables(result) + end;
-  return head(result) + rankings(result) + statistics(result) +
-         (study.plan == Plan::grid ? extremes(result) : "") + envelope_text(result) + end;
+  return head(result) + rankings(result) + statistics(result) + (study.plan == Plan::grid ? extremes(result) : "") +
+         envelope_text(result) + end;
 }
 
 std::string progress_line(std::size_t done, std::size_t total, double seconds, std::size_t found) {
@@ -431,11 +404,9 @@ std::string progress_line(std::size_t done, std::size_t total, double seconds, s
   std::string text = fmt::format("{} of {} designs", done, total);
   if (found > 0) text += fmt::format(" ({} from the journal)", found);
   if (!(rate > 0.0)) return text;
-  text +=
-      rate < 10.0 ? fmt::format(", {:.1f} a second", rate) : fmt::format(", {:.0f} a second", rate);
+  text += rate < 10.0 ? fmt::format(", {:.1f} a second", rate) : fmt::format(", {:.0f} a second", rate);
   const long left = std::lround(std::ceil(static_cast<double>(total - done) / rate));
-  if (left >= 3600)
-    return text + fmt::format(", {}:{:02}:{:02} left", left / 3600, left / 60 % 60, left % 60);
+  if (left >= 3600) return text + fmt::format(", {}:{:02}:{:02} left", left / 3600, left / 60 % 60, left % 60);
   return text + fmt::format(", {}:{:02} left", left / 60, left % 60);
 }
 

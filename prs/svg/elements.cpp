@@ -34,17 +34,16 @@ std::string colour_at(double share) {
   const auto k = static_cast<std::size_t>(std::min(std::floor(at), kLast - 1.0));
   std::string colour = "#";
   for (std::size_t channel = 0; channel < 3; ++channel)
-    colour += fmt::format("{:02x}", std::lround(std::lerp(channel_of(kScaleColours[k], channel),
-                                                          channel_of(kScaleColours[k + 1], channel),
-                                                          at - static_cast<double>(k))));
+    colour += fmt::format(
+        "{:02x}", std::lround(std::lerp(channel_of(kScaleColours[k], channel),
+                                        channel_of(kScaleColours[k + 1], channel), at - static_cast<double>(k))));
   return colour;
 }
 
 }  // namespace
 
 std::string html(std::string_view content) {
-  if (is_plain_lines(content) && content.find_first_of("<>&\"'\n") == content.npos)
-    return std::string(content);
+  if (is_plain_lines(content) && content.find_first_of("<>&\"'\n") == content.npos) return std::string(content);
   std::string escaped;
   for (const char c : printable(content))
     if (const auto* known = std::ranges::find(kEscapes, c, &Escape::of); known != kEscapes.end())
@@ -89,30 +88,26 @@ std::string tick_text(double value, double step) {
   return shown;
 }
 
-std::string text(double x, double y, std::string_view classes, std::string_view content,
-                 std::string_view more) {
+std::string text(double x, double y, std::string_view classes, std::string_view content, std::string_view more) {
   std::string all = "<text x=\"" + tenth_of(x) + "\" y=\"" + tenth_of(y) + "\" class=\"";
   return all.append(classes).append("\"").append(more).append(">") + html(content) + "</text>";
 }
 
-std::string texts(double x, double y, std::string_view classes,
-                  const std::vector<std::string>& lines, std::string_view more) {
+std::string texts(double x, double y, std::string_view classes, const std::vector<std::string>& lines,
+                  std::string_view more) {
   std::string all;
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (!lines[k].empty())
-      all += text(x, y - kLineHeight * static_cast<double>(lines.size() - 1 - k), classes, lines[k],
-                  more);
+      all += text(x, y - kLineHeight * static_cast<double>(lines.size() - 1 - k), classes, lines[k], more);
   return all;
 }
 
 std::string turned(double x, double y, int angle) {
-  return " transform=\"rotate(" + std::to_string(angle) + " " + tenth_of(x) + " " + tenth_of(y) +
-         ")\"";
+  return " transform=\"rotate(" + std::to_string(angle) + " " + tenth_of(x) + " " + tenth_of(y) + ")\"";
 }
 
 std::string segment(double x1, double y1, double x2, double y2, std::string_view attributes) {
-  std::string all = "<path d=\"M" + tenth_of(x1) + " " + tenth_of(y1) + "L" + tenth_of(x2) + " " +
-                    tenth_of(y2) + "\" ";
+  std::string all = "<path d=\"M" + tenth_of(x1) + " " + tenth_of(y1) + "L" + tenth_of(x2) + " " + tenth_of(y2) + "\" ";
   return all.append(attributes).append("/>");
 }
 
@@ -120,12 +115,12 @@ namespace {
 
 /// Advance widths of ASCII from the space on, in thousandths of the font's size: DejaVu Sans, which
 /// Linux takes where it has neither Helvetica nor Arial, and which is wider than both.
-constexpr short kWidths[] = {
-    318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361,  318, 337, 636, 636, 636,
-    636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632,
-    575, 775, 752, 295, 295, 656, 557, 863, 748, 787, 603, 787, 695, 635,  611, 732, 684, 989, 685,
-    611, 685, 390, 337, 390, 838, 500, 500, 613, 635, 550, 635, 615, 352,  635, 634, 278, 278, 579,
-    278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818, 592, 592,  525, 636, 337, 636, 838};
+constexpr short kWidths[] = {318,  401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
+                             636,  636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 531,
+                             1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656, 557, 863, 748, 787,
+                             603,  787, 695, 635, 611, 732, 684, 989, 685, 611, 685, 390, 337, 390, 838, 500,
+                             500,  613, 635, 550, 635, 615, 352, 635, 634, 278, 278, 579, 278, 974, 634, 612,
+                             635,  635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636, 337, 636, 838};
 static_assert(std::size(kWidths) == 95);
 
 constexpr int kOther = 700, kWide = 1000;  // Of letters beyond ASCII, and of those of East Asia.
@@ -147,8 +142,7 @@ double text_width(std::string_view text) {
 
 TextBox text_box(std::string_view text, double x, double baseline, double share) {
   const double width = text_width(text);
-  return {x - share * width, x + (1.0 - share) * width, baseline - 0.75 * kFontSize,
-          baseline + 0.22 * kFontSize};
+  return {x - share * width, x + (1.0 - share) * width, baseline - 0.75 * kFontSize, baseline + 0.22 * kFontSize};
 }
 
 ScaleSteps::ScaleSteps(const ColourScale& scale) : scale_(scale) {
@@ -157,9 +151,7 @@ ScaleSteps::ScaleSteps(const ColourScale& scale) : scale_(scale) {
     colours_.push_back(colour_at(static_cast<double>(k) / static_cast<double>(count - 1)));
 }
 
-double ScaleSteps::place(double value) const {
-  return scale_.logarithmic ? std::log(value) : value;
-}
+double ScaleSteps::place(double value) const { return scale_.logarithmic ? std::log(value) : value; }
 
 int ScaleSteps::step(double value) const {
   if (!std::isfinite(value)) return -1;
@@ -169,16 +161,13 @@ int ScaleSteps::step(double value) const {
     const auto band = std::ranges::upper_bound(levels, value) - levels.begin() - 1;
     return std::clamp(static_cast<int>(band), 0, last);
   }
-  const double share =
-      (place(value) - place(scale_.from)) / (place(scale_.to) - place(scale_.from));
-  return std::isfinite(share) ? static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * last))
-                              : 0;
+  const double share = (place(value) - place(scale_.from)) / (place(scale_.to) - place(scale_.from));
+  return std::isfinite(share) ? static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * last)) : 0;
 }
 
 std::string stroke(const Style& style) {
   std::string attributes =
-      fmt::format("class=\"s{}\" stroke-width=\"{}\"", static_cast<int>(style.colour),
-                  look(kLineWidths, style.weight));
+      fmt::format("class=\"s{}\" stroke-width=\"{}\"", static_cast<int>(style.colour), look(kLineWidths, style.weight));
   if (const std::string_view dash = look(kDashes, style.dash); !dash.empty())
     attributes += fmt::format(" stroke-dasharray=\"{}\"", dash);
   return attributes;
@@ -188,8 +177,8 @@ std::string svg_rules(bool themed) {
   const auto role = [&](const char* variable, const char* on_paper) {
     return themed ? fmt::format("var({})", variable) : std::string(on_paper);
   };
-  const std::string ink = role("--ink", "#1a1a1a"), quiet = role("--quiet", "#555"),
-                    line = role("--line", "#ddd"), paper = role("--paper", "#fff");
+  const std::string ink = role("--ink", "#1a1a1a"), quiet = role("--quiet", "#555"), line = role("--line", "#ddd"),
+                    paper = role("--paper", "#fff");
   std::string rules = fmt::format(
       "svg rect,.c{{shape-rendering:crispEdges}}\n"
       "svg{{font-size:{4}px}}\n"
@@ -204,9 +193,8 @@ std::string svg_rules(bool themed) {
       "opacity:.6;stroke-width:3px}}\n",
       ink, quiet, line, paper, kFontSize);
   for (std::size_t k = 0; k < std::size(kColours); ++k)
-    rules += fmt::format(
-        ".s{0}{{stroke:{1};fill:none}}.f{0}{{fill:{1}}}.p{0}{{fill:{1};fill-opacity:.22}}\n", k,
-        themed ? fmt::format("var(--c{})", k) : std::string(kColours[k]));
+    rules += fmt::format(".s{0}{{stroke:{1};fill:none}}.f{0}{{fill:{1}}}.p{0}{{fill:{1};fill-opacity:.22}}\n", k,
+                         themed ? fmt::format("var(--c{})", k) : std::string(kColours[k]));
   return rules;
 }
 
@@ -233,8 +221,8 @@ double longest_number(const Axis& axis, double distance) {
 
 /// 1, 2 and 5 of each decade, or fewer.
 std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_horizontal) {
-  const std::size_t most = std::max<std::size_t>(
-      2, static_cast<std::size_t>(pixels / (is_horizontal ? 48 : kTickHeight)));
+  const std::size_t most =
+      std::max<std::size_t>(2, static_cast<std::size_t>(pixels / (is_horizontal ? 48 : kTickHeight)));
   std::vector<double> ticks;
   const double first = std::floor(std::log10(axis.from)), last = std::ceil(std::log10(axis.to));
   for (const std::vector<double>& digits : {std::vector{1.0, 2.0, 5.0}, std::vector{1.0}})
@@ -301,12 +289,10 @@ bool has_range(const Axis& axis) { return std::isfinite(axis.from) && std::isfin
 
 double tick_step(const Axis& axis, int pixels, bool is_horizontal) {
   const double length = std::abs(axis.to - axis.from);
-  if (!is_horizontal)
-    return tick_distance(length, std::min(kMostTicks, pixels / kTickHeight), axis.whole);
+  if (!is_horizontal) return tick_distance(length, std::min(kMostTicks, pixels / kTickHeight), axis.whole);
   for (int count = kMostTicks; count > 1; --count) {
     const double distance = tick_distance(length, count, axis.whole);
-    if (length / distance * (longest_number(axis, distance) + kBetweenTicks) <= pixels)
-      return distance;
+    if (length / distance * (longest_number(axis, distance) + kBetweenTicks) <= pixels) return distance;
   }
   return tick_distance(length, 1, axis.whole);
 }
@@ -344,12 +330,8 @@ bool is_crowded(const Axis& axis, int pixels) {
   return longest_text(axis) > 0.0 && count * (longest_text(axis) + 8.0) > pixels;
 }
 
-const Axis& x_axis(const Figure& figure, const Panel& panel) {
-  return panel.x ? *panel.x : figure.x;
-}
-const Axis& y_axis(const Figure& figure, const Panel& panel) {
-  return panel.y ? *panel.y : figure.y;
-}
+const Axis& x_axis(const Figure& figure, const Panel& panel) { return panel.x ? *panel.x : figure.x; }
+const Axis& y_axis(const Figure& figure, const Panel& panel) { return panel.y ? *panel.y : figure.y; }
 
 Layout::Layout(const Figure& figure, int image_width)
     : width_(image_width),
@@ -359,15 +341,10 @@ Layout::Layout(const Figure& figure, int image_width)
   const int cells = panels_ - (overview_ ? 1 : 0);
   const int cell_columns = std::max(1, columns_ - (overview_ ? 1 : 0));
   rows_ = (cells + cell_columns - 1) / cell_columns;
-  const bool own_x =
-      std::ranges::any_of(figure.panels, [](const Panel& p) { return p.x.has_value(); });
-  const bool titled =
-      std::ranges::any_of(figure.panels, [](const Panel& p) { return !p.title.empty(); });
+  const bool own_x = std::ranges::any_of(figure.panels, [](const Panel& p) { return p.x.has_value(); });
+  const bool titled = std::ranges::any_of(figure.panels, [](const Panel& p) { return !p.title.empty(); });
   const double first = overview_ ? figure.overview : 1.0;
-  const double usual = overview_                                ? 0.75
-                       : columns_ == 1 && width_ == kImageWidth ? 0.5
-                       : columns_ <= 2                          ? 0.65
-                                                                : 0.8;
+  const double usual = overview_ ? 0.75 : columns_ == 1 && width_ == kImageWidth ? 0.5 : columns_ <= 2 ? 0.65 : 0.8;
   const double aspect = figure.aspect > 0.0 ? figure.aspect : usual;
   // The height of a panel follows from its width, and how labels break from that height.
   for (int pass = 0; pass < 3; ++pass) {
@@ -389,18 +366,15 @@ Layout::Layout(const Figure& figure, int image_width)
     if (const Axis& x = x_axis(figure, panel); is_crowded(x, other_width_))
       slanted = std::max(slanted, static_cast<int>(kSlope * longest_text(x)));
   row_gap_ = kRowGap + (titled ? kTitleGap : 0) + (own_x ? kLabel + slanted : 0);
-  const bool bare =
-      std::ranges::all_of(figure.panels, [&](const Panel& p) { return x_axis(figure, p).hidden; });
+  const bool bare = std::ranges::all_of(figure.panels, [&](const Panel& p) { return x_axis(figure, p).hidden; });
   bottom_ = bare ? kLegendMargin : kBottom + kLabel + slanted;
   double longest = 0.0;
-  for (const LegendEntry& entry : figure.legend)
-    longest = std::max(longest, text_width(entry.title));
+  for (const LegendEntry& entry : figure.legend) longest = std::max(longest, text_width(entry.title));
   legend_entry_ = std::min(width_ - 40, kLegendSymbol + static_cast<int>(longest));
   const int entries = static_cast<int>(figure.legend.size());
   legend_columns_ = std::clamp((width_ - 40) / legend_entry_, 1, std::max(1, entries));
   legend_height_ =
-      entries == 0 ? kLegendMargin
-                   : (entries + legend_columns_ - 1) / legend_columns_ * kLegendRow + kLegendMargin;
+      entries == 0 ? kLegendMargin : (entries + legend_columns_ - 1) / legend_columns_ * kLegendRow + kLegendMargin;
   colour_bar_room_ = figure.colours ? kColourBarRoom : 0;
   const int below = kTop + rows_ * panel_height_ + (rows_ - 1) * row_gap_ + bottom_;
   height_ = below + colour_bar_room_ + legend_height_;
@@ -423,10 +397,8 @@ bool Layout::is_lowest(std::size_t index) const {
 Box Layout::panel(std::size_t index) const {
   const int c = column(index), last_row = is_overview(index) ? rows_ - 1 : row(index);
   const auto top_of = [&](int row) { return kTop + row * (panel_height_ + row_gap_); };
-  const int left =
-      left_ + (c > 0 ? first_width_ + gap_ : 0) + std::max(0, c - 1) * (other_width_ + gap_);
-  return {left, left + (c == 0 ? first_width_ : other_width_), top_of(row(index)),
-          top_of(last_row) + panel_height_};
+  const int left = left_ + (c > 0 ? first_width_ + gap_ : 0) + std::max(0, c - 1) * (other_width_ + gap_);
+  return {left, left + (c == 0 ? first_width_ : other_width_), top_of(row(index)), top_of(last_row) + panel_height_};
 }
 
 Box Layout::legend_entry(std::size_t index) const {

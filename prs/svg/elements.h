@@ -21,14 +21,13 @@ void append_tenths(std::string& path, long tenths, bool first);
 std::string tick_text(double value, double step);
 
 /// A text element. The classes say how it is aligned.
-std::string text(double x, double y, std::string_view classes, std::string_view content,
-                 std::string_view more = "");
+std::string text(double x, double y, std::string_view classes, std::string_view content, std::string_view more = "");
 
 constexpr int kLineHeight = 17;  ///< Between lines of text.
 
 /// Lines of text, the last one at y.
-std::string texts(double x, double y, std::string_view classes,
-                  const std::vector<std::string>& lines, std::string_view more = "");
+std::string texts(double x, double y, std::string_view classes, const std::vector<std::string>& lines,
+                  std::string_view more = "");
 
 /// The attribute that turns a text about its place, in degrees.
 std::string turned(double x, double y, int angle);
@@ -51,12 +50,10 @@ struct TextBox {
 TextBox text_box(std::string_view text, double x, double baseline, double share);
 
 /// Those of `Colour`.
-inline constexpr std::string_view kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                "#e69f00", "#56b4e9", "#000000", "#7f7f7f",
-                                                "#555555", "#aaaaaa", "#cc3311"};
+inline constexpr std::string_view kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
+                                                "#000000", "#7f7f7f", "#555555", "#aaaaaa", "#cc3311"};
 /// Colours of scales, from the least to the largest value, in equal steps.
-inline constexpr std::string_view kScaleColours[] = {"#ffffe5", "#fee391", "#fec44f", "#ec7014",
-                                                     "#cc4c02"};
+inline constexpr std::string_view kScaleColours[] = {"#ffffe5", "#fee391", "#fec44f", "#ec7014", "#cc4c02"};
 /// Widths of lines and sizes of marks, by `Weight`.
 inline constexpr double kLineWidths[] = {1.0, 1.6, 2.4};
 inline constexpr double kMarkSizes[] = {0.4, 0.75, 1.1};
@@ -169,8 +166,7 @@ struct Ruler {
   bool logarithmic = false;
 
   double operator()(double value) const {
-    const double share =
-        logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
+    const double share = logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
     return start + share * (end - start);
   }
   /// And back.

@@ -16,13 +16,10 @@ struct Node {
 };
 
 /// Around a cell, against the clock from its lower left.
-std::array<Node, 4> corners(std::size_t i, std::size_t j) {
-  return {{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
-}
+std::array<Node, 4> corners(std::size_t i, std::size_t j) { return {{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}; }
 
 Point crossing(const GridData& grid, Node a, Node b, double level) {
-  const double from = grid.at(a.i, a.j), to = grid.at(b.i, b.j),
-               share = (level - from) / (to - from);
+  const double from = grid.at(a.i, a.j), to = grid.at(b.i, b.j), share = (level - from) / (to - from);
   return {std::lerp(grid.x[a.i], grid.x[b.i], share), std::lerp(grid.y[a.j], grid.y[b.j], share)};
 }
 
@@ -42,8 +39,7 @@ class Links {
     std::vector<Polyline> all;
     for (const bool open : {true, false})
       for (const std::size_t start : order_)
-        if (const Link& link = links_.at(start); !link.done && (link.count == 1) == open)
-          all.push_back(walk(start));
+        if (const Link& link = links_.at(start); !link.done && (link.count == 1) == open) all.push_back(walk(start));
     return all;
   }
 
@@ -75,8 +71,7 @@ class Links {
       line.push_back(link.at);
       std::size_t next = at;
       for (int k = 0; k < link.count; ++k)
-        if (const std::size_t other = link.neighbours[static_cast<std::size_t>(k)];
-            !links_.at(other).done)
+        if (const std::size_t other = link.neighbours[static_cast<std::size_t>(k)]; !links_.at(other).done)
           next = other;
       if (next == at) break;
       at = next;
@@ -121,11 +116,8 @@ std::vector<Polyline> contour_lines(const GridData& grid, double level) {
 constexpr std::size_t kManyNodes = 2500;  // More cells are drawn as an image.
 
 /// Half the way to the neighbours of a node, in pixels.
-std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k,
-                               const Ruler& ruler) {
-  const auto middle = [&](std::size_t a, std::size_t b) {
-    return ruler(0.5 * (nodes[a] + nodes[b]));
-  };
+std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k, const Ruler& ruler) {
+  const auto middle = [&](std::size_t a, std::size_t b) { return ruler(0.5 * (nodes[a] + nodes[b])); };
   const double at = ruler(nodes[k]);
   const bool single = nodes.size() < 2;
   double before = k > 0 ? middle(k - 1, k) : single ? ruler.start : 2.0 * at - middle(k, k + 1);
@@ -163,8 +155,7 @@ std::string cells_svg(const GridData& grid, const ColourScale& scale, const Fram
   }
   std::string all;
   for (std::size_t k = 0; k < paths.size(); ++k)
-    if (!paths[k].empty())
-      all += "<path d=\"" + paths[k] + "\" class=\"c\" fill=\"" + steps.colours()[k] + "\"/>";
+    if (!paths[k].empty()) all += "<path d=\"" + paths[k] + "\" class=\"c\" fill=\"" + steps.colours()[k] + "\"/>";
   return all;
 }
 
@@ -186,8 +177,8 @@ std::optional<Place> place_of(const std::vector<double>& nodes, double at, bool 
 }
 
 /// For each pixel along one side.
-std::vector<std::optional<Place>> places_of(const std::vector<double>& nodes, const Ruler& ruler,
-                                            int fineness, bool is_cell) {
+std::vector<std::optional<Place>> places_of(const std::vector<double>& nodes, const Ruler& ruler, int fineness,
+                                            bool is_cell) {
   std::vector<std::optional<Place>> places;
   const int length = fineness * std::abs(ruler.end - ruler.start);
   const double start = std::min(ruler.start, ruler.end);
@@ -199,8 +190,7 @@ std::vector<std::optional<Place>> places_of(const std::vector<double>& nodes, co
 double between(const GridData& grid, const Place& x, const Place& y, bool nearest) {
   if (nearest) return grid.at(x.node + (x.share > 0.5 ? 1 : 0), y.node + (y.share > 0.5 ? 1 : 0));
   return std::lerp(std::lerp(grid.at(x.node, y.node), grid.at(x.node + 1, y.node), x.share),
-                   std::lerp(grid.at(x.node, y.node + 1), grid.at(x.node + 1, y.node + 1), x.share),
-                   y.share);
+                   std::lerp(grid.at(x.node, y.node + 1), grid.at(x.node + 1, y.node + 1), x.share), y.share);
 }
 
 /// An image over the panel.
@@ -213,11 +203,9 @@ std::string image_svg(const Map& map, const ColourScale& scale, const Frame& f) 
   Image image{across.size(), up.size(), steps.colours(), {}};
   for (const std::optional<Place>& y : up)
     for (const std::optional<Place>& x : across)
-      image.pixels +=
-          static_cast<char>(x && y ? 1 + steps.step(between(map.grid, *x, *y, map.cells)) : 0);
-  return "<image x=\"" + std::to_string(f.box.left) + "\" y=\"" + std::to_string(f.box.top) +
-         "\" width=\"" + std::to_string(f.box.width()) + "\" height=\"" +
-         std::to_string(f.box.height()) +
+      image.pixels += static_cast<char>(x && y ? 1 + steps.step(between(map.grid, *x, *y, map.cells)) : 0);
+  return "<image x=\"" + std::to_string(f.box.left) + "\" y=\"" + std::to_string(f.box.top) + "\" width=\"" +
+         std::to_string(f.box.width()) + "\" height=\"" + std::to_string(f.box.height()) +
          "\" preserveAspectRatio=\"none\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
          "xlink:href=\"" +
          png_address(image) + "\"/>";
@@ -247,8 +235,7 @@ std::string contours_svg(const std::vector<Contours>& contours, const Frame& f) 
   return d.empty() ? d : "<path d=\"" + d + "\" class=\"l\"/>";
 }
 
-std::string contour_numbers(const std::vector<Contours>& contours, const Frame& f,
-                            std::vector<TextBox>& taken) {
+std::string contour_numbers(const std::vector<Contours>& contours, const Frame& f, std::vector<TextBox>& taken) {
   constexpr double kMargin = 4.0, kShortest = 60.0;  // Pixels.
   std::string all;
   for (const auto& [level, lines] : contours) {
@@ -256,23 +243,18 @@ std::string contour_numbers(const std::vector<Contours>& contours, const Frame& 
     for (const Polyline& line : lines) {
       double length = 0.0;
       for (std::size_t k = 1; k < line.size(); ++k)
-        length += std::hypot(f.across(line[k][0]) - f.across(line[k - 1][0]),
-                             f.up(line[k][1]) - f.up(line[k - 1][1]));
+        length += std::hypot(f.across(line[k][0]) - f.across(line[k - 1][0]), f.up(line[k][1]) - f.up(line[k - 1][1]));
       if (length < kShortest) continue;
       // From the middle of the line outwards, where it is free.
       for (std::size_t k = 0; k < line.size(); ++k) {
         const std::size_t half = (k + 1) / 2, middle = line.size() / 2;
-        const std::size_t at =
-            k % 2 ? middle - std::min(middle, half) : std::min(middle + half, line.size() - 1);
+        const std::size_t at = k % 2 ? middle - std::min(middle, half) : std::min(middle + half, line.size() - 1);
         const double x = f.across(line[at][0]), y = f.up(line[at][1]) + 4.5;
         const TextBox box = text_box(number, x, y, 0.5);
-        const TextBox wide{box.left - kMargin, box.right + kMargin, box.top - kMargin,
-                           box.bottom + kMargin};
-        const bool inside = wide.left > f.box.left && wide.right < f.box.right &&
-                            wide.top > f.box.top && wide.bottom < f.box.bottom;
-        if (!inside ||
-            std::ranges::any_of(taken, [&](const TextBox& other) { return wide.overlaps(other); }))
-          continue;
+        const TextBox wide{box.left - kMargin, box.right + kMargin, box.top - kMargin, box.bottom + kMargin};
+        const bool inside =
+            wide.left > f.box.left && wide.right < f.box.right && wide.top > f.box.top && wide.bottom < f.box.bottom;
+        if (!inside || std::ranges::any_of(taken, [&](const TextBox& other) { return wide.overlaps(other); })) continue;
         taken.push_back(box);
         all += text(x, y, "n", number);
         break;

@@ -17,15 +17,14 @@ std::vector<Tick> shown_ticks(const Axis& axis, int pixels, bool is_horizontal) 
     if (tick.text.empty()) tick.text = tick_text(tick.at, 0.0);
   if (!ticks.empty()) return ticks;
   const double step = axis.logarithmic ? 0.0 : tick_step(axis, pixels, is_horizontal);
-  for (const double at : ticks_of(axis, pixels, is_horizontal))
-    ticks.push_back({at, tick_text(at, step)});
+  for (const double at : ticks_of(axis, pixels, is_horizontal)) ticks.push_back({at, tick_text(at, step)});
   return ticks;
 }
 
 /// A text on paper of its own, of which a share lies left of x; as near to the place as it stands
 /// within the box and covers no other.
-std::string placed_text(std::string_view content, double x, double baseline, double share,
-                        const Box& box, std::vector<TextBox>& taken) {
+std::string placed_text(std::string_view content, double x, double baseline, double share, const Box& box,
+                        std::vector<TextBox>& taken) {
   if (content.empty()) return {};
   constexpr std::string_view kClasses[] = {"h", "h m", "h e"};
   TextBox best = text_box(content, x, baseline, share);
@@ -33,9 +32,7 @@ std::string placed_text(std::string_view content, double x, double baseline, dou
   for (const double dy : {0.0, -9.0, 9.0, -18.0, 18.0, -27.0, 27.0, -36.0, 36.0, -54.0, 54.0}) {
     const TextBox moved = text_box(content, x, baseline + dy, share);
     const bool inside = dy == 0.0 || (moved.top > box.top && moved.bottom < box.bottom);
-    if (!inside ||
-        std::ranges::any_of(taken, [&](const TextBox& other) { return moved.overlaps(other); }))
-      continue;
+    if (!inside || std::ranges::any_of(taken, [&](const TextBox& other) { return moved.overlaps(other); })) continue;
     best = moved;
     best_y = baseline + dy;
     break;
@@ -59,9 +56,7 @@ class View {
     bottom_ = f.box.top + 0.5 * (room + height * scale_) - kReach * kTilt * scale_;
   }
 
-  Pixels operator()(double x, double y, double z) const {
-    return at(share(x_, x), share(y_, y), share(z_, z));
-  }
+  Pixels operator()(double x, double y, double z) const { return at(share(x_, x), share(y_, y), share(z_, z)); }
   /// At shares of the axes.
   Pixels at(double x, double y, double z) const {
     const double u = x - 0.5, v = y - 0.5;
@@ -86,8 +81,7 @@ std::string line(Pixels a, Pixels b, std::string_view attributes) {
   return segment(a[0], a[1], b[0], b[1], attributes);
 }
 
-std::string quad(const View& view, const GridData& grid, std::size_t i, std::size_t j,
-                 const ScaleSteps& steps) {
+std::string quad(const View& view, const GridData& grid, std::size_t i, std::size_t j, const ScaleSteps& steps) {
   double sum = 0.0;
   std::string d;
   for (const auto& [k, l] : {std::pair{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}) {
@@ -116,8 +110,8 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
                 turned(x, y, static_cast<int>(std::lround(turn * 57.29578))));
   };
   // Lines of each tick over the two walls of its axis, by way of the corner.
-  const auto ticks = [&](const Axis& axis, int pixels, bool is_horizontal, const auto& at,
-                         Pixels offset, std::string_view classes) {
+  const auto ticks = [&](const Axis& axis, int pixels, bool is_horizontal, const auto& at, Pixels offset,
+                         std::string_view classes) {
     double longest = 0.0;
     for (const Tick& tick : shown_ticks(axis, pixels, is_horizontal)) {
       const double s = View::share(axis, tick.at);
@@ -129,15 +123,9 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
     }
     return longest;
   };
-  const auto at_x = [&](double s) {
-    return std::array{view.at(s, 0, 0), view.at(s, 1, 0), view.at(s, 1, 1)};
-  };
-  const auto at_y = [&](double s) {
-    return std::array{view.at(1, s, 0), view.at(0, s, 0), view.at(0, s, 1)};
-  };
-  const auto at_z = [&](double s) {
-    return std::array{view.at(0, 0, s), view.at(0, 1, s), view.at(1, 1, s)};
-  };
+  const auto at_x = [&](double s) { return std::array{view.at(s, 0, 0), view.at(s, 1, 0), view.at(s, 1, 1)}; };
+  const auto at_y = [&](double s) { return std::array{view.at(1, s, 0), view.at(0, s, 0), view.at(0, s, 1)}; };
+  const auto at_z = [&](double s) { return std::array{view.at(0, 0, s), view.at(0, 1, s), view.at(1, 1, s)}; };
   ticks(f.x, 200, true, at_x, {-4, 20}, "q e");
   ticks(f.y, 200, true, at_y, {5, 13}, "q");
   const double longest = ticks(surface.z, 160, false, at_z, {-6, 5}, "q e");
@@ -157,8 +145,7 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
   std::vector<TextBox> taken;
   for (const SurfacePoint& point : surface.points) {
     const Pixels at = view(point.x, point.y, point.z);
-    all +=
-        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" class=\"f6\"/>", at[0], at[1]);
+    all += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" class=\"f6\"/>", at[0], at[1]);
     all += placed_text(point.name, at[0] + 7, at[1] - 3, 0.0, f.box, taken);
   }
   return all;
@@ -191,8 +178,8 @@ std::string x_axis_svg(const Frame& f, bool labelled) {
   if (labelled && !f.x.hidden) {
     const double slope = slanted ? kSlope * longest_text(f.x) : 0.0;
     const auto lines = fitted_lines(text_of(f.x), f.box.width());
-    all += texts(0.5 * (f.box.left + f.box.right),
-                 y + 46 + slope + kLineHeight * static_cast<double>(lines.size() - 1), "m", lines);
+    all += texts(0.5 * (f.box.left + f.box.right), y + 46 + slope + kLineHeight * static_cast<double>(lines.size() - 1),
+                 "m", lines);
   }
   return all;
 }
@@ -213,8 +200,7 @@ std::string y_axis_svg(const Frame& f, bool labelled, bool gridded) {
   }
   if (labelled && !f.y.hidden) {
     const double at = x - 20 - longest, middle = 0.5 * (f.box.top + f.box.bottom);
-    all +=
-        texts(at, middle, "m", fitted_lines(text_of(f.y), f.box.height()), turned(at, middle, -90));
+    all += texts(at, middle, "m", fitted_lines(text_of(f.y), f.box.height()), turned(at, middle, -90));
   }
   return lines + all;
 }
@@ -230,15 +216,13 @@ std::string label_svg(const Label& label, const Frame& f, std::vector<TextBox>& 
   if (from == content.npos) return {};
   const std::size_t to = content.find_last_not_of(' ') + 1;
   const double share = look(kShares, label.anchor);
-  const double shift =
-      (1.0 - share) * text_width(content.substr(0, from)) - share * text_width(content.substr(to));
+  const double shift = (1.0 - share) * text_width(content.substr(0, from)) - share * text_width(content.substr(to));
   return placed_text(content.substr(from, to - from), x + shift, y + 5, share, f.box, taken);
 }
 
 }  // namespace
 
-std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t index,
-                      const std::string& id) {
+std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t index, const std::string& id) {
   const Frame f = frame_of(figure, layout, index);
   const Panel& panel = f.panel;
   const Box& b = f.box;
@@ -250,11 +234,10 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
   const bool boxed = figure.to_scale || mapped, bare = f.x.hidden && f.y.hidden;
   const std::string clip = fmt::format("{}-{}", id, index);
   const int margin = figure.to_scale && !mapped ? 0 : 7;  // Marks at an edge are drawn whole.
-  all += fmt::format(
-      "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>", clip,
-      b.left - margin, b.top - margin, b.width() + 2 * margin, b.height() + 2 * margin);
-  all += x_axis_svg(f, panel.x || layout.is_lowest(index)) +
-         y_axis_svg(f, panel.y || layout.is_leftmost(index), !boxed);
+  all += fmt::format("<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>", clip,
+                     b.left - margin, b.top - margin, b.width() + 2 * margin, b.height() + 2 * margin);
+  all +=
+      x_axis_svg(f, panel.x || layout.is_lowest(index)) + y_axis_svg(f, panel.y || layout.is_leftmost(index), !boxed);
   all += fmt::format("<g clip-path=\"url(#{})\">", clip);
   std::vector<Contours> contours;
   if (mapped) {
@@ -262,16 +245,14 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
     all += map_svg(panel.map, *figure.colours, f) + contours_svg(contours, f);
   }
   for (const ReferenceLine& r : panel.references)
-    all += r.vertical
-               ? segment(f.across(r.at), b.bottom, f.across(r.at), b.top,
-                         stroke(figure.styles[r.style]))
-               : segment(b.left, f.up(r.at), b.right, f.up(r.at), stroke(figure.styles[r.style]));
+    all += r.vertical ? segment(f.across(r.at), b.bottom, f.across(r.at), b.top, stroke(figure.styles[r.style]))
+                      : segment(b.left, f.up(r.at), b.right, f.up(r.at), stroke(figure.styles[r.style]));
   for (const Series& series : panel.series) all += series_svg(figure, series, f);
   all += "</g>";
   if (!bare)
-    all += fmt::format("<path d=\"M{0} {1}{2}\" class=\"t\"/>", b.left, b.top,
-                       boxed ? fmt::format("H{}V{}H{}Z", b.right, b.bottom, b.left)
-                             : fmt::format("V{}H{}", b.bottom, b.right));
+    all += fmt::format(
+        "<path d=\"M{0} {1}{2}\" class=\"t\"/>", b.left, b.top,
+        boxed ? fmt::format("H{}V{}H{}Z", b.right, b.bottom, b.left) : fmt::format("V{}H{}", b.bottom, b.right));
   std::vector<TextBox> taken;
   for (const Label& label : panel.labels) all += label_svg(label, f, taken);
   return all + contour_numbers(contours, f, taken);
@@ -286,8 +267,8 @@ std::string colour_bar_svg(const ColourScale& scale, const Box& b) {
   double left = b.left;
   for (std::size_t k = 0; k < steps.colours().size(); ++k) {
     const double right = scale.levels.size() > 2 ? across(scale.levels[k + 1]) : left + width;
-    all += fmt::format("<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>",
-                       left, b.top, right - left + 0.4, b.height(), steps.colours()[k]);
+    all += fmt::format("<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>", left, b.top,
+                       right - left + 0.4, b.height(), steps.colours()[k]);
     left = right;
   }
   const double step = axis.logarithmic ? 0.0 : tick_step(axis, b.width(), true);
@@ -295,8 +276,7 @@ std::string colour_bar_svg(const ColourScale& scale, const Box& b) {
     all += segment(across(at), b.bottom, across(at), b.bottom + kTick, "class=\"t\"");
     all += text(across(at), b.bottom + 21, "q m", tick_text(at, step));
   }
-  return all + text(0.5 * (b.left + b.right), b.bottom + 42, "m",
-                    fitted_lines(text_of(axis), b.width() + 80).front());
+  return all + text(0.5 * (b.left + b.right), b.bottom + 42, "m", fitted_lines(text_of(axis), b.width() + 80).front());
 }
 
 namespace {
@@ -306,8 +286,8 @@ constexpr double kMarkRadius = 5.0;
 /// On which sides of a panel a point lies well outside, a bit each.
 unsigned beyond(const Box& b, double x, double y) {
   constexpr double kMargin = 20.0;
-  return (x < b.left - kMargin ? 1u : 0u) | (x > b.right + kMargin ? 2u : 0u) |
-         (y < b.top - kMargin ? 4u : 0u) | (y > b.bottom + kMargin ? 8u : 0u);
+  return (x < b.left - kMargin ? 1u : 0u) | (x > b.right + kMargin ? 2u : 0u) | (y < b.top - kMargin ? 4u : 0u) |
+         (y > b.bottom + kMargin ? 8u : 0u);
 }
 
 std::string mark(Mark shape, double x, double y, double r) {
@@ -320,8 +300,8 @@ std::string mark(Mark shape, double x, double y, double r) {
   };
   constexpr double kTurn = 6.283185307179586;
   const auto cross = [&](double w, double h) {
-    return fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}", x - w, y - h,
-                       x + w, y + h, x - h, y + w, x + h, y - w);
+    return fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}", x - w, y - h, x + w, y + h, x - h,
+                       y + w, x + h, y - w);
   };
   switch (shape) {
     case Mark::square:
@@ -340,8 +320,7 @@ std::string mark(Mark shape, double x, double y, double r) {
       return cross(r, 0.0) + cross(0.7 * r, 0.7 * r);
     default: {
       const std::string radius = tenth_of(r) + " " + tenth_of(r) + " 0 1 0 ", d = tenth_of(2 * r);
-      return "M" + tenth_of(x - r) + " " + tenth_of(y) + "a" + radius + d + " 0a" + radius + "-" +
-             d + " 0Z";
+      return "M" + tenth_of(x - r) + " " + tenth_of(y) + "a" + radius + d + " 0a" + radius + "-" + d + " 0Z";
     }
   }
 }
@@ -364,8 +343,8 @@ std::string arrow(const Polyline& part, const Frame& f, const Style& style) {
   if (!(length > 0.5)) return {};
   const double c = head * (x2 - x1) / length, s = head * (y2 - y1) / length;
   return segment(x1, y1, x2, y2, stroke(style)) +
-         fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" class=\"f{}\"/>", x2,
-                     y2, x2 - c - 0.35 * s, y2 - s + 0.35 * c, x2 - c + 0.35 * s, y2 - s - 0.35 * c,
+         fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" class=\"f{}\"/>", x2, y2,
+                     x2 - c - 0.35 * s, y2 - s + 0.35 * c, x2 - c + 0.35 * s, y2 - s - 0.35 * c,
                      static_cast<int>(style.colour));
 }
 
@@ -377,9 +356,7 @@ std::string way(const Polyline& points, const Frame& f, bool closed) {
   char next = 'M';
   std::array<double, 2> at{};
   std::array<long, 2> last{};
-  const auto placed = [&](std::size_t k) {
-    return std::array{f.across(points[k][0]), f.up(points[k][1])};
-  };
+  const auto placed = [&](std::size_t k) { return std::array{f.across(points[k][0]), f.up(points[k][1])}; };
   unsigned before = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     at = placed(k);
@@ -435,8 +412,7 @@ std::string series_svg(const Figure& figure, const Series& series, const Frame& 
       if (style.mark == Mark::none) continue;
       std::string own;
       for (std::size_t p = 0; p < part.size(); p += std::max<std::size_t>(1, stride))
-        if (const double x = f.across(part[p][0]), y = f.up(part[p][1]);
-            std::isfinite(x) && std::isfinite(y))
+        if (const double x = f.across(part[p][0]), y = f.up(part[p][1]); std::isfinite(x) && std::isfinite(y))
           own += mark(style.mark, x, y, radius);
       if (valued)
         all += mark_path(style, own, colour);
@@ -445,8 +421,7 @@ std::string series_svg(const Figure& figure, const Series& series, const Frame& 
     }
   }
   if (!d.empty() && style.shape == Shape::area)
-    all += fmt::format("<path d=\"{}\" class=\"{}{}\"/>", d, style.pale ? "p" : "f",
-                       static_cast<int>(style.colour));
+    all += fmt::format("<path d=\"{}\" class=\"{}{}\"/>", d, style.pale ? "p" : "f", static_cast<int>(style.colour));
   else if (!d.empty())
     all += fmt::format("<path d=\"{}\" {}/>", d, stroke(style));
   return all + mark_path(style, marks, "");
@@ -455,18 +430,15 @@ std::string series_svg(const Figure& figure, const Series& series, const Frame& 
 std::string legend_symbol(const Style& style) {
   constexpr double kX = 1.0, kY = 8.0;
   if (style.shape == Shape::area)
-    return fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"22\" height=\"12\" class=\"{}{}\"/>", kX + 4,
-        kY - 6, style.pale ? "p" : "f", static_cast<int>(style.colour));
+    return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"22\" height=\"12\" class=\"{}{}\"/>", kX + 4, kY - 6,
+                       style.pale ? "p" : "f", static_cast<int>(style.colour));
   std::string all;
-  if (style.dash != Dash::none)
-    all += segment(kX, kY, kX + kLegendSymbolWidth - 6, kY, stroke(style));
+  if (style.dash != Dash::none) all += segment(kX, kY, kX + kLegendSymbolWidth - 6, kY, stroke(style));
   if (style.shape == Shape::arrows)
-    return all + fmt::format("<path d=\"M{0:.1f} {1:.1f}l-8 -4v8Z\" class=\"f{2}\"/>",
-                             kX + kLegendSymbolWidth - 4, kY, static_cast<int>(style.colour));
+    return all + fmt::format("<path d=\"M{0:.1f} {1:.1f}l-8 -4v8Z\" class=\"f{2}\"/>", kX + kLegendSymbolWidth - 4, kY,
+                             static_cast<int>(style.colour));
   if (style.mark != Mark::none)
-    all += mark_path(
-        style, mark(style.mark, kX + 14, kY, kMarkRadius * look(kMarkSizes, style.weight)), "");
+    all += mark_path(style, mark(style.mark, kX + 14, kY, kMarkRadius * look(kMarkSizes, style.weight)), "");
   return all;
 }
 
@@ -474,8 +446,7 @@ std::string svg_file(const Figure& drawn) {
   const Figure figure = with_ranges(with_true_legend(drawn));
   const Layout layout(figure);
   const std::vector<std::string> title = fitted_lines(figure.title, layout.width() - 60);
-  const bool titled =
-      std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
+  const bool titled = std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
   // The layout has room for titles of two lines.
   const int top = (titled ? 0 : 22) + (title.size() < 2 ? 6 : 0);
   const int height = layout.height() - top;
@@ -488,16 +459,14 @@ std::string svg_file(const Figure& drawn) {
       layout.width(), height, top, html(figure.title), svg_rules(false));
   const double baseline = top + 25 + kLineHeight * static_cast<double>(title.size() - 1);
   all += texts(0.5 * layout.width(), baseline, "m b", title);
-  for (std::size_t k = 0; k < figure.panels.size(); ++k)
-    all += "\n" + panel_svg(figure, layout, k, "panel");
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) all += "\n" + panel_svg(figure, layout, k, "panel");
   if (figure.colours) all += "\n" + colour_bar_svg(*figure.colours, layout.colour_bar());
   for (std::size_t k = 0; k < figure.legend.size(); ++k) {
     const LegendEntry& entry = figure.legend[k];
     const Box box = layout.legend_entry(k);
     all += fmt::format("\n<g transform=\"translate({} {})\">{}</g>", box.left, box.top,
                        legend_symbol(figure.styles[entry.style]));
-    const std::vector<std::string> lines =
-        fitted_lines(entry.title, box.width() - kLegendSymbolWidth - 6);
+    const std::vector<std::string> lines = fitted_lines(entry.title, box.width() - kLegendSymbolWidth - 6);
     all += text(box.left + kLegendSymbolWidth + 6, box.top + 13, "",
                 lines.size() > 1 ? lines.front() + "…" : lines.front());
   }

@@ -5,8 +5,7 @@
 namespace prs {
 
 /// A panel in its place, with its axes. `id` is unique in the document. Needs a figure with ranges.
-std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t index,
-                      const std::string& id);
+std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t index, const std::string& id);
 
 /// The scale of the colours, with its numbers and label below the box.
 std::string colour_bar_svg(const ColourScale& scale, const Box& box);
@@ -27,8 +26,7 @@ std::vector<Contours> contours_of(const Map& map, const ColourScale& scale);
 std::string contours_svg(const std::vector<Contours>& contours, const Frame& frame);
 
 /// Their numbers, where there is room; what they take joins `taken`.
-std::string contour_numbers(const std::vector<Contours>& contours, const Frame& frame,
-                            std::vector<TextBox>& taken);
+std::string contour_numbers(const std::vector<Contours>& contours, const Frame& frame, std::vector<TextBox>& taken);
 
 /// The way through points, broken where one has no place. Points that only lead around outside of
 /// the panel are left out.

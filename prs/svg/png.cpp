@@ -56,8 +56,8 @@ std::string deflated(std::string_view bytes) {
 std::string deflated(std::string_view bytes) {
   uLongf size = ::compressBound(bytes.size());
   std::string stream(size, '\0');
-  ::compress2(reinterpret_cast<Bytef*>(stream.data()), &size,
-              reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED);
+  ::compress2(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+              bytes.size(), Z_BEST_SPEED);
   stream.resize(size);
   return stream;
 }
@@ -65,15 +65,13 @@ std::string deflated(std::string_view bytes) {
 
 /// As RFC 4648 has it.
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   for (std::size_t at = 0; at < bytes.size(); at += 3) {
     std::uint32_t three = 0;
     for (std::size_t k = 0; k < 3; ++k)
       three = three << 8 | (at + k < bytes.size() ? static_cast<unsigned char>(bytes[at + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += at + k > bytes.size() ? '=' : kDigits[(three >> (18 - 6 * k)) & 63];
+    for (std::size_t k = 0; k < 4; ++k) text += at + k > bytes.size() ? '=' : kDigits[(three >> (18 - 6 * k)) & 63];
   }
   return text;
 }
@@ -104,8 +102,6 @@ std::string png(const Image& image) {
   return file;
 }
 
-std::string png_address(const Image& image) {
-  return "data:image/png;base64," + base64(png(image));
-}
+std::string png_address(const Image& image) { return "data:image/png;base64," + base64(png(image)); }
 
 }  // namespace prs

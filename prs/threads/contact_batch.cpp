@@ -3,8 +3,7 @@
 namespace prs {
 namespace {
 
-bool set_contact(InterfaceContact& to, const contact::ContactNumbers<double>& found,
-                 double modulus) {
+bool set_contact(InterfaceContact& to, const contact::ContactNumbers<double>& found, double modulus) {
   if (!found.geometry.ok()) return false;
   to.geometry = found.geometry;
   to.contact_modulus = modulus;
@@ -15,8 +14,7 @@ bool set_contact(InterfaceContact& to, const contact::ContactNumbers<double>& fo
 
 }  // namespace
 
-void ContactBatch::add(const contact::MechanismGeometry& threads,
-                       const std::optional<Materials>& materials) {
+void ContactBatch::add(const contact::MechanismGeometry& threads, const std::optional<Materials>& materials) {
   contact::MechanismNumbers<double>& m = mechanisms_.emplace_back(contact::numbers_of(threads));
   if (!materials) return;
   m.modulus_at_screw = contact::contact_modulus(materials->screw, materials->roller);
@@ -38,23 +36,19 @@ bool ContactBatch::get_laws(std::size_t k, Contacts& c) const {
     to.hertz = contact.hertz;
     return to.hertz.ok();
   };
-  return found.sound != 0.0 && set(c.interfaces.screw, found.screw) &&
-         set(c.interfaces.nut, found.nut);
+  return found.sound != 0.0 && set(c.interfaces.screw, found.screw) && set(c.interfaces.nut, found.nut);
 }
 
 PerInterface<ContactLawNumbers> ContactBatch::laws(std::size_t k) const {
   const auto law = [](const contact::ContactNumbers<double>& c) {
-    return ContactLawNumbers{{c.hertz.hertz_constant, c.normal.angle, 0.0},
-                             c.normal.cosine,
-                             c.normal.sine,
-                             c.hertz.cbrt_constant};
+    return ContactLawNumbers{
+        {c.hertz.hertz_constant, c.normal.angle, 0.0}, c.normal.cosine, c.normal.sine, c.hertz.cbrt_constant};
   };
   return {law(found_[k].screw), law(found_[k].nut)};
 }
 
-bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
-                       const contact::MechanismGeometry& threads, ContactDetail detail,
-                       Contacts& c) const {
+bool ContactBatch::get(std::size_t k, const Mechanism& mechanism, const contact::MechanismGeometry& threads,
+                       ContactDetail detail, Contacts& c) const {
   const contact::MechanismContactNumbers<double>& found = found_[k];
   const contact::MechanismNumbers<double>& m = mechanisms_[k];
   if (found.sound == 0.0 || !set_contact(c.interfaces.screw, found.screw, m.modulus_at_screw) ||
@@ -67,8 +61,7 @@ bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
   for (const Interface i : kInterfaces) {
     InterfaceContact& contact = c.interfaces[i];
     contact.clearance.reset();
-    if (detail == ContactDetail::numbers)
-      contact.clearance = thread_clearance(c.threads, i, contact.geometry.point);
+    if (detail == ContactDetail::numbers) contact.clearance = thread_clearance(c.threads, i, contact.geometry.point);
   }
   return true;
 }

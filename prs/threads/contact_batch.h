@@ -25,8 +25,8 @@ class ContactBatch {
   void find();
   /// Sets threads and contacts of the mechanism that was added as number k. False where one of its
   /// contacts or threads cannot be: `find_contacts` says why.
-  bool get(std::size_t k, const Mechanism& mechanism, const contact::MechanismGeometry& threads,
-           ContactDetail detail, Contacts& contacts) const;
+  bool get(std::size_t k, const Mechanism& mechanism, const contact::MechanismGeometry& threads, ContactDetail detail,
+           Contacts& contacts) const;
 
   /// Sets Hertz's constants, statuses and normals alone, what a law is made of.
   bool get_laws(std::size_t k, Contacts& contacts) const;

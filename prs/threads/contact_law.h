@@ -18,8 +18,7 @@ struct ContactLawNumbers : ContactLaw {
 };
 
 inline ContactLawNumbers numbers_of(const ContactLaw& law) {
-  return {law, std::cos(law.normal_angle), std::sin(law.normal_angle),
-          std::cbrt(law.hertz_constant)};
+  return {law, std::cos(law.normal_angle), std::sin(law.normal_angle), std::cbrt(law.hertz_constant)};
 }
 
 }  // namespace prs

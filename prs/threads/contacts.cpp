@@ -19,12 +19,11 @@ constexpr double kConformity = 0.01;
 
 void add_hertz(InterfaceContact& c, const Material& body, const Material& roller, Detail detail) {
   c.contact_modulus = contact::contact_modulus(body, roller);
-  c.hertz = contact::hertz_constants(c.geometry.relative.first, c.geometry.relative.second,
-                                     c.contact_modulus);
+  c.hertz = contact::hertz_constants(c.geometry.relative.first, c.geometry.relative.second, c.contact_modulus);
   // Both bodies carry the same pressure; the larger shear stress is that of the smaller nu.
   if (c.hertz.ok() && detail == Detail::complete)
-    c.shear = contact::largest_subsurface_shear(c.hertz.ellipticity,
-                                                std::min(body.poisson_ratio, roller.poisson_ratio));
+    c.shear =
+        contact::largest_subsurface_shear(c.hertz.ellipticity, std::min(body.poisson_ratio, roller.poisson_ratio));
 }
 
 void warn_of_missing_contacts(const Contacts& c, std::vector<Warning>& warnings) {
@@ -32,11 +31,9 @@ void warn_of_missing_contacts(const Contacts& c, std::vector<Warning>& warnings)
     const InterfaceContact& contact = c.interfaces[i];
     const bool wants_hertz = contact.geometry.ok() && contact.contact_modulus > 0.0;
     if (!contact.geometry.ok() || (wants_hertz && !contact.hertz.ok()))
-      warnings.push_back(
-          {failure(c, i).path, fmt::format("{}_without_hertz_contact", name(i)),
-           fmt::format(
-               "the {} threads give no Hertz contact ({}): ellipses and pressures are absent",
-               label(i), failure(c, i).message)});
+      warnings.push_back({failure(c, i).path, fmt::format("{}_without_hertz_contact", name(i)),
+                          fmt::format("the {} threads give no Hertz contact ({}): ellipses and pressures are absent",
+                                      label(i), failure(c, i).message)});
   }
 }
 
@@ -44,21 +41,16 @@ void warn_of_interference(const Contacts& c, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const contact::ContactPoint& point = c.interfaces[i].geometry.point;
     const contact::Thread& body = i == Interface::screw ? c.threads.screw : c.threads.nut;
-    if (!point.ok() || !contact::same_pitch(body, c.threads.roller) ||
-        point.backlash >= -kInterference)
-      continue;
+    if (!point.ok() || !contact::same_pitch(body, c.threads.roller) || point.backlash >= -kInterference) continue;
     const bool stated = c.mechanism.geometry == Mechanism::Geometry::design;
     const std::string_view part = name(body_of(i));
-    Warning warning =
-        Warning{
-            fmt::format("{}.{}", stated ? "mechanism.backlash" : "mechanism.pitch_diameter", part),
-            "interference", fmt::format("the {} threads interfere: backlash {{value}}", label(i))}
-            .with(point.backlash, {}, text_unit::millimetre, Warning::Worse::smaller);
+    Warning warning = Warning{fmt::format("{}.{}", stated ? "mechanism.backlash" : "mechanism.pitch_diameter", part),
+                              "interference", fmt::format("the {} threads interfere: backlash {{value}}", label(i))}
+                          .with(point.backlash, {}, text_unit::millimetre, Warning::Worse::smaller);
     const double share = -point.backlash / body.pitch;
     if (share > kTouchingInterference) {
-      warning.what +=
-          fmt::format(", {:.0f} % of the pitch: pitch cylinders that touch give up to {:.0f} %",
-                      share * per_si::percent, kTouchingInterference * per_si::percent);
+      warning.what += fmt::format(", {:.0f} % of the pitch: pitch cylinders that touch give up to {:.0f} %",
+                                  share * per_si::percent, kTouchingInterference * per_si::percent);
       warning.fix = stated ? "write a backlash of 0 or more, and `preload` for oversized rollers"
                            : "check pitch diameters, centre distance and thread thickness";
     }
@@ -70,22 +62,21 @@ void warn_of_conformity(const Contacts& c, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry& g = c.interfaces[i].geometry;
     if (g.ok() && g.openness() < kConformity)
-      warnings.push_back(
-          Warning{"mechanism.profile", fmt::format("{}_conformity", name(i)),
-                  fmt::format("the {} contact is closely conforming: its smallest relative "
-                              "curvature is {{value}} of the roller's, and Hertz's half-spaces "
-                              "lose their meaning",
-                              label(i))}
-              .with(g.openness(), kConformity, {}, Warning::Worse::smaller));
+      warnings.push_back(Warning{"mechanism.profile", fmt::format("{}_conformity", name(i)),
+                                 fmt::format("the {} contact is closely conforming: its smallest relative "
+                                             "curvature is {{value}} of the roller's, and Hertz's half-spaces "
+                                             "lose their meaning",
+                                             label(i))}
+                             .with(g.openness(), kConformity, {}, Warning::Worse::smaller));
   }
 }
 
 void warn_of_kinematics(const Contacts& c, std::vector<Warning>& warnings) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(c.threads);
   if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(c.threads.screw.lead))
-    warnings.push_back(Warning{"mechanism.pitch", "lead_difference",
-                               "the leads of nut and screw differ by {value}"}
-                           .with(k.lead_difference, {}, text_unit::millimetre));
+    warnings.push_back(
+        Warning{"mechanism.pitch", "lead_difference", "the leads of nut and screw differ by {value}"}.with(
+            k.lead_difference, {}, text_unit::millimetre));
   if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
     warnings.push_back(Warning{"mechanism.pitch_diameter", "migration",
                                "the rollers migrate: the pitch diameters give the gear ratio "
@@ -98,52 +89,45 @@ void require_thickness(const Mechanism& m, Part part) {
   const double thickness = *m.thread[part]->thickness;
   const double pitch = m.pitch[part].value_or(axial_pitch(m));
   if (thickness < pitch) return;
-  throw CaseError(
-      fmt::format("mechanism.thread.{}.thickness", name(part)),
-      fmt::format(
-          "got {:.6g} mm; expected less than the axial pitch of {:.6g} mm, which thread and "
-          "groove share; change it, or leave it out for half a pitch",
-          thickness * per_si::millimetre, pitch * per_si::millimetre));
+  throw CaseError(fmt::format("mechanism.thread.{}.thickness", name(part)),
+                  fmt::format("got {:.6g} mm; expected less than the axial pitch of {:.6g} mm, which thread and "
+                              "groove share; change it, or leave it out for half a pitch",
+                              thickness * per_si::millimetre, pitch * per_si::millimetre));
 }
 
 /// Why a thread cannot be, if so.
 std::optional<Problem> thread_failure(const contact::Thread& thread, Part part) {
   const contact::RadiusLimits flank = contact::flank_limits(thread);
-  const std::string path = thread.addendum || thread.dedendum
-                               ? fmt::format("mechanism.thread.{}", name(part))
-                               : "mechanism.flank_angle";
+  const std::string path =
+      thread.addendum || thread.dedendum ? fmt::format("mechanism.thread.{}", name(part)) : "mechanism.flank_angle";
   const contact::ThreadStatus status = contact::check(thread);
   if (status == contact::ThreadStatus::ok || status == contact::ThreadStatus::beyond_sharp_limit) {
     if (flank.smallest < flank.largest) return std::nullopt;
     return Problem{path, fmt::format("the flanks of the {} have no height", name(part))};
   }
-  return Problem{
-      path, fmt::format(
-                "the flanks of the {} would reach from {:.4f} to {:.4f} mm radius, around a "
-                "pitch radius of {:.4f} mm ({})",
-                name(part), flank.smallest * per_si::millimetre, flank.largest * per_si::millimetre,
-                thread.pitch_radius * per_si::millimetre, contact::name(status))};
+  return Problem{path, fmt::format("the flanks of the {} would reach from {:.4f} to {:.4f} mm radius, around a "
+                                   "pitch radius of {:.4f} mm ({})",
+                                   name(part), flank.smallest * per_si::millimetre, flank.largest * per_si::millimetre,
+                                   thread.pitch_radius * per_si::millimetre, contact::name(status))};
 }
 
 void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warning>& warnings) {
   if (contact::check(thread) != contact::ThreadStatus::beyond_sharp_limit) return;
   const contact::RadiusLimits given = contact::flank_limits(thread);
   const contact::RadiusLimits sharp = contact::sharp_limits(thread);
-  warnings.push_back(
-      {fmt::format("mechanism.thread.{}", name(part)), "beyond_sharp_thread",
-       fmt::format("the thread of the {} is given from {:.4f} to {:.4f} mm radius, its "
-                   "flanks meet at {:.4f} and {:.4f} mm",
-                   name(part), given.smallest * per_si::millimetre,
-                   given.largest * per_si::millimetre, sharp.smallest * per_si::millimetre,
-                   sharp.largest * per_si::millimetre)});
+  warnings.push_back({fmt::format("mechanism.thread.{}", name(part)), "beyond_sharp_thread",
+                      fmt::format("the thread of the {} is given from {:.4f} to {:.4f} mm radius, its "
+                                  "flanks meet at {:.4f} and {:.4f} mm",
+                                  name(part), given.smallest * per_si::millimetre, given.largest * per_si::millimetre,
+                                  sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre)});
 }
 
 void warn_of_crowding(const Contacts& c, std::vector<Warning>& warnings) {
   const int most = contact::largest_roller_count(c.threads);
   if (c.mechanism.rollers > most)
-    warnings.push_back(Warning{"mechanism.rollers", "crowded_rollers",
-                               "{value} rollers touch each other at their crests: {limit} fit"}
-                           .with(c.mechanism.rollers, most));
+    warnings.push_back(
+        Warning{"mechanism.rollers", "crowded_rollers", "{value} rollers touch each other at their crests: {limit} fit"}
+            .with(c.mechanism.rollers, most));
 }
 
 void warn(Contacts& c) {
@@ -158,9 +142,8 @@ void warn(Contacts& c) {
 /// From the crest of the body's flank to the roller's crest on the line of centres [m]; < 0 where
 /// they overlap.
 double distance_of_crests(const contact::ThreadPair& pair, Interface i) {
-  return i == Interface::screw
-             ? pair.centre_distance - pair.body.largest_radius - pair.roller.largest_radius
-             : pair.body.smallest_radius - pair.roller.largest_radius - pair.centre_distance;
+  return i == Interface::screw ? pair.centre_distance - pair.body.largest_radius - pair.roller.largest_radius
+                               : pair.body.smallest_radius - pair.roller.largest_radius - pair.centre_distance;
 }
 
 std::string off_the_flanks(const contact::FlankViolations& violations, Interface i) {
@@ -198,18 +181,14 @@ void require(const Contacts& contacts, const PerInterface<bool>& lacks, std::str
 
 }  // namespace
 
-Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials,
-                       Detail detail) {
+Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials, Detail detail) {
   for (const Part p : kParts) require_thickness(mechanism, p);
   Contacts c;
   c.mechanism = resolved(mechanism);
   c.threads = threads_of(c.mechanism);
   for (const Part p : kParts) c.bad_threads[p] = thread_failure(thread_of(c.threads, p), p);
-  const contact::MechanismContact geometry =
-      contact::mechanism_contact(c.threads, contact::Configuration::i1_j2);
-  const auto sound = [&](Interface i) {
-    return !c.bad_threads.roller && !c.bad_threads[body_of(i)];
-  };
+  const contact::MechanismContact geometry = contact::mechanism_contact(c.threads, contact::Configuration::i1_j2);
+  const auto sound = [&](Interface i) { return !c.bad_threads.roller && !c.bad_threads[body_of(i)]; };
   if (sound(Interface::screw)) c.interfaces.screw.geometry = geometry.screw;
   if (sound(Interface::nut)) c.interfaces.nut.geometry = geometry.nut;
   for (const Interface i : kInterfaces)
@@ -238,9 +217,8 @@ contact::ThreadPair pair_of(const contact::MechanismGeometry& threads, Interface
   return i == Interface::screw ? contact::screw_pair(threads) : contact::nut_pair(threads);
 }
 
-Problem why_no_contact(const contact::MechanismGeometry& threads,
-                       const contact::InterfaceGeometry& geometry, contact::HertzStatus hertz,
-                       Interface i) {
+Problem why_no_contact(const contact::MechanismGeometry& threads, const contact::InterfaceGeometry& geometry,
+                       contact::HertzStatus hertz, Interface i) {
   using Status = contact::ContactPointStatus;
   switch (geometry.point.status) {
     case Status::ok:
@@ -251,22 +229,19 @@ Problem why_no_contact(const contact::MechanismGeometry& threads,
       const double distance = distance_of_crests(pair_of(threads, i), i);
       return {"mechanism.centre_distance",
               fmt::format("the flanks of roller and {} {} by {:.4f} mm", name(i),
-                          distance > 0.0 ? "miss each other" : "overlap",
-                          std::abs(distance) * per_si::millimetre)};
+                          distance > 0.0 ? "miss each other" : "overlap", std::abs(distance) * per_si::millimetre)};
     }
     case Status::outside_flank:
-      return {"mechanism.thread",
-              off_the_flanks(point_beyond_flanks(pair_of(threads, i), geometry.point), i)};
+      return {"mechanism.thread", off_the_flanks(point_beyond_flanks(pair_of(threads, i), geometry.point), i)};
     case Status::not_a_minimum:
       return {"mechanism.profile", "the surfaces cut each other where their slopes agree"};
     case Status::not_converged:
     case Status::not_computed:
       break;
   }
-  return {
-      "mechanism.profile",
-      "the clearance of the flanks has no minimum between their ends: profiles that conform too "
-      "closely, or diameters that do not fit"};
+  return {"mechanism.profile",
+          "the clearance of the flanks has no minimum between their ends: profiles that conform too "
+          "closely, or diameters that do not fit"};
 }
 
 void require_contacts(const Conditions& c, const Contacts& contacts) {
@@ -278,8 +253,7 @@ void require_contacts(const Conditions& c, const Contacts& contacts) {
   require(contacts, lacks, "fix profiles, flank angles or diameters");
 }
 
-ContactLaw contact_law(const ContactOverrides& overrides, const InterfaceContact& contact,
-                       Interface i) {
+ContactLaw contact_law(const ContactOverrides& overrides, const InterfaceContact& contact, Interface i) {
   return {overrides.hertz_constant[i].value_or(contact.hertz.hertz_constant),
           overrides.normal_angle[i] ? *overrides.normal_angle[i] : contact.normal_angle()};
 }
@@ -287,18 +261,16 @@ ContactLaw contact_law(const ContactOverrides& overrides, const InterfaceContact
 PerInterface<ContactLaw> contact_laws(const Conditions& c, const Contacts& contacts) {
   PerInterface<bool> lacks;
   for (const Interface i : kInterfaces)
-    lacks[i] = !contacts.interfaces[i].has_hertz() &&
-               !(c.contact.hertz_constant[i] && c.contact.normal_angle[i]);
+    lacks[i] = !contacts.interfaces[i].has_hertz() && !(c.contact.hertz_constant[i] && c.contact.normal_angle[i]);
   require(contacts, lacks,
           "fix profiles, flank angles or diameters, or give both "
           "contact.hertz_constant and contact.normal_angle of the interface");
   PerInterface<ContactLaw> laws;
   for (const Interface i : kInterfaces) laws[i] = contact_law(c.contact, contacts.interfaces[i], i);
-  if (c.structure &&
-      c.model.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto) {
-    const PerInterface<double> teeth = yamamoto_compliance(
-        contacts.mechanism, *c.structure, *c.materials,
-        {laws.screw.normal_angle, laws.nut.normal_angle}, c.model.tooth_compliance.width);
+  if (c.structure && c.model.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto) {
+    const PerInterface<double> teeth =
+        yamamoto_compliance(contacts.mechanism, *c.structure, *c.materials,
+                            {laws.screw.normal_angle, laws.nut.normal_angle}, c.model.tooth_compliance.width);
     for (const Interface i : kInterfaces) laws[i].compliance = teeth[i];
   }
   return laws;
@@ -318,8 +290,7 @@ ToothDeflection yamamoto_deflection(const ToothSection& t, const Material& m, do
   d.shear = 1.2 * (1.0 + nu) / e / tangent * std::log(a / b);
   d.root_inclination = 12.0 * plane * c / (pi * a * a) * (c - 0.5 * b * tangent);
   d.root_shear = 2.0 * plane / pi *
-                 (p / a * std::log((p + 0.5 * a) / (p - 0.5 * a)) +
-                  0.5 * std::log(4.0 * p * p / (a * a) - 1.0));
+                 (p / a * std::log((p + 0.5 * a) / (p - 0.5 * a)) + 0.5 * std::log(4.0 * p * p / (a * a) - 1.0));
   const double ring = nut_outer_diameter > 0.0 ? (outer + inner) / (outer - inner) + nu : 1.0 - nu;
   d.radial = 0.5 / e * diameter / p * tangent * tangent * ring;
   return d;
@@ -328,16 +299,13 @@ ToothDeflection yamamoto_deflection(const ToothSection& t, const Material& m, do
 ToothSection tooth_section(const Mechanism& m, Part part) {
   const double flank = m.flank_angle[part], pitch = axial_pitch(m);
   // The flank's normal leaves the axis by the flank angle.
-  const double height = m.thread[part]
-                            ? m.thread[part]->dedendum
-                            : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
-  const double width =
-      m.thread[part] ? m.thread[part]->thickness.value_or(0.5 * pitch) : 0.5 * pitch;
+  const double height =
+      m.thread[part] ? m.thread[part]->dedendum : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
+  const double width = m.thread[part] ? m.thread[part]->thickness.value_or(0.5 * pitch) : 0.5 * pitch;
   return {width + 2.0 * height * std::tan(flank), width, height, flank, pitch};
 }
 
-PerInterface<double> yamamoto_compliance(const Mechanism& m, const Structure& structure,
-                                         const Materials& materials,
+PerInterface<double> yamamoto_compliance(const Mechanism& m, const Structure& structure, const Materials& materials,
                                          const PerInterface<double>& normal_angle, double width) {
   const auto of = [&](Part part) {
     return yamamoto_deflection(tooth_section(m, part), materials[part], *m.pitch_diameter[part],

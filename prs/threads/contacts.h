@@ -9,9 +9,8 @@ namespace prs {
 
 /// Why an interface has no contact point, or, where it has one, no Hertz contact: the input to fix,
 /// which surface, which limit, by how much.
-Problem why_no_contact(const contact::MechanismGeometry& threads,
-                       const contact::InterfaceGeometry& geometry, contact::HertzStatus hertz,
-                       Interface interface);
+Problem why_no_contact(const contact::MechanismGeometry& threads, const contact::InterfaceGeometry& geometry,
+                       contact::HertzStatus hertz, Interface interface);
 
 /// "roller-screw" or "roller-nut".
 const char* label(Interface interface);
@@ -65,8 +64,7 @@ Problem failure(const Contacts& contacts, Interface interface);
 void require_contacts(const Conditions& c, const Contacts& contacts);
 
 /// Force law of an interface that has a Hertz contact, or all that replaces it; without teeth.
-ContactLaw contact_law(const ContactOverrides& overrides, const InterfaceContact& contact,
-                       Interface interface);
+ContactLaw contact_law(const ContactOverrides& overrides, const InterfaceContact& contact, Interface interface);
 
 /// Force laws of both interfaces in the load distribution. The case's overrides come before the
 /// geometry; the compliance of the teeth is added where the case asks for it. Throws CaseError for
@@ -106,8 +104,8 @@ struct ToothDeflection {
 ///                       f/(2 E) d/p tan^2 beta [(D^2 + d^2)/(D^2 - d^2) + nu], nut,
 ///
 /// d the pitch diameter, D the nut's outer diameter (0 for an external thread).
-ToothDeflection yamamoto_deflection(const ToothSection& tooth, const Material& material,
-                                    double pitch_diameter, double nut_outer_diameter = 0.0);
+ToothDeflection yamamoto_deflection(const ToothSection& tooth, const Material& material, double pitch_diameter,
+                                    double nut_outer_diameter = 0.0);
 
 /// The tooth of a part: as thick as stated or half a pitch at the pitch line, its root at the
 /// dedendum, with the default heights of the influence model where the mechanism states none.
@@ -117,7 +115,7 @@ ToothSection tooth_section(const Mechanism& mechanism, Part part);
 /// loaded over `width` of thread. What a point contact's width is, the theory does not say. On top
 /// of exact Hertz the same deflection is counted twice: for comparison only.
 PerInterface<double> yamamoto_compliance(const Mechanism& mechanism, const Structure& structure,
-                                         const Materials& materials,
-                                         const PerInterface<double>& normal_angle, double width);
+                                         const Materials& materials, const PerInterface<double>& normal_angle,
+                                         double width);
 
 }  // namespace prs

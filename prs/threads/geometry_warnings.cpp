@@ -25,52 +25,43 @@ void warn_of_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<Wa
   for (const Interface i : kInterfaces) {
     const double gap = pitch_cylinder_gap(m, i);
     if (std::abs(gap) > 0.1 * m.roller.pitch)
-      warnings.push_back(Warning{"mechanism.centre_distance",
-                                 fmt::format("{}_pitch_cylinders", name(i)),
-                                 fmt::format("the pitch cylinders of roller and {} {} by {{value}}",
-                                             name(i), gap > 0 ? "miss each other" : "overlap")}
+      warnings.push_back(Warning{"mechanism.centre_distance", fmt::format("{}_pitch_cylinders", name(i)),
+                                 fmt::format("the pitch cylinders of roller and {} {} by {{value}}", name(i),
+                                             gap > 0 ? "miss each other" : "overlap")}
                              .with(std::abs(gap), {}, text_unit::millimetre));
   }
 }
 
 void warn_of_proportions(const Conditions& c, const Mechanism& m, std::vector<Warning>& warnings) {
   if (m.rollers < 3)
-    warnings.push_back(Warning{
-        "mechanism.rollers", "few_rollers",
-        fmt::format("{{value}} roller{} cannot centre the screw", m.rollers == 1 ? "" : "s")}
+    warnings.push_back(Warning{"mechanism.rollers", "few_rollers",
+                               fmt::format("{{value}} roller{} cannot centre the screw", m.rollers == 1 ? "" : "s")}
                            .with(m.rollers, {}, {}, Warning::Worse::smaller));
   for (const Part p : kParts)
-    if (m.flank_angle[p] < 20 * std::numbers::pi / 180 ||
-        m.flank_angle[p] > 70 * std::numbers::pi / 180)
-      warnings.push_back(Warning{
-          "mechanism.flank_angle", fmt::format("{}_flank_angle", name(p)),
-          fmt::format("the {}'s flank angle of {{value}} is far from the usual 45 deg", name(p))}
+    if (m.flank_angle[p] < 20 * std::numbers::pi / 180 || m.flank_angle[p] > 70 * std::numbers::pi / 180)
+      warnings.push_back(Warning{"mechanism.flank_angle", fmt::format("{}_flank_angle", name(p)),
+                                 fmt::format("the {}'s flank angle of {{value}} is far from the usual 45 deg", name(p))}
                              .with(m.flank_angle[p], {}, text_unit::degree));
-  const double helix = 180.0 / std::numbers::pi *
-                       std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
+  const double helix =
+      180.0 / std::numbers::pi * std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
   if (helix > kSteepestHelix || helix < kFlattestHelix) {
     const bool steep = helix > kSteepestHelix;
-    warnings.push_back(Warning{
-        "mechanism.lead", "helix_angle",
-        fmt::format("got {}, a helix angle of {{value}} at the screw's pitch diameter of "
-                    "{}; usual are {:g} to {:g} deg",
-                    mm(m.lead), mm(*m.pitch_diameter.screw), kFlattestHelix, kSteepestHelix),
-        "check both"}
-                           .with(helix / per_si::degree,
-                                 (steep ? kSteepestHelix : kFlattestHelix) / per_si::degree,
-                                 text_unit::degree,
-                                 steep ? Warning::Worse::larger : Warning::Worse::smaller));
+    warnings.push_back(Warning{"mechanism.lead", "helix_angle",
+                               fmt::format("got {}, a helix angle of {{value}} at the screw's pitch diameter of "
+                                           "{}; usual are {:g} to {:g} deg",
+                                           mm(m.lead), mm(*m.pitch_diameter.screw), kFlattestHelix, kSteepestHelix),
+                               "check both"}
+                           .with(helix / per_si::degree, (steep ? kSteepestHelix : kFlattestHelix) / per_si::degree,
+                                 text_unit::degree, steep ? Warning::Worse::larger : Warning::Worse::smaller));
   }
-  const double slenderness =
-      (m.contacts_per_roller - 1) * axial_pitch(m) / *m.pitch_diameter.roller;
+  const double slenderness = (m.contacts_per_roller - 1) * axial_pitch(m) / *m.pitch_diameter.roller;
   if (slenderness > kMostSlender)
-    warnings.push_back(
-        Warning{"mechanism.contacts_per_roller", "long_roller",
-                fmt::format("got {}, threads over {{value}} times the roller's diameter of {}; "
-                            "usual are up to {{limit}} times",
-                            m.contacts_per_roller, mm(*m.pitch_diameter.roller)),
-                "check the number, the lead and the starts"}
-            .with(slenderness, kMostSlender));
+    warnings.push_back(Warning{"mechanism.contacts_per_roller", "long_roller",
+                               fmt::format("got {}, threads over {{value}} times the roller's diameter of {}; "
+                                           "usual are up to {{limit}} times",
+                                           m.contacts_per_roller, mm(*m.pitch_diameter.roller)),
+                               "check the number, the lead and the starts"}
+                           .with(slenderness, kMostSlender));
   if (!c.structure) return;
   const Structure& s = *c.structure;
   const double wall = 0.5 * (s.nut.outer_diameter - *m.pitch_diameter.nut);
@@ -81,31 +72,26 @@ void warn_of_proportions(const Conditions& c, const Mechanism& m, std::vector<Wa
                             "usual are {{limit}} or more",
                             mm(s.nut.outer_diameter), mm(*m.pitch_diameter.nut)),
                 "check both"}
-            .with(wall, kThinnestWall * *m.pitch_diameter.nut, text_unit::millimetre,
-                  Warning::Worse::smaller));
+            .with(wall, kThinnestWall * *m.pitch_diameter.nut, text_unit::millimetre, Warning::Worse::smaller));
   if (s.screw.bore > 0.8 * *m.pitch_diameter.screw)
-    warnings.push_back(Warning{"structure.screw.bore", "thin_screw",
-                               "the screw's bore leaves a wall of {value} at the pitch diameter"}
-                           .with(0.5 * (*m.pitch_diameter.screw - s.screw.bore), {},
-                                 text_unit::millimetre, Warning::Worse::smaller));
-  if (s.roller.end_diameter > *m.pitch_diameter.roller)
     warnings.push_back(
-        Warning{"structure.roller.end_diameter", "thick_roller_ends",
-                "the roller's ends ({value}) are thicker than its thread ({limit})"}
-            .with(s.roller.end_diameter, *m.pitch_diameter.roller, text_unit::millimetre));
+        Warning{"structure.screw.bore", "thin_screw", "the screw's bore leaves a wall of {value} at the pitch diameter"}
+            .with(0.5 * (*m.pitch_diameter.screw - s.screw.bore), {}, text_unit::millimetre, Warning::Worse::smaller));
+  if (s.roller.end_diameter > *m.pitch_diameter.roller)
+    warnings.push_back(Warning{"structure.roller.end_diameter", "thick_roller_ends",
+                               "the roller's ends ({value}) are thicker than its thread ({limit})"}
+                           .with(s.roller.end_diameter, *m.pitch_diameter.roller, text_unit::millimetre));
 }
 
-void warn_of_speed(const std::string& path, double speed, double diameter,
-                   std::vector<Warning>& warnings) {
+void warn_of_speed(const std::string& path, double speed, double diameter, std::vector<Warning>& warnings) {
   const double n_d = std::abs(speed) * diameter;
   if (n_d > kGreatestSpeedTimesDiameter)
-    warnings.push_back(
-        Warning{path, "speed_times_diameter",
-                fmt::format("got {}, which times the screw's pitch diameter of {} is n d = "
-                            "{{value}}; makers allow up to {{limit}}",
-                            rpm(speed), mm(diameter)),
-                "lower the speed, or ask the maker"}
-            .with(n_d, kGreatestSpeedTimesDiameter, text_unit::millimetre_per_minute));
+    warnings.push_back(Warning{path, "speed_times_diameter",
+                               fmt::format("got {}, which times the screw's pitch diameter of {} is n d = "
+                                           "{{value}}; makers allow up to {{limit}}",
+                                           rpm(speed), mm(diameter)),
+                               "lower the speed, or ask the maker"}
+                           .with(n_d, kGreatestSpeedTimesDiameter, text_unit::millimetre_per_minute));
 }
 
 void warn_of_speeds(const Conditions& c, const Mechanism& m, std::span<const LoadCase> loads,
@@ -134,8 +120,7 @@ void warn_of_free_bearings(const Structure& s, std::vector<Warning>& warnings) {
 }
 
 /// A face of the nut that looks the way that the load pushes the nut can only be pulled.
-void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads,
-                          std::vector<Warning>& warnings) {
+void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads, std::vector<Warning>& warnings) {
   if (!c.structure || c.model.bodies == ModelOptions::Bodies::bars) return;
   const Structure::Nut& nut = c.structure->nut;
   for (const Direction d : {Direction::tension, Direction::compression}) {
@@ -144,18 +129,16 @@ void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads,
     if (!section || std::ranges::none_of(loads, carries)) continue;
     const auto [before, behind] = nut_diameters_at(nut, *section);
     if (before == behind || (before > behind) == (d == Direction::compression)) continue;
-    warnings.push_back(
-        {fmt::format("structure.nut.thrust.{}", name(d)), "pulled_face",
-         fmt::format("{} lifts the nut off the face at {:g} mm: it holds with a bolted "
-                     "flange, not against a housing that only pushes",
-                     name(d), *section * per_si::millimetre)});
+    warnings.push_back({fmt::format("structure.nut.thrust.{}", name(d)), "pulled_face",
+                        fmt::format("{} lifts the nut off the face at {:g} mm: it holds with a bolted "
+                                    "flange, not against a housing that only pushes",
+                                    name(d), *section * per_si::millimetre)});
   }
 }
 
 }  // namespace
 
-std::vector<Warning> geometry_warnings(const Conditions& c, const Contacts& contacts,
-                                       std::span<const LoadCase> loads) {
+std::vector<Warning> geometry_warnings(const Conditions& c, const Contacts& contacts, std::span<const LoadCase> loads) {
   std::vector<Warning> warnings = contacts.warnings;
   warn_of_pitch_cylinders(contacts.threads, warnings);
   warn_of_proportions(c, contacts.mechanism, warnings);

@@ -10,7 +10,6 @@ inline constexpr double kGreatestSpeedTimesDiameter = 150.0 * std::numbers::pi /
 /// Warnings on geometry that is possible but unusual: first on the contacts, then on the bodies
 /// around them, the faces that hold the nut, and the speed that the geometry stands. Values that
 /// are odd by themselves have a table of their own, input/echo.cpp.
-std::vector<Warning> geometry_warnings(const Conditions& c, const Contacts& contacts,
-                                       std::span<const LoadCase> loads);
+std::vector<Warning> geometry_warnings(const Conditions& c, const Contacts& contacts, std::span<const LoadCase> loads);
 
 }  // namespace prs

@@ -26,9 +26,7 @@ SlipEstimates slip_estimates(const KinematicGeometry& g) {
   return {(1.0 - 2.0 * gamma) / (2.0 * (1.0 - gamma)), jones};
 }
 
-SlipRange slip_range(const KinematicGeometry& g) {
-  return {g.is_standard() ? 0.0 : 1.0, ideal_slip_ratio(g)};
-}
+SlipRange slip_range(const KinematicGeometry& g) { return {g.is_standard() ? 0.0 : 1.0, ideal_slip_ratio(g)}; }
 
 double optimality(const SlipRange& range, double slip_ratio) {
   return std::abs(slip_ratio - range.pure_sliding) / std::abs(range.ideal - range.pure_sliding);

@@ -44,8 +44,7 @@ using Kinematics = KinematicsOf<double>;
 /// screw turns with `speed` against it: omega_x/n of a standard mechanism, omega_x/n - omega_s/n of
 /// an inverted one.
 template <class Number, class Real>
-Number against_frame(const simd::Lanes<Real>& is_standard, const Number& against_nut,
-                     const Real& speed) {
+Number against_frame(const simd::Lanes<Real>& is_standard, const Number& against_nut, const Real& speed) {
   using simd::select;
   return select(is_standard, against_nut, Number(against_nut - speed));
 }
@@ -56,8 +55,8 @@ double turning_speed(Mechanism::Type type, double speed);
 /// Stationary motion of the parts for one slip ratio and the speed of the screw against the nut
 /// omega_s/n [rad/s] (Sandu 2018, (2.2), (2.4), (2.5)).
 template <class Number, class Real>
-KinematicsOf<Number> kinematics(const KinematicGeometryOf<Real>& g,
-                                const std::type_identity_t<Real>& speed, const Number& slip_ratio) {
+KinematicsOf<Number> kinematics(const KinematicGeometryOf<Real>& g, const std::type_identity_t<Real>& speed,
+                                const Number& slip_ratio) {
   using simd::select;
   const Real advance = -g.lead / (2.0 * std::numbers::pi) * speed;  // of the nut on the screw
   const auto standard = g.is_standard();
@@ -80,8 +79,7 @@ struct ContactMotionOf {
 using ContactMotion = ContactMotionOf<double>;
 
 template <class Number, class Real>
-ContactMotionOf<Number> contact_motion(const KinematicGeometryOf<Real>& g,
-                                       const KinematicsOf<Number>& k, Interface i) {
+ContactMotionOf<Number> contact_motion(const KinematicGeometryOf<Real>& g, const KinematicsOf<Number>& k, Interface i) {
   const bool at_screw = i == Interface::screw;
   const Number& body = at_screw ? k.screw_to_carrier : k.nut_to_carrier;
   const Number& roller = k.roller_to_carrier;

@@ -34,8 +34,8 @@ contact::Thread thread_of(const Mechanism& m, Part part, double pitch) {
   thread.pitch = pitch;
   thread.flank_angle = m.flank_angle[part];
   thread.profile_curvature = curvature_of(m.profile[part], thread.pitch_radius, thread.flank_angle);
-  thread.plane = m.profile_plane == Mechanism::ProfilePlane::normal ? contact::ProfilePlane::normal
-                                                                    : contact::ProfilePlane::axial;
+  thread.plane =
+      m.profile_plane == Mechanism::ProfilePlane::normal ? contact::ProfilePlane::normal : contact::ProfilePlane::axial;
   if (m.thread[part]) {
     thread.addendum = m.thread[part]->addendum;
     thread.dedendum = m.thread[part]->dedendum;
@@ -46,12 +46,10 @@ contact::Thread thread_of(const Mechanism& m, Part part, double pitch) {
 
 [[noreturn]] void throw_design_error(const contact::DesignResult& design) {
   const auto no_contact = [&](const contact::InterfaceGeometry& geometry, Interface i) {
-    const Problem failure =
-        why_no_contact(design.mechanism, geometry, contact::HertzStatus::not_computed, i);
-    throw CaseError(failure.path,
-                    fmt::format("the {} threads of a mechanism with the wanted backlash have no "
-                                "contact: {}; fix profiles, flank angles or the screw's diameter",
-                                label(i), failure.message));
+    const Problem failure = why_no_contact(design.mechanism, geometry, contact::HertzStatus::not_computed, i);
+    throw CaseError(failure.path, fmt::format("the {} threads of a mechanism with the wanted backlash have no "
+                                              "contact: {}; fix profiles, flank angles or the screw's diameter",
+                                              label(i), failure.message));
   };
   switch (design.status) {
     case contact::DesignStatus::no_screw_contact:
@@ -61,12 +59,9 @@ contact::Thread thread_of(const Mechanism& m, Part part, double pitch) {
       no_contact(design.contact.nut, Interface::nut);
       break;
     case contact::DesignStatus::pitches_differ:
-      throw CaseError(
-          "mechanism.pitch",
-          "backlash has no meaning where pitches differ; leave `pitch` out of a design");
+      throw CaseError("mechanism.pitch", "backlash has no meaning where pitches differ; leave `pitch` out of a design");
     case contact::DesignStatus::too_few_screw_starts:
-      throw CaseError("mechanism.starts",
-                      "a standard screw needs more than two screw starts for each roller start");
+      throw CaseError("mechanism.starts", "a standard screw needs more than two screw starts for each roller start");
     default:
       break;
   }
@@ -120,8 +115,7 @@ double roller_drop(const Deviations& d, int k, int contacts) {
   double drop = contacts > 1 ? d.crowning * std::pow((k - middle) / middle, 2) : 0.0;
   if (d.end_relief) {
     const int from_end = std::min(k, contacts - 1 - k);
-    drop += d.end_relief->drop *
-            std::max(0.0, 1.0 - static_cast<double>(from_end) / d.end_relief->threads);
+    drop += d.end_relief->drop * std::max(0.0, 1.0 - static_cast<double>(from_end) / d.end_relief->threads);
   }
   return drop;
 }
@@ -145,15 +139,14 @@ PerPart<double> axial_pitches(const Mechanism& m) {
 
 contact::MechanismGeometry threads_of(const Mechanism& m) {
   const PerPart<double> pitches = axial_pitches(m);
-  return {m.type, thread_of(m, Part::screw, pitches.screw),
-          thread_of(m, Part::roller, pitches.roller), thread_of(m, Part::nut, pitches.nut),
-          m.centre_distance.value_or(0.0)};
+  return {m.type, thread_of(m, Part::screw, pitches.screw), thread_of(m, Part::roller, pitches.roller),
+          thread_of(m, Part::nut, pitches.nut), m.centre_distance.value_or(0.0)};
 }
 
 Mechanism resolved(const Mechanism& m) {
   if (m.geometry == Mechanism::Geometry::simulation) return m;
-  const contact::DesignResult design = contact::design_by_backlash(
-      threads_of(m), m.starts.screw, m.starts.roller, {m.backlash.screw, m.backlash.nut});
+  const contact::DesignResult design =
+      contact::design_by_backlash(threads_of(m), m.starts.screw, m.starts.roller, {m.backlash.screw, m.backlash.nut});
   if (!design.ok()) throw_design_error(design);
   Mechanism designed = m;
   designed.pitch_diameter.screw = 2.0 * design.mechanism.screw.pitch_radius;
@@ -169,13 +162,11 @@ std::optional<ThreadWidths> thread_widths(const contact::Thread& thread) {
   return ThreadWidths{width(surface, crest_radius(thread)), width(surface, root_radius(thread))};
 }
 
-std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry& threads,
-                                                Interface interface,
+std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry& threads, Interface interface,
                                                 const contact::ContactPoint& point) {
   const contact::Thread& body = interface == Interface::screw ? threads.screw : threads.nut;
   const contact::Thread& roller = threads.roller;
-  if (!point.ok() || !has_heights(body) || !has_heights(roller) ||
-      !contact::same_pitch(body, roller))
+  if (!point.ok() || !has_heights(body) || !has_heights(roller) || !contact::same_pitch(body, roller))
     return std::nullopt;
   // The roller stands outside the screw and inside the nut.
   const double towards_body = interface == Interface::screw ? -1.0 : 1.0;
@@ -187,8 +178,7 @@ std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry
   };
 }
 
-ThreadOffsets thread_offsets(const Mechanism& m, const Deviations& d, const Materials& materials,
-                             Part part) {
+ThreadOffsets thread_offsets(const Mechanism& m, const Deviations& d, const Materials& materials, Part part) {
   const int contacts = m.contacts_per_roller;
   const double nominal = axial_pitch(m);
   const double rise = d.temperature ? (*d.temperature)[part] - d.reference_temperature : 0.0;
@@ -199,20 +189,18 @@ ThreadOffsets thread_offsets(const Mechanism& m, const Deviations& d, const Mate
   for (int k = 0; k < contacts; ++k) {
     o.axial.push_back(k * lag + pitch_error(d.pitch_error[part], k, contacts));
     o.radial.push_back(strain * radius);
-    if (part == Part::roller)
-      o.radial.back() += 0.5 * d.roller_diameter - roller_drop(d, k, contacts);
+    if (part == Part::roller) o.radial.back() += 0.5 * d.roller_diameter - roller_drop(d, k, contacts);
   }
   return o;
 }
 
-std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller,
-                                 Interface i, double normal_angle, Direction direction) {
+std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller, Interface i,
+                                 double normal_angle, Direction direction) {
   // The screw pushes the roller, the roller the nut; a nut that grows makes way.
   const double ahead = i == Interface::screw ? 1.0 : -1.0;
   std::vector<double> gaps;
   for (std::size_t k = 0; k < body.axial.size(); ++k)
-    gaps.push_back(-sense(direction) * std::cos(normal_angle) * ahead *
-                       (body.axial[k] - roller.axial[k]) -
+    gaps.push_back(-sense(direction) * std::cos(normal_angle) * ahead * (body.axial[k] - roller.axial[k]) -
                    std::sin(normal_angle) * (roller.radial[k] + ahead * body.radial[k]));
   return gaps;
 }
@@ -226,16 +214,14 @@ bool deviates(const Mechanism& m, const Deviations& d) {
   return false;
 }
 
-PerInterface<std::vector<double>> initial_gaps(const Mechanism& mechanism,
-                                               const Deviations& deviations,
-                                               const Materials& materials,
-                                               const PerInterface<double>& normal_angle,
+PerInterface<std::vector<double>> initial_gaps(const Mechanism& mechanism, const Deviations& deviations,
+                                               const Materials& materials, const PerInterface<double>& normal_angle,
                                                Direction direction) {
   const ThreadOffsets roller = thread_offsets(mechanism, deviations, materials, Part::roller);
   PerInterface<std::vector<double>> gaps;
   for (const Interface i : kInterfaces) {
-    gaps[i] = gaps_between(thread_offsets(mechanism, deviations, materials, body_of(i)), roller, i,
-                           normal_angle[i], direction);
+    gaps[i] = gaps_between(thread_offsets(mechanism, deviations, materials, body_of(i)), roller, i, normal_angle[i],
+                           direction);
     const double closest = *std::min_element(gaps[i].begin(), gaps[i].end());
     for (double& gap : gaps[i]) gap -= closest;
   }

@@ -65,8 +65,7 @@ struct ThreadClearance {
 ///
 /// Nothing where the heights of one of the two threads are not given, pitches differ (then the
 /// parts have no middle) or the contact point is not `ok`.
-std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry& threads,
-                                                Interface interface,
+std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry& threads, Interface interface,
                                                 const contact::ContactPoint& point);
 
 /// Offsets of a part's threads from their nominal place, one per contact [m].
@@ -77,12 +76,12 @@ struct ThreadOffsets {
 
 /// Those that `initial_gaps` is made of: measured pitch, pitch error, expansion, diameter,
 /// crowning, relief.
-ThreadOffsets thread_offsets(const Mechanism& mechanism, const Deviations& deviations,
-                             const Materials& materials, Part part);
+ThreadOffsets thread_offsets(const Mechanism& mechanism, const Deviations& deviations, const Materials& materials,
+                             Part part);
 
 /// Gaps of an interface, the smallest not taken off [m].
-std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller,
-                                 Interface i, double normal_angle, Direction direction);
+std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller, Interface i,
+                                 double normal_angle, Direction direction);
 
 /// Whether anything sets a thread of one sector off its nominal place; else all gaps are 0.
 bool deviates(const Mechanism& mechanism, const Deviations& deviations);
@@ -97,10 +96,8 @@ bool deviates(const Mechanism& mechanism, const Deviations& deviations);
 ///
 /// s = -1 in tension, +1 in compression, less the smallest of each interface, which a rigid motion
 /// takes up. Materials must state their expansion where a temperature differs.
-PerInterface<std::vector<double>> initial_gaps(const Mechanism& mechanism,
-                                               const Deviations& deviations,
-                                               const Materials& materials,
-                                               const PerInterface<double>& normal_angle,
+PerInterface<std::vector<double>> initial_gaps(const Mechanism& mechanism, const Deviations& deviations,
+                                               const Materials& materials, const PerInterface<double>& normal_angle,
                                                Direction direction);
 
 }  // namespace prs

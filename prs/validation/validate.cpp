@@ -22,21 +22,17 @@ std::optional<double> number_at(const Json& document, std::string path) {
   return document.at(place).get<double>();
 }
 
-Json document_of(const ReferenceCase& reference, const Reference& source,
-                 const SourceExtension& code) {
+Json document_of(const ReferenceCase& reference, const Reference& source, const SourceExtension& code) {
   if (reference.file.empty()) return code.formulas ? code.formulas(source) : Json::object();
-  const Delivery found =
-      run(analysis_of(reference.command), input::load_source(reference.file.string(), {}));
+  const Delivery found = run(analysis_of(reference.command), input::load_source(reference.file.string(), {}));
   Json document = found.document({});
   if (code.derived) document["derived"] = code.derived(*found.result<Result>());
   return document;
 }
 
-std::vector<Comparison> compare(const ReferenceCase& reference, const Reference& source,
-                                const SourceExtension& code) {
+std::vector<Comparison> compare(const ReferenceCase& reference, const Reference& source, const SourceExtension& code) {
   const Json document = document_of(reference, source, code);
-  const std::string name =
-      reference.file.empty() ? reference.formulas : reference.file.stem().string();
+  const std::string name = reference.file.empty() ? reference.formulas : reference.file.stem().string();
   return each(reference.values, [&](const PrintedValue& value) {
     return Comparison{name, value, number_at(document, value.quantity)};
   });
@@ -54,8 +50,7 @@ void add(SourceReport& report, Supplement&& supplement) {
   append(report.files, std::move(supplement.files));
 }
 
-SourceReport report_on(const std::filesystem::path& folder,
-                       const std::vector<SourceExtension>& extensions) {
+SourceReport report_on(const std::filesystem::path& folder, const std::vector<SourceExtension>& extensions) {
   const Reference reference = read_reference(folder / "reference.yaml");
   SourceReport report;
   report.name = std::filesystem::canonical(folder).filename().string();
@@ -63,8 +58,7 @@ SourceReport report_on(const std::filesystem::path& folder,
   SourceExtension code;
   for (const SourceExtension& c : extensions)
     if (c.folder == report.name) code = c;
-  for (const ReferenceCase& c : reference.cases)
-    append(report.comparisons, compare(c, reference, code));
+  for (const ReferenceCase& c : reference.cases) append(report.comparisons, compare(c, reference, code));
   if (code.tables) report.tables = code.tables(reference);
   if (!code.supplement) return report;
   // Left out where the reference does not hold the case that the code is about.
@@ -76,8 +70,7 @@ SourceReport report_on(const std::filesystem::path& folder,
   const Case c = input::read_case_input(source, subject->command).values;
   input::compute_from(source, [&] { add(report, code.supplement(c, reference)); });
   for (const PrintedStatement& s : reference.statements)
-    if (std::ranges::find(report.statements, s.text, &ComparedStatement::text) ==
-        report.statements.end())
+    if (std::ranges::find(report.statements, s.text, &ComparedStatement::text) == report.statements.end())
       throw std::logic_error(fmt::format("{}: no code has the check {}", report.name, s.check));
   return report;
 }
@@ -85,28 +78,24 @@ SourceReport report_on(const std::filesystem::path& folder,
 /// In order of `Verdict::Kind`.
 constexpr std::array kVerdicts{"holds", "holds only with", "does not hold"};
 
-const char* verdict_name(Verdict::Kind kind) {
-  return kVerdicts.at(static_cast<std::size_t>(kind));
-}
+const char* verdict_name(Verdict::Kind kind) { return kVerdicts.at(static_cast<std::size_t>(kind)); }
 
 std::string comparison_text(const Comparison& c) {
   const PrintedValue& r = c.reference;
-  std::string text = fmt::format("  {:<11} {:<22} {:<45} printed {:<11}", name(c.outcome()),
-                                 r.where, r.quantity, r.printed.text);
+  std::string text =
+      fmt::format("  {:<11} {:<22} {:<45} printed {:<11}", name(c.outcome()), r.where, r.quantity, r.printed.text);
   if (c.computed)
-    text += fmt::format(" computed {:<14.8g} {} of {} digits", *c.computed,
-                        r.printed.agreeing_digits(*c.computed), r.printed.digits());
+    text += fmt::format(" computed {:<14.8g} {} of {} digits", *c.computed, r.printed.agreeing_digits(*c.computed),
+                        r.printed.digits());
   text += '\n';
   if (!r.differs.empty())
-    text += wrapped(
-        r.corrected ? fmt::format("{}; corrected {}", r.differs, r.corrected->text) : r.differs,
-        "              ", 110);
+    text += wrapped(r.corrected ? fmt::format("{}; corrected {}", r.differs, r.corrected->text) : r.differs,
+                    "              ", 110);
   return text;
 }
 
 std::string value_text(const ValidationTable& table, double value) {
-  return table.decimals ? fmt::format("{:.{}f}", value, *table.decimals)
-                        : fmt::format("{:.6g}", value);
+  return table.decimals ? fmt::format("{:.{}f}", value, *table.decimals) : fmt::format("{:.6g}", value);
 }
 
 /// Columns as wide as what they hold.
@@ -132,8 +121,7 @@ std::string table_text(const ValidationTable& table) {
 
 std::string statement_text(const ComparedStatement& s) {
   std::string verdict = verdict_name(s.verdict.kind);
-  if (!s.verdict.only_with.empty())
-    verdict += fmt::format(" {}", fmt::join(s.verdict.only_with, ", "));
+  if (!s.verdict.only_with.empty()) verdict += fmt::format(" {}", fmt::join(s.verdict.only_with, ", "));
   std::transform(verdict.begin(), verdict.begin() + 1, verdict.begin(),
                  [](char c) { return static_cast<char>(std::toupper(c)); });
   return wrapped(fmt::format("{}: \"{}\"", s.section, s.text), "  ", 110) +
@@ -169,14 +157,12 @@ Outcome Comparison::outcome() const {
   if (!computed) return Outcome::missing;
   const bool as_printed = reference.printed.is_reproduced_by(*computed);
   if (reference.differs.empty()) return as_printed ? Outcome::reproduces : Outcome::unexpected;
-  const bool as_corrected =
-      !reference.corrected || reference.corrected->is_reproduced_by(*computed);
+  const bool as_corrected = !reference.corrected || reference.corrected->is_reproduced_by(*computed);
   return !as_printed && as_corrected ? Outcome::differs : Outcome::unexpected;
 }
 
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
-                                   const std::vector<SourceExtension>& extensions,
-                                   const ValidationProgress& progress) {
+                                   const std::vector<SourceExtension>& extensions, const ValidationProgress& progress) {
   std::vector<std::filesystem::path> folders;
   if (std::filesystem::exists(directory / "reference.yaml")) folders.push_back(directory);
   for (const auto& entry : std::filesystem::directory_iterator(directory))
@@ -196,8 +182,7 @@ std::string validation_text(const std::vector<SourceReport>& reports) {
     text += fmt::format("{}: {}\n", report.name, report.source);
     std::string case_name;
     for (const Comparison& c : report.comparisons) {
-      if (std::exchange(case_name, c.case_name) != c.case_name)
-        text += fmt::format(" {}\n", c.case_name);
+      if (std::exchange(case_name, c.case_name) != c.case_name) text += fmt::format(" {}\n", c.case_name);
       text += comparison_text(c);
     }
     for (const ValidationTable& table : report.tables) text += table_text(table);
@@ -207,8 +192,7 @@ std::string validation_text(const std::vector<SourceReport>& reports) {
   return text;
 }
 
-nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports,
-                                       const DocumentInfo& info) {
+nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports, const DocumentInfo& info) {
   Json document = document_head(info, {});
   document["sources"] = Json::array();
   for (const SourceReport& report : reports) {
@@ -216,10 +200,8 @@ nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports,
     for (const Comparison& c : report.comparisons) source["values"].push_back(comparison_json(c));
     for (const ValidationTable& table : report.tables) {
       Json rows = Json::array();
-      for (const ValidationTable::Row& row : table.rows)
-        rows.push_back({{"label", row.label}, {"values", row.values}});
-      source["tables"].push_back(
-          {{"title", table.title}, {"columns", table.columns}, {"rows", std::move(rows)}});
+      for (const ValidationTable::Row& row : table.rows) rows.push_back({{"label", row.label}, {"values", row.values}});
+      source["tables"].push_back({{"title", table.title}, {"columns", table.columns}, {"rows", std::move(rows)}});
     }
     for (const ComparedStatement& s : report.statements)
       source["statements"].push_back({{"section", s.section},
@@ -250,8 +232,7 @@ bool is_map_of(const Node& node, Keys known, ErrorList& errors) {
   }
   for (const Node& child : node.children)
     if (std::find(known.begin(), known.end(), child.key) == known.end())
-      errors.add(child.key_place, child.key, "unknown key; expected one of {}",
-                 fmt::join(known, ", "));
+      errors.add(child.key_place, child.key, "unknown key; expected one of {}", fmt::join(known, ", "));
   return true;
 }
 
@@ -272,8 +253,7 @@ std::string required_text(const Node& map, std::string_view key, ErrorList& erro
 const std::vector<Node>& required_list(const Node& map, std::string_view key, ErrorList& errors) {
   static const std::vector<Node> none;
   const Node* list = input::find(map, key);
-  if (list != nullptr && list->kind == Node::Kind::sequence && !list->children.empty())
-    return list->children;
+  if (list != nullptr && list->kind == Node::Kind::sequence && !list->children.empty()) return list->children;
   errors.add(list != nullptr ? list->place : map.place, key, "expected a list");
   return none;
 }
@@ -281,8 +261,7 @@ const std::vector<Node>& required_list(const Node& map, std::string_view key, Er
 PrintedNumber printed_number(const Node& map, std::string_view key, ErrorList& errors) {
   PrintedNumber number{required_text(map, key, errors), {}};
   if (!number.text.empty() && !parse_number(number.text))
-    errors.add(input::find(map, key)->place, key, "got {}; expected a number",
-               input::shown(number.text));
+    errors.add(input::find(map, key)->place, key, "got {}; expected a number", input::shown(number.text));
   return number;
 }
 
@@ -291,10 +270,8 @@ std::optional<int> stated_decimals(const Node& map, ErrorList& errors) {
   const Node* precision = input::find(map, "precision");
   if (precision == nullptr || !is_map_of(*precision, {"decimals", "because"}, errors)) return {};
   required_text(*precision, "because", errors);
-  const std::optional<double> decimals =
-      parse_number(required_text(*precision, "decimals", errors));
-  if (decimals && *decimals >= 0.0 && *decimals <= kMostDecimals &&
-      *decimals == std::floor(*decimals))
+  const std::optional<double> decimals = parse_number(required_text(*precision, "decimals", errors));
+  if (decimals && *decimals >= 0.0 && *decimals <= kMostDecimals && *decimals == std::floor(*decimals))
     return static_cast<int>(*decimals);
   errors.add(precision->place, "decimals", "expected a whole number from 0 to {}", kMostDecimals);
   return {};
@@ -302,9 +279,7 @@ std::optional<int> stated_decimals(const Node& map, ErrorList& errors) {
 
 PrintedValue read_value(const Node& node, ErrorList& errors) {
   PrintedValue value;
-  if (!is_map_of(node, {"quantity", "where", "printed", "precision", "differs", "corrected"},
-                 errors))
-    return value;
+  if (!is_map_of(node, {"quantity", "where", "printed", "precision", "differs", "corrected"}, errors)) return value;
   value.quantity = required_text(node, "quantity", errors);
   value.where = required_text(node, "where", errors);
   value.printed = printed_number(node, "printed", errors);
@@ -312,8 +287,7 @@ PrintedValue read_value(const Node& node, ErrorList& errors) {
   value.differs = optional_text(node, "differs", errors);
   if (const Node* corrected = input::find(node, "corrected")) {
     value.corrected = printed_number(node, "corrected", errors);
-    if (value.differs.empty())
-      errors.add(corrected->key_place, "corrected", "expected `differs` next to it: say why");
+    if (value.differs.empty()) errors.add(corrected->key_place, "corrected", "expected `differs` next to it: say why");
   }
   return value;
 }
@@ -323,8 +297,8 @@ Command read_command(const Node& node, ErrorList& errors) {
   if (command == "contact") return Command::contact;
   if (command == "slip") return Command::slip;
   if (!command.empty() && command != "solve")
-    errors.add(input::find(node, "command")->place, "command",
-               "got {}; expected solve | contact | slip", input::shown(command));
+    errors.add(input::find(node, "command")->place, "command", "got {}; expected solve | contact | slip",
+               input::shown(command));
   return Command::solve;
 }
 
@@ -338,8 +312,7 @@ ReferenceCase read_case(const Node& node, const std::filesystem::path& folder, E
     c.file = folder / required_text(node, "case", errors);
     c.command = read_command(node, errors);
   }
-  for (const Node& value : required_list(node, "values", errors))
-    c.values.push_back(read_value(value, errors));
+  for (const Node& value : required_list(node, "values", errors)) c.values.push_back(read_value(value, errors));
   return c;
 }
 
@@ -407,14 +380,12 @@ CsvTable::CsvTable(const std::filesystem::path& file)
   if (std::optional<Row> header = next_row()) header_ = std::move(header->fields);
   while (std::optional<Row> row = next_row()) {
     if (row->fields.size() != header_.size())
-      fail_at(
-          row->offset, "",
-          fmt::format("got {} fields; expected {} as in the heading; complete or delete the row",
-                      row->fields.size(), header_.size()));
+      fail_at(row->offset, "",
+              fmt::format("got {} fields; expected {} as in the heading; complete or delete the row",
+                          row->fields.size(), header_.size()));
     rows_.push_back(*std::move(row));
   }
-  if (rows_.empty())
-    fail_at(0, "", "got no row of values; expected some below the column names; check the file");
+  if (rows_.empty()) fail_at(0, "", "got no row of values; expected some below the column names; check the file");
 }
 
 std::optional<CsvTable::Row> CsvTable::next_row() {
@@ -433,9 +404,7 @@ std::optional<CsvTable::Row> CsvTable::next_row() {
   return row;
 }
 
-bool CsvTable::has_column(std::string_view name) const {
-  return std::ranges::find(header_, name) != header_.end();
-}
+bool CsvTable::has_column(std::string_view name) const { return std::ranges::find(header_, name) != header_.end(); }
 
 std::size_t CsvTable::column(std::string_view name) const {
   const auto found = std::ranges::find(header_, name);
@@ -443,9 +412,7 @@ std::size_t CsvTable::column(std::string_view name) const {
   return static_cast<std::size_t>(found - header_.begin());
 }
 
-std::string CsvTable::text(std::size_t row, std::size_t column) const {
-  return rows_[row].fields[column];
-}
+std::string CsvTable::text(std::size_t row, std::size_t column) const { return rows_[row].fields[column]; }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
   const std::string& text = rows_[row].fields[column];

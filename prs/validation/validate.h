@@ -30,7 +30,7 @@ struct PrintedValue {
   std::string quantity;  ///< Path in the JSON document: `contact.screw.hertz_constant_N_per_mm1_5`.
   std::string where;     ///< Table or equation of the source.
   PrintedNumber printed;
-  std::string differs;  ///< Why the theory does not give it, where it does not; else empty.
+  std::string differs;                     ///< Why the theory does not give it, where it does not; else empty.
   std::optional<PrintedNumber> corrected;  ///< What it gives instead, from an independent source.
 };
 
@@ -93,8 +93,7 @@ class CsvTable {
 
   /// The next row; none at the end of the file.
   std::optional<Row> next_row();
-  [[noreturn]] void fail_at(std::size_t offset, std::string_view key,
-                            std::string_view message) const;
+  [[noreturn]] void fail_at(std::size_t offset, std::string_view key, std::string_view message) const;
 
   input::Source source_;
   input::CsvReader reader_;  ///< Reads the source's text.
@@ -149,8 +148,7 @@ Verdict compare(const std::function<Finding(const Results&)>& predicate, const s
       verdict.kind = Verdict::Kind::holds;
       return verdict;
     }
-    if (verdict.only_with.empty())
-      verdict.evidence += "; " + variant.name + ": " + finding.evidence;
+    if (verdict.only_with.empty()) verdict.evidence += "; " + variant.name + ": " + finding.evidence;
     verdict.kind = Verdict::Kind::holds_only_with;
     verdict.only_with.push_back(variant.name);
   }
@@ -160,8 +158,7 @@ Verdict compare(const std::function<Finding(const Results&)>& predicate, const s
 
 /// Those of the statements that are checked here.
 template <class Results>
-std::vector<ComparedStatement> compare(const std::vector<PrintedStatement>& statements,
-                                       const Checks<Results>& checks,
+std::vector<ComparedStatement> compare(const std::vector<PrintedStatement>& statements, const Checks<Results>& checks,
                                        const std::vector<Variant<Results>>& variants) {
   std::vector<ComparedStatement> compared;
   for (const PrintedStatement& s : statements)
@@ -198,9 +195,7 @@ struct Comparison {
   std::optional<double> computed;  ///< Absent where the result does not hold the quantity.
 
   Outcome outcome() const;
-  bool unexpected() const {
-    return outcome() == Outcome::unexpected || outcome() == Outcome::missing;
-  }
+  bool unexpected() const { return outcome() == Outcome::unexpected || outcome() == Outcome::missing; }
 };
 
 /// What the code of a source finds on its case and in the data next to it.
@@ -234,8 +229,7 @@ struct SourceExtension {
 };
 
 /// Is told which source comes next, and how many of all are done.
-using ValidationProgress =
-    std::function<void(const std::string& source, std::size_t done, std::size_t all)>;
+using ValidationProgress = std::function<void(const std::string& source, std::size_t done, std::size_t all)>;
 
 /// Runs every folder of `directory` that has a `reference.yaml`, or `directory` itself where it has
 /// one. Throws input::InputError.
@@ -246,7 +240,6 @@ std::vector<SourceReport> validate(const std::filesystem::path& directory,
 /// The reports as a text, digit by digit.
 std::string validation_text(const std::vector<SourceReport>& reports);
 
-nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports,
-                                       const DocumentInfo& info);
+nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports, const DocumentInfo& info);
 
 }  // namespace prs

@@ -39,15 +39,13 @@ using Files = std::map<std::string, nb::bytes>;
 std::optional<Files> files_of(const input::Source& source) {
   if (!source.files) return std::nullopt;
   Files files;
-  for (const auto& [name, text] : *source.files)
-    files.emplace(name, nb::bytes(text.data(), text.size()));
+  for (const auto& [name, text] : *source.files) files.emplace(name, nb::bytes(text.data(), text.size()));
   return files;
 }
 
-input::Source of_text(std::string name, std::string text, std::vector<std::string> overrides,
-                      const std::string& folder, const std::optional<Files>& files) {
-  input::Source source =
-      input::source_of_text(std::move(name), std::move(text), std::move(overrides), folder);
+input::Source of_text(std::string name, std::string text, std::vector<std::string> overrides, const std::string& folder,
+                      const std::optional<Files>& files) {
+  input::Source source = input::source_of_text(std::move(name), std::move(text), std::move(overrides), folder);
   if (files) source.files.emplace();
   if (files)
     for (const auto& [file, content] : *files)
@@ -57,13 +55,11 @@ input::Source of_text(std::string name, std::string text, std::vector<std::strin
 
 }  // namespace
 
-CaseSource::CaseSource(input::Source source)
-    : source_(std::make_shared<const input::Source>(std::move(source))) {
+CaseSource::CaseSource(input::Source source) : source_(std::make_shared<const input::Source>(std::move(source))) {
   const std::shared_ptr<const input::CaseInput> read = input(Command::check);
   if (!read->values.life || !read->values.life->history) return;
   const GilRelease released;
-  source_ = std::make_shared<const input::Source>(
-      input::with_files(*source_, *read->values.life->history));
+  source_ = std::make_shared<const input::Source>(input::with_files(*source_, *read->values.life->history));
 }
 
 std::shared_ptr<const input::CaseInput> CaseSource::input(Command command) const {
@@ -83,14 +79,12 @@ std::shared_ptr<Document> CaseSource::run(const AnyAnalysis& row) const {
       [delivery, source = source_, command = row.command] {
         return delivery->document(document_info(*source, command));
       },
-      delivery->pictures ? keeping(delivery->pictures(), delivery) : Pictures{},
-      delivery->converged);
+      delivery->pictures ? keeping(delivery->pictures(), delivery) : Pictures{}, delivery->converged);
 }
 
 bool CaseSource::report(const std::string& file, const std::vector<std::string>& results) const {
   const GilRelease released;
-  const Report report = make_report(
-      *source_, {"Case.report of the Python package", {results.begin(), results.end()}});
+  const Report report = make_report(*source_, {"Case.report of the Python package", {results.begin(), results.end()}});
   StagedFile staged(file);
   staged.append(report.html);
   staged.publish();
@@ -100,8 +94,7 @@ bool CaseSource::report(const std::string& file, const std::vector<std::string>&
 std::string CaseSource::thread_profiles() const {
   constexpr int kIntervals = 24;
   const std::shared_ptr<const input::CaseInput> input = this->input(Command::check);
-  const Mechanism mechanism =
-      input::compute_from(*source_, [&] { return resolved(input->values.mechanism); });
+  const Mechanism mechanism = input::compute_from(*source_, [&] { return resolved(input->values.mechanism); });
   const contact::MechanismGeometry threads = threads_of(mechanism);
   const auto profile = [](const contact::Thread& thread) {
     const contact::ThreadSurface surface(thread);
@@ -122,14 +115,12 @@ std::string CaseSource::thread_profiles() const {
       .dump();
 }
 
-std::vector<std::string> CaseSource::export_model(const std::string& file,
-                                                  std::optional<double> force,
+std::vector<std::string> CaseSource::export_model(const std::string& file, std::optional<double> force,
                                                   std::optional<double> speed,
                                                   std::optional<std::string> load_case) const {
   const GilRelease released;
   const std::filesystem::path path(file);
-  SystemModel model =
-      system_model(*source_, {.force = force, .speed = speed, .load_case = std::move(load_case)});
+  SystemModel model = system_model(*source_, {.force = force, .speed = speed, .load_case = std::move(load_case)});
   model.text.name = model_name(file);
   StagedFile staged(path);
   staged.append(path.extension() == ".mo" ? modelica_package(model.curves, model.text)
@@ -140,11 +131,10 @@ std::vector<std::string> CaseSource::export_model(const std::string& file,
 
 void bind_case(nb::module_& module) {
   nb::class_<input::Source>(module, "Source", "A case as it was written.")
-      .def_static(
-          "of_text", &of_text, nb::arg("name"), nb::arg("text"), nb::arg("overrides"),
-          nb::arg("folder"), nb::arg("files").none() = nb::none(),
-          "A text of at most 1 MiB, which names files in that folder; those in `files` are not "
-          "read. InputError where it is longer.")
+      .def_static("of_text", &of_text, nb::arg("name"), nb::arg("text"), nb::arg("overrides"), nb::arg("folder"),
+                  nb::arg("files").none() = nb::none(),
+                  "A text of at most 1 MiB, which names files in that folder; those in `files` are not "
+                  "read. InputError where it is longer.")
       .def_static("load", &load, nb::arg("file"), nb::arg("overrides"),
                   "Reads a file of at most 1 MiB. InputError where that is not possible.")
       .def_prop_ro("folder", [](const input::Source& source) { return source.folder.string(); })
@@ -152,12 +142,11 @@ void bind_case(nb::module_& module) {
       .def("written", &input::written_case,
            "The text with the overrides written into it; None where one has no place there.")
       .def_ro("name", &input::Source::name)
-      .def_prop_ro(
-          "text",
-          [](const input::Source& source) {
-            return nb::steal<nb::str>(PyUnicode_DecodeUTF8(
-                source.text.data(), static_cast<Py_ssize_t>(source.text.size()), "replace"));
-          })
+      .def_prop_ro("text",
+                   [](const input::Source& source) {
+                     return nb::steal<nb::str>(PyUnicode_DecodeUTF8(
+                         source.text.data(), static_cast<Py_ssize_t>(source.text.size()), "replace"));
+                   })
       .def_ro("overrides", &input::Source::overrides);
 
   nb::class_<CaseSource> bound(module, "Case", "A case that was read and checked.");
@@ -169,24 +158,21 @@ void bind_case(nb::module_& module) {
       .def("thread_profiles", &CaseSource::thread_profiles,
            "Axial profiles of the threads as JSON, in metres: radii, and half the width of the "
            "groove at each; of the nut those of the air in it.")
-      .def("export_model", &CaseSource::export_model, nb::arg("file"), nb::arg("force").none(),
-           nb::arg("speed").none(), nb::arg("load_case").none(),
-           "Writes a model of the screw by the file's ending, .fmu or .mo; its warnings.")
+      .def("export_model", &CaseSource::export_model, nb::arg("file"), nb::arg("force").none(), nb::arg("speed").none(),
+           nb::arg("load_case").none(), "Writes a model of the screw by the file's ending, .fmu or .mo; its warnings.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
   module.def(
       "size",
       [](const input::Source& source) {
         const GilRelease released;
-        const auto delivery =
-            std::make_shared<const Delivery>(size_delivery(size_screws(read_requirement(source))));
+        const auto delivery = std::make_shared<const Delivery>(size_delivery(size_screws(read_requirement(source))));
         return std::make_shared<Document>(
             [delivery, source] { return delivery->document(document_info(source, Command::size)); },
             keeping(delivery->pictures(), delivery));
       },
       nb::arg("source"), "Which screw, and which motor, for a requirement.");
   for (const AnyAnalysis& row : analyses())
-    if (row.run)
-      bound.def(name(row.command).data(), [&row](const CaseSource& c) { return c.run(row); });
+    if (row.run) bound.def(name(row.command).data(), [&row](const CaseSource& c) { return c.run(row); });
 }
 
 }  // namespace prs::python

@@ -36,8 +36,7 @@ class CaseSource {
 
   /// Writes one of the forms of `prs export`, by the ending `.fmu` or `.mo`; its warnings.
   std::vector<std::string> export_model(const std::string& file, std::optional<double> force,
-                                        std::optional<double> speed,
-                                        std::optional<std::string> load_case) const;
+                                        std::optional<double> speed, std::optional<std::string> load_case) const;
 
  private:
   std::shared_ptr<const input::CaseInput> input(Command command) const;

@@ -39,8 +39,7 @@ bool is_matrix(const Json& json) {
 }
 
 nb::object text_object(const std::string& text) {
-  return nb::steal(
-      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+  return nb::steal(PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
 }
 
 /// Objects become nodes, arrays of numbers arrays of numpy, other arrays lists.
@@ -90,8 +89,7 @@ std::shared_ptr<Document> Document::from_text(const std::string& text) {
   try {
     auto json = std::make_shared<Json>(Json::parse(text, bounded));
     if (!json->is_object() || !json->contains("prs_version"))
-      throw std::invalid_argument(
-          "no result document: expected what `to_json` or `prs --json` wrote");
+      throw std::invalid_argument("no result document: expected what `to_json` or `prs --json` wrote");
     return std::make_shared<Document>([json] { return *json; });
   } catch (const Json::exception& error) {
     throw std::invalid_argument(std::string("no result document: ") + error.what());
@@ -116,18 +114,16 @@ std::string Document::text() const {
   return json_text(written);
 }
 
-std::string Document::figure(const std::string& name, const std::string& options,
-                             bool one_panel) const {
+std::string Document::figure(const std::string& name, const std::string& options, bool one_panel) const {
   if (pictures_.empty()) {
     const Json& written = json();
     const bool is_plain = options == "{}";
     if (is_plain && written.contains("figures"))
       for (const Json& drawn : written["figures"])
         if (drawn.value("name", "") == name) return drawn.dump();
-    throw std::invalid_argument(
-        "a result that was read from JSON has no picture " + name +
-        (is_plain ? "" : " " + options) +
-        "; run the case again, or write the result with `prs --figures --json`");
+    throw std::invalid_argument("a result that was read from JSON has no picture " + name +
+                                (is_plain ? "" : " " + options) +
+                                "; run the case again, or write the result with `prs --figures --json`");
   }
   const GilRelease released;
   try {
@@ -153,15 +149,13 @@ std::shared_ptr<const std::vector<double>> Document::numbers(const Json& array) 
 
 nb::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows) {
   const double* data = numbers->data();
-  return nb::cast(nb::ndarray<nb::numpy, const double, nb::ndim<1>>(data, {rows},
-                                                                    owner_of(std::move(numbers))));
+  return nb::cast(nb::ndarray<nb::numpy, const double, nb::ndim<1>>(data, {rows}, owner_of(std::move(numbers))));
 }
 
-nb::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows,
-                std::size_t columns) {
+nb::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows, std::size_t columns) {
   const double* data = numbers->data();
-  return nb::cast(nb::ndarray<nb::numpy, const double, nb::ndim<2>>(data, {rows, columns},
-                                                                    owner_of(std::move(numbers))));
+  return nb::cast(
+      nb::ndarray<nb::numpy, const double, nb::ndim<2>>(data, {rows, columns}, owner_of(std::move(numbers))));
 }
 
 void bind_document(nb::module_& module) {
@@ -178,13 +172,11 @@ void bind_document(nb::module_& module) {
       .def_static(
           "of_text",
           [](const std::string& text) {
-            const auto document =
-                std::make_shared<Document>([json = Json::parse(text)] { return json; });
+            const auto document = std::make_shared<Document>([json = Json::parse(text)] { return json; });
             return Node{document, &document->json()};
           },
           nb::arg("text"), "What `text` gave.")
-      .def("__contains__",
-           [](const Node& node, const std::string& key) { return node.json->contains(key); })
+      .def("__contains__", [](const Node& node, const std::string& key) { return node.json->contains(key); })
       .def(
           "get",
           [](const Node& node, const std::string& key) {
@@ -205,8 +197,7 @@ void bind_document(nb::module_& module) {
           nb::arg("text"), "Reads what `text` gave. ValueError where the text is no document.")
       .def("text", &Document::text)
       .def_prop_ro("converged", &Document::converged)
-      .def("figure", &Document::figure, nb::arg("name"), nb::arg("options") = "{}",
-           nb::arg("one_panel") = false,
+      .def("figure", &Document::figure, nb::arg("name"), nb::arg("options") = "{}", nb::arg("one_panel") = false,
            "Description of a picture as JSON. ValueError where the result has none.")
       .def("figures", &Document::figures, "Descriptions of all pictures, a list as JSON.")
       .def_prop_ro("has_pictures", &Document::has_pictures,

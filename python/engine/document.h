@@ -21,8 +21,7 @@ class Document : public std::enable_shared_from_this<Document> {
   using Json = nlohmann::ordered_json;
 
   /// `pictures` keep what they show.
-  explicit Document(std::function<Json()> make, Pictures pictures = {},
-                    std::optional<bool> converged = std::nullopt)
+  explicit Document(std::function<Json()> make, Pictures pictures = {}, std::optional<bool> converged = std::nullopt)
       : make_(std::move(make)), pictures_(std::move(pictures)), converged_(converged) {}
 
   /// A document of the program. Throws std::invalid_argument where the text is none.
@@ -59,9 +58,7 @@ class Document : public std::enable_shared_from_this<Document> {
 template <class Kept>
 Pictures keeping(Pictures pictures, const std::shared_ptr<Kept>& kept) {
   for (Picture& picture : pictures)
-    picture.make = [make = std::move(picture.make), kept](const FigureOptions& options) {
-      return make(options);
-    };
+    picture.make = [make = std::move(picture.make), kept](const FigureOptions& options) { return make(options); };
   return pictures;
 }
 
@@ -75,7 +72,6 @@ void bind_document(nanobind::module_& module);
 
 /// A read-only array of numpy on memory that lives as long as the array.
 nanobind::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows);
-nanobind::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows,
-                      std::size_t columns);
+nanobind::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows, std::size_t columns);
 
 }  // namespace prs::python

@@ -38,8 +38,8 @@ void raise_input_errors(const std::exception_ptr& thrown, void*) {
     std::rethrow_exception(thrown);
   } catch (const prs::input::InputError& error) {
     const std::string_view what = error.what();
-    const nb::object text = nb::steal(
-        PyUnicode_DecodeUTF8(what.data(), static_cast<Py_ssize_t>(what.size()), "replace"));
+    const nb::object text =
+        nb::steal(PyUnicode_DecodeUTF8(what.data(), static_cast<Py_ssize_t>(what.size()), "replace"));
     const nb::object made = nb::module_::import_("rollerscrew.errors").attr("input_error")(text);
     PyErr_SetObject(made.type().ptr(), made.ptr());
   }
@@ -55,8 +55,7 @@ NB_MODULE(_engine, module) {
   fe::Cholesky::name();  // Loads its library: a fork must not find a thread that is about to.
   nb::register_exception_translator(raise_input_errors);
   module.def(
-      "schema", [] { return json_text(input::schema()); },
-      "JSON Schema of the input, as `prs schema` prints it.");
+      "schema", [] { return json_text(input::schema()); }, "JSON Schema of the input, as `prs schema` prints it.");
   module.def(
       "results_schema", [] { return json_text(results_schema()); },
       "Every quantity of the results, as `prs schema results` prints it.");
@@ -64,8 +63,7 @@ NB_MODULE(_engine, module) {
       "lubricants", [] { return json_text(lubricants_json()); },
       "Those known by name, as `prs list lubricants --json` prints them.");
   module.def(
-      "units", [] { return json_text(units_json()); },
-      "Units of the input, as `prs list units --json` prints them.");
+      "units", [] { return json_text(units_json()); }, "Units of the input, as `prs list units --json` prints them.");
   module.def(
       "input_paths",
       [] {
@@ -77,8 +75,7 @@ NB_MODULE(_engine, module) {
   module.def("known_responses", &known_responses, "Every path that a study may record.");
   module.def("number_in", &input::number_in, nb::arg("value"), nb::arg("unit"),
              "The number of a value such as `5 mm` in a unit; None where that is not possible.");
-  module.def("knows_unit", &input::is_unit, nb::arg("unit"),
-             "Whether values may be written in it.");
+  module.def("knows_unit", &input::is_unit, nb::arg("unit"), "Whether values may be written in it.");
   module.def(
       "measure_explanations", [] { return json_text(measure_explanations_json()); },
       "Formula, validity and source of every measure.");

@@ -23,18 +23,14 @@ namespace {
 /// The document, and the source with the chosen design written into it.
 using Outcome = std::pair<std::shared_ptr<Document>, std::optional<std::string>>;
 
-std::optional<Outcome> optimize(const input::Source& source, std::size_t threads,
-                                Supervision& supervision) {
-  std::optional<OptimizationResult> result =
-      run_optimization(input::read_optimize_input(source), threads, Journal::temporary,
-                       {[&] { return supervision.stopped(); },
-                        [&](const StudyProgress& progress) { supervision.report(progress); }});
+std::optional<Outcome> optimize(const input::Source& source, std::size_t threads, Supervision& supervision) {
+  std::optional<OptimizationResult> result = run_optimization(
+      input::read_optimize_input(source), threads, Journal::temporary,
+      {[&] { return supervision.stopped(); }, [&](const StudyProgress& progress) { supervision.report(progress); }});
   if (!result) return std::nullopt;
   auto shared = std::make_shared<const OptimizationResult>(std::move(*result));
   return Outcome{std::make_shared<Document>(
-                     [shared, info = document_info(source, Command::optimize)] {
-                       return optimize_json(*shared, info);
-                     },
+                     [shared, info = document_info(source, Command::optimize)] { return optimize_json(*shared, info); },
                      keeping(optimization_pictures(*shared), shared)),
                  chosen_case(*shared, source)};
 }
@@ -45,9 +41,8 @@ void bind_optimization(nb::module_& module) {
   module.def(
       "optimize",
       [](const input::Source& source, std::size_t threads, const nb::object& progress) {
-        return beside_interpreter(
-            [&](Supervision& supervision) { return optimize(source, threads, supervision); },
-            progress);
+        return beside_interpreter([&](Supervision& supervision) { return optimize(source, threads, supervision); },
+                                  progress);
       },
       nb::arg("source"), nb::arg("threads"), nb::arg("progress").none(),
       nb::sig("def optimize(source: Source, threads: int, progress: "

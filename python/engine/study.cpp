@@ -69,9 +69,8 @@ class StudySource : public std::enable_shared_from_this<StudySource> {
 
   std::shared_ptr<Document> derivatives() const {
     auto result = std::make_shared<const CaseDerivatives>(run_derivatives(in_));
-    return std::make_shared<Document>(
-        [result, info = info_] { return derivatives_json(*result, info); },
-        keeping(derivatives_pictures(*result), result));
+    return std::make_shared<Document>([result, info = info_] { return derivatives_json(*result, info); },
+                                      keeping(derivatives_pictures(*result), result));
   }
 
   JournalHeader header() const {
@@ -85,8 +84,7 @@ class StudySource : public std::enable_shared_from_this<StudySource> {
   }
   void require_designs(std::size_t first, std::size_t count) const {
     if (first > designs() || count > designs() - first)
-      throw nb::index_error(
-          fmt::format("designs {} to {} of {}", first, first + count, designs()).c_str());
+      throw nb::index_error(fmt::format("designs {} to {} of {}", first, first + count, designs()).c_str());
   }
 
  private:
@@ -101,8 +99,7 @@ class StudyRows {
   StudyRows(std::shared_ptr<const StudySource> source, StoredRows rows)
       : source_(std::move(source)), rows_(std::move(rows)) {
     const DesignRange all{0, source_->designs()};
-    if (!rows_.missing(all).empty())
-      throw std::invalid_argument("designs are missing among the records");
+    if (!rows_.missing(all).empty()) throw std::invalid_argument("designs are missing among the records");
   }
   StudyRows(StudyRows&&) = default;
 
@@ -114,11 +111,10 @@ class StudyRows {
       analysis.add(block);
     });
     result->summary = analysis.summary();
-    result->warnings = study_warnings(
-        source_->input(), *result, [this]() -> const DesignEngine& { return source_->engine(); });
-    return std::make_shared<Document>(
-        [result, source = source_] { return study_json(*result, source->info()); },
-        keeping(study_pictures(*result), result));
+    result->warnings =
+        study_warnings(source_->input(), *result, [this]() -> const DesignEngine& { return source_->engine(); });
+    return std::make_shared<Document>([result, source = source_] { return study_json(*result, source->info()); },
+                                      keeping(study_pictures(*result), result));
   }
 
   Designs designs() const {
@@ -128,8 +124,7 @@ class StudyRows {
     for_each_block([&](const RowBlock& block) {
       values->insert(values->end(), block.responses.begin(), block.responses.end());
       for (const RowBlock::Failure& failure : block.failures)
-        designs.failures.emplace_back(block.first + failure.row, failure.status.name,
-                                      failure.status.reason);
+        designs.failures.emplace_back(block.first + failure.row, failure.status.name, failure.status.reason);
     });
     designs.values = std::move(values);
     return designs;
@@ -161,12 +156,10 @@ std::optional<StudyRows> run(const std::shared_ptr<StudySource>& source, std::si
 }
 
 /// Rows from records in any order.
-StudyRows collect(const std::shared_ptr<StudySource>& source,
-                  const std::vector<std::string>& records) {
+StudyRows collect(const std::shared_ptr<StudySource>& source, const std::vector<std::string>& records) {
   Journal journal = Journal::temporary(source->header());
   for (const std::string& record : records) {
-    if (!journal.takes(record))
-      throw std::invalid_argument("a record is not one of this study, or damaged");
+    if (!journal.takes(record)) throw std::invalid_argument("a record is not one of this study, or damaged");
     journal.append(record);
   }
   std::vector<Journal> journals;
@@ -175,8 +168,7 @@ StudyRows collect(const std::shared_ptr<StudySource>& source,
 }
 
 /// A record of designs that nobody could answer.
-std::string failed_record(const StudySource& source, std::size_t first, std::size_t count,
-                          const std::string& reason) {
+std::string failed_record(const StudySource& source, std::size_t first, std::size_t count, const std::string& reason) {
   source.require_designs(first, count);
   RowBlock block{first, count, {}, {}};
   block.responses.assign(count * source.study().responses.size(), kNoResponse);
@@ -188,8 +180,7 @@ using Numbers = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device:
 
 /// The designs that the rows of an array give: a number in the factor's unit or, of a factor with
 /// levels, the index of one.
-std::vector<std::vector<Draw>> draws_of(const Study& study, const double* numbers,
-                                        std::size_t rows) {
+std::vector<std::vector<Draw>> draws_of(const Study& study, const double* numbers, std::size_t rows) {
   const std::size_t factors = study.factors.size();
   std::vector<std::vector<Draw>> designs(rows);
   for (std::size_t row = 0; row < rows; ++row) {
@@ -200,12 +191,11 @@ std::vector<std::vector<Draw>> draws_of(const Study& study, const double* number
       Draw& draw = designs[row][f];
       if (levels == 0) {
         if (!std::isfinite(number))
-          throw std::invalid_argument(fmt::format("{}[{}]: got {}; expected finite numbers",
-                                                  study.factors[f].path, row, number));
+          throw std::invalid_argument(
+              fmt::format("{}[{}]: got {}; expected finite numbers", study.factors[f].path, row, number));
         draw = {Draw::Kind::number, 0, number};
       } else {
-        if (!(number >= 0.0 && number < static_cast<double>(levels)))
-          throw nb::index_error("no such level");
+        if (!(number >= 0.0 && number < static_cast<double>(levels))) throw nb::index_error("no such level");
         draw = {Draw::Kind::level, static_cast<std::size_t>(number), 0.0};
       }
     }
@@ -217,8 +207,8 @@ std::vector<std::vector<Draw>> draws_of(const Study& study, const double* number
 constexpr std::size_t kDesignsAtOnce = 32'768;
 
 /// Answers of the rows of an array; fewer where the work was stopped.
-Designs evaluate(const StudySource& source, const double* numbers, std::size_t rows,
-                 std::size_t threads, Supervision& supervision) {
+Designs evaluate(const StudySource& source, const double* numbers, std::size_t rows, std::size_t threads,
+                 Supervision& supervision) {
   const Study& study = source.study();
   const EvaluateDesigns evaluate_all = evaluate_in_parallel(source.engine(), threads);
   Designs designs{study.responses, 0, nullptr, {}};
@@ -250,9 +240,7 @@ void bind_study(nb::module_& module) {
       .def_ro("failures", &Designs::failures, "Number, status and reason of those without answer.")
       .def_prop_ro(
           "values",
-          [](const Designs& designs) {
-            return view(designs.values, designs.count, designs.responses.size());
-          },
+          [](const Designs& designs) { return view(designs.values, designs.count, designs.responses.size()); },
           nb::sig("def values(self) -> numpy.typing.NDArray[numpy.float64]"));
 
   nb::class_<StudyRows>(module, "StudyRows", "A study with the rows of all designs.")
@@ -264,22 +252,19 @@ void bind_study(nb::module_& module) {
       .def_prop_ro("has_designs", &StudySource::has_designs)
       .def_prop_ro("count", &StudySource::designs)
       .def_prop_ro("chunk", [](const StudySource& s) { return s.engine().chunk(); })
-      .def_prop_ro("warnings", &StudySource::warnings,
-                   "Which factors overrides of the file make void.")
+      .def_prop_ro("warnings", &StudySource::warnings, "Which factors overrides of the file make void.")
       .def("derivatives", &StudySource::derivatives, nb::call_guard<GilRelease>())
       .def("factor_names",
            [](const StudySource& s) {
              std::vector<std::string> names;
-             for (const FactorColumn& column : factor_columns(s.study()))
-               names.push_back(column.name);
+             for (const FactorColumn& column : factor_columns(s.study())) names.push_back(column.name);
              return names;
            })
       .def(
           "factor_words",
           [](const StudySource& s) {
             std::vector<std::vector<std::string>> words;
-            for (const FactorColumn& column : factor_columns(s.study()))
-              words.push_back(column.words);
+            for (const FactorColumn& column : factor_columns(s.study())) words.push_back(column.words);
             return words;
           },
           "Of each column: what its indices stand for; empty where it holds numbers.")
@@ -287,8 +272,8 @@ void bind_study(nb::module_& module) {
           "factor_values",
           [](const StudySource& s) {
             const std::vector<FactorColumn> columns = factor_columns(s.study());
-            auto values = std::make_shared<const std::vector<double>>(
-                factor_values(s.study(), columns, 0, s.designs()));
+            auto values =
+                std::make_shared<const std::vector<double>>(factor_values(s.study(), columns, 0, s.designs()));
             return view(values, s.designs(), columns.size());
           },
           nb::sig("def factor_values(self) -> numpy.typing.NDArray[numpy.float64]"))
@@ -324,8 +309,7 @@ void bind_study(nb::module_& module) {
           nb::arg("first"), nb::arg("count"), "Answers of designs [first, first + count).")
       .def(
           "failed_record",
-          [](const StudySource& s, std::size_t first, std::size_t count,
-             const std::string& reason) {
+          [](const StudySource& s, std::size_t first, std::size_t count, const std::string& reason) {
             return bytes_of(failed_record(s, first, count, reason));
           },
           nb::arg("first"), nb::arg("count"), nb::arg("reason"))
@@ -333,18 +317,15 @@ void bind_study(nb::module_& module) {
           "collect",
           [](const std::shared_ptr<StudySource>& s, const std::vector<nb::bytes>& records) {
             std::vector<std::string> copies;
-            for (const nb::bytes& record : records)
-              copies.emplace_back(record.c_str(), record.size());
+            for (const nb::bytes& record : records) copies.emplace_back(record.c_str(), record.size());
             const GilRelease released;
             return collect(s, copies);
           },
           nb::arg("records"), "ValueError where designs are missing.")
       .def(
           "run",
-          [](const std::shared_ptr<StudySource>& s, std::size_t threads,
-             const nb::object& progress) {
-            return beside_interpreter(
-                [&](Supervision& supervision) { return run(s, threads, supervision); }, progress);
+          [](const std::shared_ptr<StudySource>& s, std::size_t threads, const nb::object& progress) {
+            return beside_interpreter([&](Supervision& supervision) { return run(s, threads, supervision); }, progress);
           },
           nb::arg("threads"), nb::arg("progress").none(),
           nb::sig("def run(self, threads: int, progress: collections.abc.Callable[[int, int], "
@@ -357,13 +338,11 @@ void bind_study(nb::module_& module) {
             Supervision supervision;
             return evaluate(s, numbers.data(), numbers.shape(0), 1, supervision);
           },
-          nb::arg("numbers"),
-          nb::sig("def answer(self, numbers: numpy.typing.NDArray[numpy.float64]) -> Designs"),
+          nb::arg("numbers"), nb::sig("def answer(self, numbers: numpy.typing.NDArray[numpy.float64]) -> Designs"),
           "A few designs, by this thread.")
       .def(
           "evaluate",
-          [](const StudySource& s, const Numbers& numbers, std::size_t threads,
-             const nb::object& progress) {
+          [](const StudySource& s, const Numbers& numbers, std::size_t threads, const nb::object& progress) {
             s.require_columns(numbers.shape(1));
             return beside_interpreter(
                 [&](Supervision& supervision) {
@@ -376,8 +355,7 @@ void bind_study(nb::module_& module) {
                   "progress: collections.abc.Callable[[int, int], object] | None) -> Designs"));
 
   module.def("available_processors", &available_processors);
-  module.def("unit_key", &unit_key, nb::arg("unit"),
-             "A unit as it stands in keys: `N/mm^1.5` is `N_per_mm1_5`.");
+  module.def("unit_key", &unit_key, nb::arg("unit"), "A unit as it stands in keys: `N/mm^1.5` is `N_per_mm1_5`.");
 }
 
 }  // namespace prs::python

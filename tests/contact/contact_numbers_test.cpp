@@ -68,8 +68,8 @@ struct Worst {
     add(geometry, n.point.normal.x - g.point.normal.x);
     add(geometry, n.point.normal.z - g.point.normal.z);
     add(geometry, n.helix_tangent.y - g.helix_tangent.y);
-    for (const auto& [lanes, scalar] : {std::pair(n.body, g.body), std::pair(n.roller, g.roller),
-                                        std::pair(n.relative, g.relative)}) {
+    for (const auto& [lanes, scalar] :
+         {std::pair(n.body, g.body), std::pair(n.roller, g.roller), std::pair(n.relative, g.relative)}) {
       const double scale = std::max(std::abs(g.roller.second), std::abs(g.relative.second));
       add(curvature, (lanes.first - scalar.first) / scale);
       add(curvature, (lanes.second - scalar.second) / scale);
@@ -86,8 +86,7 @@ struct Worst {
 /// Each interface against `interface_geometry` and `hertz_constants`, which are tested against
 /// the papers and other solvers.
 TEST(ContactNumbers, EveryInstructionSetFindsTheContactsOfOneMechanism) {
-  const std::vector<MechanismGeometry> mechanisms =
-      random_mechanisms(::test::count(2000, 100'000) + 3);
+  const std::vector<MechanismGeometry> mechanisms = random_mechanisms(::test::count(2000, 100'000) + 3);
   std::vector<MechanismNumbers<double>> numbers;
   for (const MechanismGeometry& m : mechanisms) numbers.push_back(with_moduli(m));
   std::vector<MechanismContactNumbers<double>> found(numbers.size());
@@ -108,15 +107,14 @@ TEST(ContactNumbers, EveryInstructionSetFindsTheContactsOfOneMechanism) {
       if (!threads) continue;
       ++sound;
       const MechanismContact scalar = mechanism_contact(m, Configuration::i1_j2);
-      const auto compare = [&](const InterfaceGeometry& n, const InterfaceGeometry& g,
-                               const HertzConstants& h, double modulus) {
+      const auto compare = [&](const InterfaceGeometry& n, const InterfaceGeometry& g, const HertzConstants& h,
+                               double modulus) {
         // Why there is none may differ: a descent that finds no minimum ends anywhere.
         ASSERT_EQ(n.ok(), g.ok()) << k;
         if (!g.ok()) return;
         ++contacts;
         worst.add(n, g, m.centre_distance);
-        const HertzConstants constants =
-            hertz_constants(g.relative.first, g.relative.second, modulus);
+        const HertzConstants constants = hertz_constants(g.relative.first, g.relative.second, modulus);
         ASSERT_EQ(h.status, constants.status) << k;
         worst.add(h, constants, std::min(1.0, g.openness()));
       };
@@ -143,14 +141,13 @@ TEST(ContactNumbers, NeighboursDoNotMatter) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       find_contacts({&numbers[k], 1}, alone, set);
       const auto bits = [](const MechanismContactNumbers<double>& c) {
-        return std::vector<double>{c.screw.geometry.point.position.x,
-                                   c.screw.geometry.relative.first, c.nut.geometry.point.backlash,
-                                   c.screw.hertz.hertz_constant, c.nut.hertz.ellipticity};
+        return std::vector<double>{c.screw.geometry.point.position.x, c.screw.geometry.relative.first,
+                                   c.nut.geometry.point.backlash, c.screw.hertz.hertz_constant,
+                                   c.nut.hertz.ellipticity};
       };
       const std::vector<double> a = bits(together[k]), b = bits(alone[0]);
       for (std::size_t i = 0; i < a.size(); ++i)
-        EXPECT_TRUE(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])))
-            << simd::name(set) << " " << k << " " << i;
+        EXPECT_TRUE(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i]))) << simd::name(set) << " " << k << " " << i;
     }
   }
 }

@@ -36,8 +36,7 @@ double height_by_1_22(const ThreadSurface& s, double radius, double angle, int g
 }
 
 /// Sandu 2018, (A.9) and (A.10) with the factor in front of (A.9) left out.
-Eigen::Vector2d residual_of_a9_a10(const ThreadPair& pair, double body_radius,
-                                   double roller_radius) {
+Eigen::Vector2d residual_of_a9_a10(const ThreadPair& pair, double body_radius, double roller_radius) {
   const double f1 = pair.body.profile(body_radius).slope;
   const double f2 = pair.roller.profile(roller_radius).slope;
   const double l1 = pair.body.reduced_lead, l2 = pair.roller.reduced_lead;
@@ -45,8 +44,7 @@ Eigen::Vector2d residual_of_a9_a10(const ThreadPair& pair, double body_radius,
   const double bracket = f1 * f1 + std::pow(l1 / body_radius, 2);
   // gamma_1 gamma_2 = -1 for two external threads, +1 for a nut's air.
   const double arm = (body_radius * f1 + pair.body.side * roller_radius * f2) / c;
-  return {arm * arm + std::pow((l1 - l2) / c, 2) - bracket,
-          bracket - f2 * f2 - std::pow(l2 / roller_radius, 2)};
+  return {arm * arm + std::pow((l1 - l2) / c, 2) - bracket, bracket - f2 * f2 - std::pow(l2 / roller_radius, 2)};
 }
 
 /// Newton on (A.9), (A.10) in the two radii with the full Jacobian.
@@ -58,8 +56,7 @@ Eigen::Vector2d solve_a9_a10(const ThreadPair& pair, Eigen::Vector2d radii) {
     const double arm = 2.0 * (r1 * f1.slope + s * r2 * f2.slope) / (c * c);
     const double bracket = 2.0 * (f1.slope * f1.slope_rate - l1 * l1 / (r1 * r1 * r1));
     Eigen::Matrix2d jacobian;
-    jacobian << arm * (f1.slope + r1 * f1.slope_rate) - bracket,
-        arm * s * (f2.slope + r2 * f2.slope_rate), bracket,
+    jacobian << arm * (f1.slope + r1 * f1.slope_rate) - bracket, arm * s * (f2.slope + r2 * f2.slope_rate), bracket,
         -2.0 * (f2.slope * f2.slope_rate - l2 * l2 / (r2 * r2 * r2));
     radii -= jacobian.inverse() * residual_of_a9_a10(pair, r1, r2);
   }
@@ -92,18 +89,15 @@ void expect_closure_and_equal_normals(RandomMechanisms random, int wanted) {
       ASSERT_TRUE(p.ok());
       const double rb = p.radius_on_body, rr = p.radius_on_roller;
       const double tb = p.angle_on_body, tr = p.angle_on_roller;
-      worst_gap = std::max({worst_gap,
-                            std::abs(rb * std::cos(tb) - rr * std::cos(tr) - pair.centre_distance),
+      worst_gap = std::max({worst_gap, std::abs(rb * std::cos(tb) - rr * std::cos(tr) - pair.centre_distance),
                             std::abs(rb * std::sin(tb) - rr * std::sin(tr))});
       const bool external = pair.body.side > 0;
       const int gamma = gamma_of(face);
       const Eigen::Vector3d on_roller = normal_by_1_27(pair.roller, rr, tr, gamma);
-      const Eigen::Vector3d on_body =
-          external ? Eigen::Vector3d(-normal_by_1_27(pair.body, rb, tb, -gamma))
-                   : normal_by_1_27(pair.body, rb, tb, gamma);
-      worst_normal =
-          std::max({worst_normal, (on_roller - on_body).norm(),
-                    (on_roller - Eigen::Vector3d(p.normal.x, p.normal.y, p.normal.z)).norm()});
+      const Eigen::Vector3d on_body = external ? Eigen::Vector3d(-normal_by_1_27(pair.body, rb, tb, -gamma))
+                                               : normal_by_1_27(pair.body, rb, tb, gamma);
+      worst_normal = std::max({worst_normal, (on_roller - on_body).norm(),
+                               (on_roller - Eigen::Vector3d(p.normal.x, p.normal.y, p.normal.z)).norm()});
       worst_equation = std::max(worst_equation, residual_of_a9_a10(pair, rb, rr).norm());
     }
   }
@@ -118,9 +112,8 @@ TEST(ContactPoint, ClosesAndHasEqualNormalsOnRandomMechanisms) {
 }
 
 TEST(ContactPoint, ClosesAndHasEqualNormalsWithStraightAndConcaveRollers) {
-  expect_closure_and_equal_normals(
-      RandomMechanisms(6, RandomMechanisms::Rollers::straight_or_concave),
-      ::test::count(200, 2000));
+  expect_closure_and_equal_normals(RandomMechanisms(6, RandomMechanisms::Rollers::straight_or_concave),
+                                   ::test::count(200, 2000));
 }
 
 TEST(ContactPoint, TakesAtMostEightStepsOnRandomMechanisms) {
@@ -149,8 +142,8 @@ TEST(ContactPoint, TakesAtMostEightStepsOnRandomMechanisms) {
 double clearance(const ThreadPair& pair, RollerFace face, double x, double y) {
   const double c = pair.centre_distance, side = pair.body.side;
   const double r = std::hypot(x, y), roller_r = std::hypot(x - c, y);
-  if (r < pair.body.smallest_radius || r > pair.body.largest_radius ||
-      roller_r < pair.roller.smallest_radius || roller_r > pair.roller.largest_radius) {
+  if (r < pair.body.smallest_radius || r > pair.body.largest_radius || roller_r < pair.roller.smallest_radius ||
+      roller_r > pair.roller.largest_radius) {
     return std::numeric_limits<double>::infinity();
   }
   const double turn = std::atan2(y, x);
@@ -216,9 +209,7 @@ TEST(ContactPoint, IsFoundWhereverADirectSearchFindsAMinimum) {
       EXPECT_LE(clearance(pair, face, p.position.x, p.position.y),
                 clearance(pair, face, lowest->x(), lowest->y()) + 1e-15)
           << i;
-      EXPECT_LT(std::hypot(p.position.x - lowest->x(), p.position.y - lowest->y()),
-                1e-4 * p.radius_on_body)
-          << i;
+      EXPECT_LT(std::hypot(p.position.x - lowest->x(), p.position.y - lowest->y()), 1e-4 * p.radius_on_body) << i;
     }
   }
   EXPECT_GT(seen, tries);
@@ -228,8 +219,7 @@ TEST(ContactPoint, AgreesWithNewtonOnSandusEquations) {
   const MechanismGeometry ex1 = test::sandu_example_1(), inverted = test::abevi();
   for (const ThreadPair& pair : {screw_pair(ex1), nut_pair(inverted)}) {
     const ContactPoint p = find_contact_point(pair, RollerFace::top);
-    const Eigen::Vector2d radii =
-        solve_a9_a10(pair, {pair.body.pitch_radius, pair.roller.pitch_radius});
+    const Eigen::Vector2d radii = solve_a9_a10(pair, {pair.body.pitch_radius, pair.roller.pitch_radius});
     EXPECT_NEAR(p.radius_on_body, radii.x(), 1e-13 * mm);
     EXPECT_NEAR(p.radius_on_roller, radii.y(), 1e-13 * mm);
   }
@@ -238,8 +228,7 @@ TEST(ContactPoint, AgreesWithNewtonOnSandusEquations) {
 TEST(ContactPoint, OfTheSeveralRootsOfSandusEquationsOnlyTheAdmissibleOneIsReported) {
   // A coarse inverted screw: near the roller's core the helix alone is as steep as the flank.
   MechanismGeometry m{MechanismType::inverted, test::thread(20, 12, 6),
-                      test::thread(20, -12, 6, std::sin(45 * deg) / 20),
-                      test::nut_thread(60, 12, 6), 40 * mm};
+                      test::thread(20, -12, 6, std::sin(45 * deg) / 20), test::nut_thread(60, 12, 6), 40 * mm};
   const ThreadPair pair = nut_pair(m);
   const Eigen::Vector2d other = solve_a9_a10(pair, {40 * mm, 1.9 * mm});
   ASSERT_LT(residual_of_a9_a10(pair, other.x(), other.y()).norm(), 1e-12);
@@ -313,8 +302,7 @@ TEST(ContactPoint, OtherFacesAreAHalfTurnAboutX) {
       EXPECT_NEAR(bottom.angle_on_roller, turned.angle_on_roller, 1e-13);
       EXPECT_NEAR((bottom.normal - turned.normal).norm(), 0.0, 1e-13);
       EXPECT_NEAR(bottom.backlash, turned.backlash, 1e-16);
-      EXPECT_NEAR(bottom.clearance_hessian.xy, turned.clearance_hessian.xy,
-                  1e-9 * turned.clearance_hessian.trace());
+      EXPECT_NEAR(bottom.clearance_hessian.xy, turned.clearance_hessian.xy, 1e-9 * turned.clearance_hessian.trace());
     }
   }
   EXPECT_GT(checked, 50);
@@ -363,8 +351,7 @@ TEST(ContactPoint, ThinnerThreadsHaveMoreBacklash) {
   m.screw.thickness = 0.5 * m.screw.pitch - 0.03 * mm;
   m.nut.thickness = 0.5 * m.nut.pitch - 0.04 * mm;
   m.roller.thickness = 0.5 * m.roller.pitch - 0.01 * mm;
-  EXPECT_NEAR(find_contact_point(screw_pair(m), RollerFace::top).backlash, screw + 0.04 * mm,
-              1e-17);
+  EXPECT_NEAR(find_contact_point(screw_pair(m), RollerFace::top).backlash, screw + 0.04 * mm, 1e-17);
   EXPECT_NEAR(find_contact_point(nut_pair(m), RollerFace::bottom).backlash, nut + 0.05 * mm, 1e-17);
 }
 
@@ -379,18 +366,15 @@ TEST(ContactPoint, BacklashWithinTheRoundingOfTheRadiiIsNone) {
 TEST(ContactPoint, StraightOnStraightIsRefused) {
   MechanismGeometry m = test::abevi();
   m.roller.profile_curvature = 0.0;
-  EXPECT_EQ(find_contact_point(screw_pair(m), RollerFace::top).status,
-            ContactPointStatus::straight_on_straight);
+  EXPECT_EQ(find_contact_point(screw_pair(m), RollerFace::top).status, ContactPointStatus::straight_on_straight);
 }
 
 TEST(ContactPoint, AxesTooFarApartAreOutOfReach) {
   MechanismGeometry m = test::abevi();
   m.centre_distance = 15 * mm;
-  EXPECT_EQ(find_contact_point(screw_pair(m), RollerFace::top).status,
-            ContactPointStatus::out_of_reach);
+  EXPECT_EQ(find_contact_point(screw_pair(m), RollerFace::top).status, ContactPointStatus::out_of_reach);
   m.centre_distance = 13 * mm;
-  EXPECT_EQ(find_contact_point(nut_pair(m), RollerFace::bottom).status,
-            ContactPointStatus::out_of_reach);
+  EXPECT_EQ(find_contact_point(nut_pair(m), RollerFace::bottom).status, ContactPointStatus::out_of_reach);
 }
 
 TEST(ContactPoint, TruncatedFlankIsNamedWithItsExcess) {

@@ -26,9 +26,8 @@ TEST(SymmetricTensor, TurningKeepsTraceAndDeterminant) {
 }
 
 TEST(SymmetricTensor, PrincipalDirectionsDiagonaliseIt) {
-  for (const SymmetricTensor& t :
-       {SymmetricTensor{3, -1.2, 0.7}, SymmetricTensor{-3, 2, -5}, SymmetricTensor{1, 0, -4},
-        SymmetricTensor{0, 1, 0}, SymmetricTensor{2, 0, 2}, SymmetricTensor{0, 0, 0}}) {
+  for (const SymmetricTensor& t : {SymmetricTensor{3, -1.2, 0.7}, SymmetricTensor{-3, 2, -5}, SymmetricTensor{1, 0, -4},
+                                   SymmetricTensor{0, 1, 0}, SymmetricTensor{2, 0, 2}, SymmetricTensor{0, 0, 0}}) {
     for (const PrincipalValues& p : {principal_ascending(t), principal_by_magnitude(t)}) {
       const SymmetricTensor d = in_turned_axes(t, p.angle);
       EXPECT_NEAR(d.xx, p.first, 1e-14);
@@ -38,8 +37,7 @@ TEST(SymmetricTensor, PrincipalDirectionsDiagonaliseIt) {
       EXPECT_LE(p.angle, 0.5 * pi + 1e-15);
     }
     EXPECT_LE(principal_ascending(t).first, principal_ascending(t).second);
-    EXPECT_LE(std::abs(principal_by_magnitude(t).first),
-              std::abs(principal_by_magnitude(t).second));
+    EXPECT_LE(std::abs(principal_by_magnitude(t).first), std::abs(principal_by_magnitude(t).second));
   }
 }
 
@@ -55,12 +53,8 @@ TEST(CurvatureTensor, TorusHasItsTwoRadii) {
   // Outer equator of a torus (R + r cos v, r sin v), parameters (u, v) skewed: u = u', v = v' + s
   // u'.
   const double big = 5.0, r = 2.0, s = 0.8, radius = big + r;
-  const FundamentalForms f{.E = radius * radius + s * s * r * r,
-                           .F = s * r * r,
-                           .G = r * r,
-                           .L = radius + s * s * r,
-                           .M = s * r,
-                           .N = r};
+  const FundamentalForms f{
+      .E = radius * radius + s * s * r * r, .F = s * r * r, .G = r * r, .L = radius + s * s * r, .M = s * r, .N = r};
   const PrincipalValues p = principal_ascending(curvature_tensor(f));
   EXPECT_NEAR(p.first, 1.0 / radius, 1e-15);
   EXPECT_NEAR(p.second, 1.0 / r, 1e-15);

@@ -18,13 +18,9 @@ HertzContact ellipse(double a, double b) {
   return e;
 }
 
-HeatedBody steel(double along_major, double along_minor) {
-  return {45.0, 7810.0, 460.0, along_major, along_minor};
-}
+HeatedBody steel(double along_major, double along_minor) { return {45.0, 7810.0, 460.0, along_major, along_minor}; }
 
-double peak_flux(const HertzContact& e) {
-  return 3.0 * kPower / (2.0 * kPi * e.semi_major * e.semi_minor);
-}
+double peak_flux(const HertzContact& e) { return 3.0 * kPower / (2.0 * kPi * e.semi_major * e.semi_minor); }
 
 /// At the centre of a source at rest, q_0 sqrt(1 - r^2/R(phi)^2) over 2 pi k r: q_0/(8 k) times the
 /// integral of R over the azimuth.
@@ -65,9 +61,7 @@ TEST(FlashTemperature, FastContactsAreMovingBands) {
   EXPECT_NEAR(surface_rise(e, steel(speed, 0.0), kPower) / band(0.4e-3), 1.0, 1e-8);
   EXPECT_NEAR(surface_rise(e, steel(0.0, speed), kPower) / band(0.1e-3), 1.0, 1e-8);
   const double along = 1.0 / std::hypot(std::sqrt(0.5) / 0.4e-3, std::sqrt(0.5) / 0.1e-3);
-  EXPECT_NEAR(
-      surface_rise(e, steel(speed * std::sqrt(0.5), speed * std::sqrt(0.5)), kPower) / band(along),
-      1.0, 1e-8);
+  EXPECT_NEAR(surface_rise(e, steel(speed * std::sqrt(0.5), speed * std::sqrt(0.5)), kPower) / band(along), 1.0, 1e-8);
 }
 
 /// Tian and Kennedy, ASME J. Tribology 116 (1994) 167, circle under Hertz's distribution: at high
@@ -75,16 +69,15 @@ TEST(FlashTemperature, FastContactsAreMovingBands) {
 TEST(FlashTemperature, FastCircleHasPrintedFactor) {
   const HertzContact e = ellipse(0.3e-3, 0.3e-3);
   const double speed = 1e8, peclet = speed * 0.3e-3 * 7810.0 * 460.0 / (2.0 * 45.0);
-  const double printed =
-      2.32 * 2.0 / 3.0 * peak_flux(e) * 0.3e-3 / (45.0 * std::sqrt(kPi * peclet));
+  const double printed = 2.32 * 2.0 / 3.0 * peak_flux(e) * 0.3e-3 / (45.0 * std::sqrt(kPi * peclet));
   EXPECT_NEAR(surface_rise(e, steel(speed, 0.0), kPower) / printed, 1.0, 1e-3);
 }
 
 TEST(FlashTemperature, EqualBodiesTakeHalfOfTheHeat) {
   const HertzContact e = ellipse(0.4e-3, 0.1e-3);
-  EXPECT_NEAR(flash_temperature(e, {steel(3.0, 1.0), steel(3.0, 1.0)}, kPower) /
-                  surface_rise(e, steel(3.0, 1.0), kPower),
-              0.5, 1e-14);
+  EXPECT_NEAR(
+      flash_temperature(e, {steel(3.0, 1.0), steel(3.0, 1.0)}, kPower) / surface_rise(e, steel(3.0, 1.0), kPower), 0.5,
+      1e-14);
   EXPECT_EQ(flash_temperature(e, {steel(3.0, 1.0), steel(3.0, 1.0)}, 0.0), 0.0);
 }
 

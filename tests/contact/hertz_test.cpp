@@ -95,8 +95,7 @@ TEST(Hertz, EllipticityIsExactForCurvatureRatiosFromOneToAMillion) {
 
 TEST(Hertz, EllipticityStaysExactFarTowardsTheLine) {
   for (const double q : {1e7, 1e9, 1e12, 1e16, 1e20}) {
-    const Multiprecision error =
-        high_precision_curvature_ratio(ellipticity(1.0 / q)) / Multiprecision(1.0 / q) - 1;
+    const Multiprecision error = high_precision_curvature_ratio(ellipticity(1.0 / q)) / Multiprecision(1.0 / q) - 1;
     EXPECT_LT(std::abs(static_cast<double>(error)), 1e-14) << q;
   }
 }
@@ -170,14 +169,12 @@ TEST(Hertz, PressureIntegratesToTheLoad) {
     for (int j = 0; j < 16; ++j) {
       const double phi = 2.0 * pi * (j + 0.5) / 16;
       const double r = std::sin(t);
-      load += c.pressure(r * c.semi_major * std::cos(phi), r * c.semi_minor * std::sin(phi)) * r *
-              std::cos(t);
+      load += c.pressure(r * c.semi_major * std::cos(phi), r * c.semi_minor * std::sin(phi)) * r * std::cos(t);
     }
   }
   load *= c.semi_major * c.semi_minor * (0.5 * pi / n) * (2.0 * pi / 16);
   EXPECT_NEAR(load / c.normal_load, 1.0, 1e-5);
-  EXPECT_NEAR(2.0 / 3.0 * c.peak_pressure * pi * c.semi_major * c.semi_minor / c.normal_load, 1.0,
-              1e-15);
+  EXPECT_NEAR(2.0 / 3.0 * c.peak_pressure * pi * c.semi_major * c.semi_minor / c.normal_load, 1.0, 1e-15);
   EXPECT_EQ(c.pressure(1.01 * c.semi_major, 0.0), 0.0);
 }
 
@@ -188,8 +185,7 @@ TEST(Hertz, LoadIsTheDerivativeOfTheStrainEnergy) {
   const HertzConstants h = hertz_constants(kappa_1, kappa_2, kModulus);
   const HertzContact c = at_load(h, 500.0);
   const double a2 = c.semi_major * c.semi_major, b2 = c.semi_minor * c.semi_minor;
-  const double from_pressure =
-      0.5 * c.normal_load * (c.approach - 0.1 * (kappa_1 * a2 + kappa_2 * b2));
+  const double from_pressure = 0.5 * c.normal_load * (c.approach - 0.1 * (kappa_1 * a2 + kappa_2 * b2));
   const double from_law = 0.4 * h.hertz_constant * std::pow(c.approach, 2.5);
   EXPECT_NEAR(from_pressure / from_law, 1.0, 1e-14);
 }
@@ -219,8 +215,8 @@ TEST(Hertz, BadInputIsNamed) {
 TEST(Hertz, ModulusIsTheSumOfPlaneStrainCompliances) {
   // Sandu 2018 (1.79): E' = 2 E* = 230.77 GPa for steel on steel.
   EXPECT_NEAR(2.0 * contact_modulus({210 * GPa, 0.3}, {210 * GPa, 0.3}), 230.77 * GPa, 0.005 * GPa);
-  EXPECT_NEAR(1.0 / contact_modulus({210 * GPa, 0.3}, {70 * GPa, 0.33}),
-              0.91 / (210 * GPa) + 0.8911 / (70 * GPa), 1e-25);
+  EXPECT_NEAR(1.0 / contact_modulus({210 * GPa, 0.3}, {70 * GPa, 0.33}), 0.91 / (210 * GPa) + 0.8911 / (70 * GPa),
+              1e-25);
 }
 
 TEST(EllipticityApproximations, MissTheExactValueAsFarAsTheyDo) {
@@ -228,9 +224,8 @@ TEST(EllipticityApproximations, MissTheExactValueAsFarAsTheyDo) {
   struct Row {
     double q, hamrock_dowson, hamrock_brewe, johnson;
   };
-  for (const Row& row :
-       {Row{1.0, 0.030, 0.0, 0.0}, Row{1.5, 0.0191, -0.0119, 0.0002},
-        Row{10.0, -0.0007, -0.0374, 0.0316}, Row{1000.0, 0.2622, 0.1972, 0.4734}}) {
+  for (const Row& row : {Row{1.0, 0.030, 0.0, 0.0}, Row{1.5, 0.0191, -0.0119, 0.0002},
+                         Row{10.0, -0.0007, -0.0374, 0.0316}, Row{1000.0, 0.2622, 0.1972, 0.4734}}) {
     const double exact = 1.0 / ellipticity(1.0 / row.q);
     EXPECT_NEAR(hamrock_dowson_ellipticity(row.q) / exact - 1.0, row.hamrock_dowson, 6e-5) << row.q;
     EXPECT_NEAR(hamrock_brewe_ellipticity(row.q) / exact - 1.0, row.hamrock_brewe, 6e-5) << row.q;

@@ -24,16 +24,14 @@ Eigen::Vector3d eigen(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 /// Depth of a body's surface behind the tangent plane at the contact point, at the tangent vector
 /// `t` from it, found from the surface equation alone: moves along the normal to the surface.
 /// `centre_x` is where the thread's axis is, `n` the outward normal of the material.
-double depth_behind_tangent_plane(const ThreadSurface& s, double centre_x, int gamma,
-                                  const ContactPoint& p, const Eigen::Vector3d& n,
-                                  const Eigen::Vector3d& t) {
+double depth_behind_tangent_plane(const ThreadSurface& s, double centre_x, int gamma, const ContactPoint& p,
+                                  const Eigen::Vector3d& n, const Eigen::Vector3d& t) {
   const Eigen::Vector2d at(p.position.x - centre_x, p.position.y);
   const double angle_0 = std::atan2(at.y(), at.x());
   const auto height = [&](const Eigen::Vector3d& q) {  // above the surface at the contact point
     const double x = at.x() + q.x(), y = at.y() + q.y();
     const double turn = std::remainder(std::atan2(y, x) - angle_0, 2 * std::numbers::pi);
-    return gamma * (s.profile(std::hypot(x, y)).height - s.profile(at.norm()).height) +
-           turn * s.reduced_lead;
+    return gamma * (s.profile(std::hypot(x, y)).height - s.profile(at.norm()).height) + turn * s.reduced_lead;
   };
   double depth = 0.0;
   for (int i = 0; i < 30; ++i) {  // z of the moved point against the surface there
@@ -44,9 +42,8 @@ double depth_behind_tangent_plane(const ThreadSurface& s, double centre_x, int g
 }
 
 /// Normal curvature along the unit tangent `t`, by second difference.
-double numerical_curvature(const ThreadSurface& s, double centre_x, int gamma,
-                           const ContactPoint& p, const Eigen::Vector3d& n,
-                           const Eigen::Vector3d& t) {
+double numerical_curvature(const ThreadSurface& s, double centre_x, int gamma, const ContactPoint& p,
+                           const Eigen::Vector3d& n, const Eigen::Vector3d& t) {
   const double h = 2e-4 * p.radius_on_roller;
   return (depth_behind_tangent_plane(s, centre_x, gamma, p, n, h * t) +
           depth_behind_tangent_plane(s, centre_x, gamma, p, n, -h * t)) /
@@ -84,9 +81,9 @@ TEST(InterfaceGeometry, PrincipalCurvaturesAreThoseOfTheSurfacesThemselves) {
         EXPECT_NEAR(numerical_curvature(pair.roller, pair.centre_distance, gamma, g.point, n,
                                         eigen(g.direction(g.roller.angle + quarter))),
                     second ? g.roller.second : g.roller.first, 1e-5 * scale);
-        EXPECT_NEAR(numerical_curvature(pair.body, 0.0, body_gamma, g.point, -n,
-                                        eigen(g.direction(g.body.angle + quarter))),
-                    second ? g.body.second : g.body.first, 1e-5 * scale);
+        EXPECT_NEAR(
+            numerical_curvature(pair.body, 0.0, body_gamma, g.point, -n, eigen(g.direction(g.body.angle + quarter))),
+            second ? g.body.second : g.body.first, 1e-5 * scale);
       }
       EXPECT_NEAR(eigen(g.helix_tangent).dot(n), 0.0, 1e-14);
     }
@@ -112,10 +109,9 @@ TEST(InterfaceGeometry, RelativeCurvaturesAreTheClearanceHessianInTheTangentPlan
         return nz * (u.x * (h.xx * v.x + h.xy * v.y) + u.y * (h.xy * v.x + h.yy * v.y));
       };
       const double scale = g.relative.second;
-      worst =
-          std::max({worst, std::abs(along(g.major_axis, g.major_axis) - g.relative.first) / scale,
-                    std::abs(along(g.minor_axis, g.minor_axis) - g.relative.second) / scale,
-                    std::abs(along(g.major_axis, g.minor_axis)) / scale});
+      worst = std::max({worst, std::abs(along(g.major_axis, g.major_axis) - g.relative.first) / scale,
+                        std::abs(along(g.minor_axis, g.minor_axis) - g.relative.second) / scale,
+                        std::abs(along(g.major_axis, g.minor_axis)) / scale});
       EXPECT_GT(g.relative.first, 0.0);
     }
   }
@@ -136,8 +132,7 @@ TEST(InterfaceGeometry, AxesAreARightHandedFrameWithTheNormal) {
       EXPECT_LE(std::abs(g.roller.first), std::abs(g.roller.second));
       EXPECT_LE(std::abs(g.body.first), std::abs(g.body.second));
       EXPECT_LE(g.relative.first, g.relative.second);
-      EXPECT_NEAR(g.curvature_sum(),
-                  g.body.first + g.body.second + g.roller.first + g.roller.second,
+      EXPECT_NEAR(g.curvature_sum(), g.body.first + g.body.second + g.roller.first + g.roller.second,
                   1e-12 * g.relative.second);
     }
   }
@@ -158,8 +153,7 @@ TEST(InterfaceGeometry, OtherFacesHaveTheSameCurvatures) {
       EXPECT_NEAR(bottom.relative.first, turned.relative.first, 1e-11 * turned.relative.second);
       EXPECT_NEAR((bottom.helix_tangent - turned.helix_tangent).norm(), 0.0, 1e-13);
       EXPECT_NEAR(std::abs(bottom.major_axis.dot(turned.major_axis)), 1.0, 1e-9);
-      EXPECT_NEAR((turned.major_axis.cross(turned.minor_axis) - turned.point.normal).norm(), 0.0,
-                  1e-14);
+      EXPECT_NEAR((turned.major_axis.cross(turned.minor_axis) - turned.point.normal).norm(), 0.0, 1e-14);
       EXPECT_NEAR(bottom.first_directions_angle(), turned.first_directions_angle(), 1e-9);
     }
   }
@@ -213,8 +207,8 @@ TEST(InterfaceGeometry, YaoTable1ScrewPointIsNearThePrintedOneWhichDoesNotClose)
   EXPECT_NEAR(p.angle_on_body, -3.6995 * deg, 0.02 * deg);
   // r_S sin = r_R sin and r_S cos + r_R cos = c at the printed radii and angles [mm].
   const double r_s = 24.1710, r_r = 8.0336, a_s = 3.6995 * deg, a_r = 11.2727 * deg;
-  const double gap = std::hypot(r_s * std::sin(a_s) - r_r * std::sin(a_r),
-                                r_s * std::cos(a_s) + r_r * std::cos(a_r) - 32.0);
+  const double gap =
+      std::hypot(r_s * std::sin(a_s) - r_r * std::sin(a_r), r_s * std::cos(a_s) + r_r * std::cos(a_r) - 32.0);
   EXPECT_GT(gap, 5e-4);
 }
 
@@ -230,8 +224,8 @@ TEST(InterfaceGeometry, YaoTable1ContactWithTheRightEllipticParameter) {
     const InterfaceGeometry& g;
     double eccentricity, a, b, delta, printed_stress;
   };
-  for (const Row& row : {Row{c.screw, 0.651, 0.345, 0.262, 9.14, 2255.8601},
-                         Row{c.nut, 0.613, 0.368, 0.291, 8.40, 1897.4493}}) {
+  for (const Row& row :
+       {Row{c.screw, 0.651, 0.345, 0.262, 9.14, 2255.8601}, Row{c.nut, 0.613, 0.368, 0.291, 8.40, 1897.4493}}) {
     const HertzConstants h = hertz_constants(row.g.relative.first, row.g.relative.second, modulus);
     const HertzContact contact = at_load(h, load);
     EXPECT_NEAR(std::sqrt(1 - h.ellipticity * h.ellipticity), row.eccentricity, 6e-4);
@@ -243,8 +237,7 @@ TEST(InterfaceGeometry, YaoTable1ContactWithTheRightEllipticParameter) {
 }
 
 TEST(InterfaceGeometry, YaoTable2Optimum) {
-  const MechanismContact c =
-      mechanism_contact(test::yao(42.5388, 40.4725, 40.1249), Configuration::i1_j2);
+  const MechanismContact c = mechanism_contact(test::yao(42.5388, 40.4725, 40.1249), Configuration::i1_j2);
   ASSERT_TRUE(c.ok());
   EXPECT_NEAR(c.screw.curvature_sum(), 0.1911 * per_mm, 6e-5 * per_mm);
   EXPECT_NEAR(c.nut.curvature_sum(), 0.1464 * per_mm, 6e-5 * per_mm);

@@ -19,12 +19,10 @@ constexpr JournalBearing kHead{0.004, 0.008, 20e-6};
 /// Surface speed, and the load and torque of which the results are multiples.
 double surface_speed(const JournalBearing& b) { return 0.5 * kSpeed * b.diameter; }
 double load_unit(const JournalBearing& b) {
-  return kViscosity * surface_speed(b) * std::pow(b.length, 3) /
-         (4.0 * std::pow(b.radial_clearance, 2));
+  return kViscosity * surface_speed(b) * std::pow(b.length, 3) / (4.0 * std::pow(b.radial_clearance, 2));
 }
 double petroff(const JournalBearing& b) {
-  return pi * kViscosity * surface_speed(b) * b.length * b.diameter * b.diameter /
-         (2.0 * b.radial_clearance);
+  return pi * kViscosity * surface_speed(b) * b.length * b.diameter * b.diameter / (2.0 * b.radial_clearance);
 }
 
 double integral(const auto& f, double from, double to) {
@@ -42,24 +40,21 @@ JournalFilm integrated_film(const JournalBearing& b, double eps) {
   const double radius = 0.5 * b.diameter, c = b.radial_clearance, u = surface_speed(b);
   const auto gap = [&](double theta) { return c * (1.0 + eps * std::cos(theta)); };
   // Integral over the length of (L^2/4 - z^2), and the rest of the pressure.
-  const double over_length = integral([&](double z) { return 0.25 * b.length * b.length - z * z; },
-                                      -0.5 * b.length, 0.5 * b.length);
+  const double over_length =
+      integral([&](double z) { return 0.25 * b.length * b.length - z * z; }, -0.5 * b.length, 0.5 * b.length);
   const auto pressure = [&](double theta) {
-    return 3.0 * kViscosity * u * eps * c * std::sin(theta) * over_length /
-           (radius * std::pow(gap(theta), 3));
+    return 3.0 * kViscosity * u * eps * c * std::sin(theta) * over_length / (radius * std::pow(gap(theta), 3));
   };
   const auto pressure_slope = [&](double theta) {
     const double x = 1.0 + eps * std::cos(theta);
     return 3.0 * kViscosity * u * eps * over_length / (radius * c * c) *
-           (std::cos(theta) / std::pow(x, 3) +
-            3.0 * eps * std::pow(std::sin(theta), 2) / std::pow(x, 4));
+           (std::cos(theta) / std::pow(x, 3) + 3.0 * eps * std::pow(std::sin(theta), 2) / std::pow(x, 4));
   };
   JournalFilm film;
   film.along = -radius * integral([&](double t) { return pressure(t) * std::cos(t); }, 0.0, pi);
   film.across = radius * integral([&](double t) { return pressure(t) * std::sin(t); }, 0.0, pi);
   film.torque =
-      radius * radius * b.length *
-          integral([&](double t) { return kViscosity * u / gap(t); }, 0.0, 2.0 * pi) +
+      radius * radius * b.length * integral([&](double t) { return kViscosity * u / gap(t); }, 0.0, 2.0 * pi) +
       radius * integral([&](double t) { return 0.5 * gap(t) * pressure_slope(t); }, 0.0, pi);
   return film;
 }
@@ -121,15 +116,13 @@ TEST(ShortBearing, AgreesWithTheTableOfRaimondiAndBoyd) {
   };
   const JournalBearing b{0.01, 0.04, 4e-5};
   const double per_second = kSpeed / (2.0 * pi), wedge = 0.5 * b.diameter / b.radial_clearance;
-  for (const Row& row :
-       {Row{0.1, 16.2, 322.0}, Row{0.2, 7.57, 153.0}, Row{0.4, 2.83, 61.1}, Row{0.6, 1.07, 26.7}}) {
+  for (const Row& row : {Row{0.1, 16.2, 322.0}, Row{0.2, 7.57, 153.0}, Row{0.4, 2.83, 61.1}, Row{0.6, 1.07, 26.7}}) {
     const double pressure = kViscosity * per_second * wedge * wedge / row.sommerfeld;
     const double load = pressure * b.length * b.diameter;
     const JournalBearingState state = short_bearing(b, kViscosity, kSpeed, load);
     EXPECT_NEAR(state.eccentricity_ratio / row.eps, 1.0, 0.03) << row.eps;
     EXPECT_LT(state.eccentricity_ratio, row.eps);
-    EXPECT_NEAR(state.torque / (0.5 * load * b.diameter) * wedge / row.friction, 1.0, 0.03)
-        << row.eps;
+    EXPECT_NEAR(state.torque / (0.5 * load * b.diameter) * wedge / row.friction, 1.0, 0.03) << row.eps;
   }
 }
 

@@ -11,9 +11,8 @@
 namespace contact {
 namespace {
 
-MechanismGeometry draft(MechanismType type, double target_radius_mm, double pitch_mm,
-                        int screw_starts, int roller_starts, double roller_curvature_per_mm,
-                        double flank_deg = 45) {
+MechanismGeometry draft(MechanismType type, double target_radius_mm, double pitch_mm, int screw_starts,
+                        int roller_starts, double roller_curvature_per_mm, double flank_deg = 45) {
   const double lead = screw_starts * pitch_mm;
   const double roller = roller_lead(type, lead, pitch_mm, roller_starts);
   return {type, test::thread(target_radius_mm, lead, pitch_mm, 0, flank_deg),
@@ -23,8 +22,7 @@ MechanismGeometry draft(MechanismType type, double target_radius_mm, double pitc
 
 TEST(MechanismDesign, SanduExample2) {
   // Table 1.6: inverted, 1/r_BR = 0.0471 /mm exactly (errata 3), no backlash.
-  const DesignResult d =
-      design_by_backlash(draft(MechanismType::inverted, 15, 5, 2, 1, 0.0471), 2, 1, {});
+  const DesignResult d = design_by_backlash(draft(MechanismType::inverted, 15, 5, 2, 1, 0.0471), 2, 1, {});
   ASSERT_TRUE(d.ok()) << name(d.status);
   const double length = 6e-5 * mm, angle = 6e-5 * deg;
   EXPECT_NEAR(d.mechanism.centre_distance, 22.5 * mm, length);
@@ -50,8 +48,7 @@ TEST(MechanismDesign, SanduExample2) {
 
 TEST(MechanismDesign, SanduTable32RectifiesTheScrew) {
   // Errata 4: target 15 mm, r_BR = 6 mm, no backlash.
-  const DesignResult d =
-      design_by_backlash(draft(MechanismType::standard, 15, 2, 5, 1, 1.0 / 6.0), 5, 1, {});
+  const DesignResult d = design_by_backlash(draft(MechanismType::standard, 15, 2, 5, 1, 1.0 / 6.0), 5, 1, {});
   ASSERT_TRUE(d.ok());
   EXPECT_NEAR(d.mechanism.screw.pitch_radius, 14.9467 * mm, 6e-5 * mm);
   EXPECT_NEAR(d.mechanism.centre_distance, 20.0 * mm, 6e-5 * mm);
@@ -65,16 +62,14 @@ TEST(MechanismDesign, BacklashIsMetToATrillionthOfAMetre) {
   int designed = 0, failed = 0;
   double worst = 0.0;
   while (designed < wanted) {
-    const MechanismType type =
-        random.integer(0, 1) == 1 ? MechanismType::standard : MechanismType::inverted;
+    const MechanismType type = random.integer(0, 1) == 1 ? MechanismType::standard : MechanismType::inverted;
     const int roller_starts = random.integer(1, 2);
-    const int starts = type == MechanismType::standard
-                           ? random.integer(2 * roller_starts + 1, 2 * roller_starts + 5)
-                           : random.integer(1, 6);
+    const int starts = type == MechanismType::standard ? random.integer(2 * roller_starts + 1, 2 * roller_starts + 5)
+                                                       : random.integer(1, 6);
     const double radius = random.uniform(5, 40);
     const double roller = matched_pitch_radii(type, radius, starts, roller_starts).roller;
-    MechanismGeometry m = draft(type, radius, random.uniform(0.1, 0.4) * std::min(radius, roller),
-                                starts, roller_starts, std::sin(45 * deg) / roller);
+    MechanismGeometry m = draft(type, radius, random.uniform(0.1, 0.4) * std::min(radius, roller), starts,
+                                roller_starts, std::sin(45 * deg) / roller);
     if (random.integer(0, 1) == 1) {
       for (Thread* t : {&m.screw, &m.roller, &m.nut}) {
         t->lead = -t->lead;
@@ -210,10 +205,9 @@ TEST(MechanismGeometry, YaosClearanceIsHalfTheBacklashOfThreadsWithTheirThicknes
   const ContactPoint& p = c.screw.point;
   const ThreadPair pair = screw_pair(m);
   // Deflection angles both counted from the line of centres, each towards its part's own thread.
-  const double clearance =
-      pair.body.profile(p.radius_on_body).height + p.angle_on_body * pair.body.reduced_lead +
-      pair.roller.profile(p.radius_on_roller).height -
-      (p.angle_on_roller + std::numbers::pi) * pair.roller.reduced_lead - m.roller.pitch / 2;
+  const double clearance = pair.body.profile(p.radius_on_body).height + p.angle_on_body * pair.body.reduced_lead +
+                           pair.roller.profile(p.radius_on_roller).height -
+                           (p.angle_on_roller + std::numbers::pi) * pair.roller.reduced_lead - m.roller.pitch / 2;
   EXPECT_NEAR(clearance, p.backlash / 2, 1e-17);
   EXPECT_GT(clearance, 0.0);
   EXPECT_NEAR(c.nut.point.backlash, (5 - 2 - 2.4) * mm, 1e-16);

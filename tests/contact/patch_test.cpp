@@ -71,8 +71,7 @@ TEST(Patch, CoulombSpinOfACircleHasTheClosedForm) {
   double before = 1.0;
   for (const int n : {21, 84, 336}) {
     const PatchGrid grid(n);
-    const PatchFriction f =
-        Patch(grid, ellipse(a, a, 200.0), coulomb_friction(0.1)).friction({0.0, 0.0, 25.0, 1.0});
+    const PatchFriction f = Patch(grid, ellipse(a, a, 200.0), coulomb_friction(0.1)).friction({0.0, 0.0, 25.0, 1.0});
     const double error = std::abs(f.spin_arm / (3.0 * pi / 16.0 * 0.1 * a) - 1.0);
     EXPECT_LT(error, 2.0 * std::pow(n, -1.5)) << n;
     EXPECT_LT(error, before);
@@ -103,16 +102,13 @@ TEST(Patch, JacodSumsWhatItsFieldsShow) {
   const Eigen::ArrayXd mu = patch.friction_coefficient(motion);
   const Eigen::ArrayXd load = grid.cell_load() * grid.dome();  // of each point, over N
   const PatchFriction f = patch.friction(motion);
-  const auto expect = [](double value, double expected) {
-    EXPECT_NEAR(value / expected, 1.0, 1e-13);
-  };
+  const auto expect = [](double value, double expected) { EXPECT_NEAR(value / expected, 1.0, 1e-13); };
   expect(f.traction_major, (mu * load * v_1 / speed).sum());
   expect(f.traction_minor, (mu * load * v_2 / speed).sum());
-  expect(f.spin_arm, (mu * load *
-                      (v_2 * kEllipse.semi_major * grid.along_major() -
-                       v_1 * kEllipse.semi_minor * grid.along_minor()) /
-                      speed)
-                         .sum());
+  expect(f.spin_arm,
+         (mu * load *
+          (v_2 * kEllipse.semi_major * grid.along_major() - v_1 * kEllipse.semi_minor * grid.along_minor()) / speed)
+             .sum());
   expect(f.power_per_load, (mu * load * speed).sum());
   expect(f.mean_friction, mu.mean());
   expect(f.max_sliding_speed, speed.maxCoeff());
@@ -124,10 +120,10 @@ TEST(Patch, PowerIsThatOfItsWrench) {
   for (const Patch& patch : {Patch(grid, kEllipse, coulomb_friction(0.1)),
                              Patch(grid, kEllipse, film_friction(kPatchGrease, kFilmContact))}) {
     const PatchFriction f = patch.friction(motion);
-    EXPECT_NEAR((f.traction_major * motion.sliding_major + f.traction_minor * motion.sliding_minor +
-                 f.spin_arm * motion.spin) /
-                    f.power_per_load,
-                1.0, 1e-13);
+    EXPECT_NEAR(
+        (f.traction_major * motion.sliding_major + f.traction_minor * motion.sliding_minor + f.spin_arm * motion.spin) /
+            f.power_per_load,
+        1.0, 1e-13);
   }
 }
 
@@ -144,8 +140,7 @@ TEST(Patch, SlowSlidingIsNewtonian) {
 TEST(Patch, EveryInstructionSetGivesTheSameSums) {
   const PatchGrid grid(21);
   std::vector<double> pressure(grid.points().size, 0.0);
-  for (Eigen::Index i = 0; i < grid.inside(); ++i)
-    pressure[static_cast<std::size_t>(i)] = 2.4e9 * grid.dome()[i];
+  for (Eigen::Index i = 0; i < grid.inside(); ++i) pressure[static_cast<std::size_t>(i)] = 2.4e9 * grid.dome()[i];
   std::vector<double> ratio(pressure.size());
   ViscosityKernel{}(simd::Baseline{}, 0.1665, pressure.data(), pressure.size(), ratio.data());
   for (std::size_t i = 0; i < ratio.size(); ++i)
@@ -157,8 +152,7 @@ TEST(Patch, EveryInstructionSetGivesTheSameSums) {
        {PatchLawOf<double>{0.1, 0.0, 0.0}, {0.0, scale, 0.01}, {0.03, 0.75 * scale, 0.01}}) {
     SCOPED_TRACE(law.coefficient);
     const double* viscosity = law.scale > 0.0 ? ratio.data() : nullptr;
-    const PatchSums best =
-        xsimd::dispatch<simd::Architectures>(PatchKernel{})(grid.points(), sliding, law, viscosity);
+    const PatchSums best = xsimd::dispatch<simd::Architectures>(PatchKernel{})(grid.points(), sliding, law, viscosity);
     const PatchSums plain = PatchKernel{}(simd::Baseline{}, grid.points(), sliding, law, viscosity);
     EXPECT_NEAR(best.traction_major / plain.traction_major, 1.0, 1e-14);
     EXPECT_NEAR(best.traction_minor / plain.traction_minor, 1.0, 1e-14);

@@ -60,8 +60,7 @@ TEST(Subsurface, NoOtherDepthHasALargerShear) {
     for (const double k : {1e-4, 0.1, 0.5, 0.9, 1.0}) {
       const SubsurfaceShear best = largest_subsurface_shear(k, nu);
       for (double z = 0.0; z < 3.0; z += 0.003) {
-        EXPECT_LE(stress_on_axis(1 / k, 1.0, z, nu).largest_shear(),
-                  best.shear_over_pressure + 1e-12);
+        EXPECT_LE(stress_on_axis(1 / k, 1.0, z, nu).largest_shear(), best.shear_over_pressure + 1e-12);
       }
     }
   }

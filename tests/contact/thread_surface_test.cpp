@@ -34,8 +34,7 @@ const Thread kRoller = external(5 * mm, 2 * mm, 2 * mm, std::sin(45 * deg) / (5 
 const Thread kNut = nut(25 * mm, 10 * mm, 2 * mm);
 
 TEST(ThreadSurface, ProfileRisesAQuarterPitchToThePitchRadius) {
-  for (const Thread& t :
-       {kScrew, kRoller, kNut, external(5 * mm, -2 * mm, 2 * mm, -1.0 / (9 * mm))}) {
+  for (const Thread& t : {kScrew, kRoller, kNut, external(5 * mm, -2 * mm, 2 * mm, -1.0 / (9 * mm))}) {
     const ThreadSurface s(t);
     EXPECT_NEAR(s.profile(t.pitch_radius).height, 0.25 * t.pitch, 1e-18);
     EXPECT_NEAR(s.profile(s.smallest_radius).height, 0.0, 1e-17);
@@ -65,10 +64,8 @@ TEST(ThreadSurface, SlopesAreDerivativesOfTheHeight) {
   for (const double curvature : {0.0, 0.1414 * per_mm, -0.1 * per_mm}) {
     const ThreadSurface s(external(5 * mm, 2 * mm, 2 * mm, curvature));
     const double r = 5.2 * mm, h = 1e-4 * mm;
-    EXPECT_NEAR((s.profile(r + h).height - s.profile(r - h).height) / (2 * h), s.profile(r).slope,
-                1e-8);
-    EXPECT_NEAR((s.profile(r + h).slope - s.profile(r - h).slope) / (2 * h),
-                s.profile(r).slope_rate, 1e-4);
+    EXPECT_NEAR((s.profile(r + h).height - s.profile(r - h).height) / (2 * h), s.profile(r).slope, 1e-8);
+    EXPECT_NEAR((s.profile(r + h).slope - s.profile(r - h).slope) / (2 * h), s.profile(r).slope_rate, 1e-4);
   }
 }
 
@@ -135,11 +132,10 @@ TEST(ThreadCurvature, HelicoidHasItsClosedFormGaussianAndMeanCurvature) {
     const double r = 1.02 * t.pitch_radius, l = s.reduced_lead;
     const ProfilePoint f = s.profile(r);
     const double w2 = 1.0 + f.slope * f.slope + l * l / (r * r);
-    const double gaussian =
-        (r * r * r * f.slope * f.slope_rate - l * l) / (r * r * r * r * w2 * w2);
-    const double mean = (f.slope_rate * (1.0 + l * l / (r * r)) +
-                         f.slope * (1.0 + f.slope * f.slope + 2.0 * l * l / (r * r)) / r) /
-                        (2.0 * w2 * std::sqrt(w2));
+    const double gaussian = (r * r * r * f.slope * f.slope_rate - l * l) / (r * r * r * r * w2 * w2);
+    const double mean =
+        (f.slope_rate * (1.0 + l * l / (r * r)) + f.slope * (1.0 + f.slope * f.slope + 2.0 * l * l / (r * r)) / r) /
+        (2.0 * w2 * std::sqrt(w2));
     const SymmetricTensor tensor = curvature_tensor(s, r);
     EXPECT_NEAR(tensor.determinant() / gaussian, 1.0, 1e-13);
     EXPECT_NEAR(0.5 * tensor.trace() / mean, 1.0, 1e-13);
@@ -170,8 +166,7 @@ TEST(ThreadCurvature, RingsOfAnAxialProfileAreSurfacesOfRevolution) {
 
 TEST(ThreadCurvature, RollerOfTableB2) {
   // Sandu 2018, table B.2: 0.1289 and 0.1542 /mm at r = 5.0178 mm.
-  const PrincipalValues p =
-      principal_by_magnitude(curvature_tensor(ThreadSurface(kRoller), 5.0178 * mm));
+  const PrincipalValues p = principal_by_magnitude(curvature_tensor(ThreadSurface(kRoller), 5.0178 * mm));
   EXPECT_NEAR(p.first, 0.1289 * per_mm, 0.6e-4 * per_mm);
   EXPECT_NEAR(p.second, 0.1542 * per_mm, 0.6e-4 * per_mm);
 }

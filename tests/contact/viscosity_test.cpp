@@ -72,8 +72,7 @@ TEST(PressureViscosity, OfParaffinicOilsLiesUpTo30PercentBelowTheHandbook) {
     for (int i = 0; i < 3; ++i) {
       if (oil.coefficient[i] == 0) continue;
       const double kinematic = 1e-3 * oil.viscosity[i] / kTypicalOilDensity;
-      EXPECT_NEAR(gold_pressure_viscosity(BaseOil::mineral, kinematic) * 1e9 / oil.coefficient[i],
-                  0.85, 0.15)
+      EXPECT_NEAR(gold_pressure_viscosity(BaseOil::mineral, kinematic) * 1e9 / oil.coefficient[i], 0.85, 0.15)
           << oil.viscosity[i];
     }
 }
@@ -83,8 +82,7 @@ TEST(Walther, TemperatureCoefficientIsTheSlopeOfItsLine) {
   for (const double t : {293.15, 333.15, 393.15}) {
     const double h = 1e-3;
     const double slope =
-        (std::log(kinematic_viscosity(line, t + h)) - std::log(kinematic_viscosity(line, t - h))) /
-        (2.0 * h);
+        (std::log(kinematic_viscosity(line, t + h)) - std::log(kinematic_viscosity(line, t - h))) / (2.0 * h);
     EXPECT_NEAR(temperature_coefficient(line, t), -slope, 1e-9);
   }
 }

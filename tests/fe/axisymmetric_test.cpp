@@ -15,8 +15,7 @@ using std::numbers::pi;
 constexpr Isotropic kSteel{209e9, 0.3};
 
 /// Rectangle between two radii and two heights.
-MeridianGrid rectangle(double inner, double outer, double low, double high, int columns,
-                       int layers) {
+MeridianGrid rectangle(double inner, double outer, double low, double high, int columns, int layers) {
   MeridianGrid g(columns, layers);
   for (int c = 0; c <= columns; ++c)
     for (int l = 0; l <= layers; ++l)
@@ -42,12 +41,10 @@ Eigen::VectorXd nodal_forces(const MeridianMesh& mesh, const Isotropic& material
   for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
     Eigen::Matrix<double, 24, 1> u;
     for (Eigen::Index k = 0; k < 8; ++k)
-      u.segment<3>(3 * k) =
-          displacement.segment<3>(kComponents * at(mesh.elements, e)[static_cast<std::size_t>(k)]);
+      u.segment<3>(3 * k) = displacement.segment<3>(kComponents * at(mesh.elements, e)[static_cast<std::size_t>(k)]);
     const Eigen::Matrix<double, 24, 1> f = element_stiffness(mesh, e, material).at(harmonic) * u;
     for (Eigen::Index k = 0; k < 8; ++k)
-      forces.segment<3>(kComponents * at(mesh.elements, e)[static_cast<std::size_t>(k)]) +=
-          f.segment<3>(3 * k);
+      forces.segment<3>(kComponents * at(mesh.elements, e)[static_cast<std::size_t>(k)]) += f.segment<3>(3 * k);
   }
   return forces;
 }
@@ -64,8 +61,8 @@ Eigen::VectorXd sample(const MeridianMesh& mesh, const auto& field) {
 }
 
 /// Largest force on a node that does not lie on the boundary of the rectangle.
-double largest_inner_force(const MeridianMesh& mesh, const Eigen::VectorXd& force, double inner,
-                           double outer, double low, double high) {
+double largest_inner_force(const MeridianMesh& mesh, const Eigen::VectorXd& force, double inner, double outer,
+                           double low, double high) {
   double f = 0.0;
   for (int k = 0; k < mesh.size(); ++k) {
     const Eigen::Vector2d& p = mesh.nodes[static_cast<std::size_t>(k)];
@@ -96,10 +93,8 @@ TEST(Axisymmetric, PatchTestOnDistortedMesh) {
     const MeshedGrid g(distorted(rectangle(inner, 7e-3, -1e-3, 5e-3, 6, 5), 0.3));
     for (const NamedField& f : kLinearFields) {
       SCOPED_TRACE(f.name);
-      const Eigen::VectorXd force =
-          nodal_forces(g.mesh(), kSteel, f.harmonic, sample(g.mesh(), f.field));
-      EXPECT_LT(largest_inner_force(g.mesh(), force, inner, 7e-3, -1e-3, 5e-3),
-                1e-13 * force.cwiseAbs().maxCoeff());
+      const Eigen::VectorXd force = nodal_forces(g.mesh(), kSteel, f.harmonic, sample(g.mesh(), f.field));
+      EXPECT_LT(largest_inner_force(g.mesh(), force, inner, 7e-3, -1e-3, 5e-3), 1e-13 * force.cwiseAbs().maxCoeff());
     }
   }
 }
@@ -111,8 +106,7 @@ TEST(Axisymmetric, RigidMotionsMeetNoForce) {
       {"rotation", 1, [](double r, double z) { return Eigen::Vector3d(z, -z, -r); }},
   };
   const MeshedGrid g(distorted(rectangle(0.0, 0.7, -0.1, 0.5, 6, 5), 0.3));
-  const double scale =
-      nodal_forces(g.mesh(), kSteel, 2, sample(g.mesh(), kLinearFields[3].field)).norm();
+  const double scale = nodal_forces(g.mesh(), kSteel, 2, sample(g.mesh(), kLinearFields[3].field)).norm();
   for (const NamedField& f : rigid) {
     const Eigen::VectorXd u = sample(g.mesh(), f.field);
     EXPECT_LT(nodal_forces(g.mesh(), kSteel, f.harmonic, u).norm(), 1e-13 * scale) << f.name;
@@ -128,8 +122,7 @@ TEST(Axisymmetric, QuadraticFieldsAreSolvedExactly) {
   };
   const auto plane = [](double r, double) { return Eigen::Vector3d(r * r, -r * r, 0.0); };
   const MeshedGrid g(rectangle(0.0, 0.7, 0.0, 2.0, 8, 4));
-  const auto check = [&](int harmonic, const Eigen::VectorXd& u,
-                         const std::vector<HarmonicSupport>& supports) {
+  const auto check = [&](int harmonic, const Eigen::VectorXd& u, const std::vector<HarmonicSupport>& supports) {
     const Eigen::VectorXd force = nodal_forces(g.mesh(), kSteel, harmonic, u);
     EXPECT_LT(largest_inner_force(g.mesh(), force, 0.0, 0.7, 0.0, 2.0), 1e-12 * force.norm());
     HarmonicBody body(g.mesh(), kSteel, harmonic, supports);
@@ -153,14 +146,13 @@ double lame_error(int elements) {
     for (const int c : {0, 1}) add_support(held, g.outwards(c, l), Component::axial);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(kComponents * g.mesh().size());
   add_edge_load(
-      g.mesh(), g.along_axis(0, 0), 0, [&](double, double) { return Eigen::Vector3d(p, 0.0, 0.0); },
-      load);
+      g.mesh(), g.along_axis(0, 0), 0, [&](double, double) { return Eigen::Vector3d(p, 0.0, 0.0); }, load);
   HarmonicBody body(g.mesh(), kSteel, 0, held);
   EXPECT_EQ(body.factorize(0), FactorizationStatus::ok);
   const double u = body.solve(load)(row_of(g.node(0, 0), Component::radial), 0);
   const double nu = kSteel.poisson_ratio;
-  const double exact = (1.0 + nu) / kSteel.youngs_modulus * p * a * a / (b * b - a * a) *
-                       ((1.0 - 2.0 * nu) * a + b * b / a);
+  const double exact =
+      (1.0 + nu) / kSteel.youngs_modulus * p * a * a / (b * b - a * a) * ((1.0 - 2.0 * nu) * a + b * b / a);
   return std::abs(u / exact - 1.0);
 }
 
@@ -179,8 +171,7 @@ TEST(Axisymmetric, AxialBarIsExact) {
   for (int l = 0; l < 3; ++l) {
     add_support(held, g.outwards(0, l), Component::axial);
     add_edge_load(
-        g.mesh(), g.outwards(5, l), 0, [&](double, double) { return Eigen::Vector3d(0.0, 0.0, p); },
-        load);
+        g.mesh(), g.outwards(5, l), 0, [&](double, double) { return Eigen::Vector3d(0.0, 0.0, p); }, load);
   }
   double force = 0.0;
   for (int k = 0; k < g.mesh().size(); ++k) force += load[row_of(k, Component::axial)];
@@ -189,8 +180,8 @@ TEST(Axisymmetric, AxialBarIsExact) {
   ASSERT_EQ(body.factorize(0), FactorizationStatus::ok);
   const Eigen::VectorXd u = body.solve(load);
   const double e = p / kSteel.youngs_modulus, nu = kSteel.poisson_ratio;
-  const Eigen::VectorXd exact = sample(
-      g.mesh(), [&](double r, double z) { return Eigen::Vector3d(-nu * e * r, 0.0, e * z); });
+  const Eigen::VectorXd exact =
+      sample(g.mesh(), [&](double r, double z) { return Eigen::Vector3d(-nu * e * r, 0.0, e * z); });
   EXPECT_LT((u - exact).norm(), 1e-11 * exact.norm());
 }
 
@@ -208,8 +199,7 @@ TEST(Axisymmetric, CantileverTendsToTimoshenko) {
       for (const Component c : {Component::radial, Component::circumferential, Component::axial})
         add_support(held, g.outwards(0, l), c);
       add_edge_load(
-          g.mesh(), g.outwards(columns, l), 1,
-          [&](double, double) { return Eigen::Vector3d(p, -p, 0.0); }, load);
+          g.mesh(), g.outwards(columns, l), 1, [&](double, double) { return Eigen::Vector3d(p, -p, 0.0); }, load);
     }
     HarmonicBody body(g.mesh(), kSteel, 1, held);
     ASSERT_EQ(body.factorize(1), FactorizationStatus::ok);
@@ -217,8 +207,7 @@ TEST(Axisymmetric, CantileverTendsToTimoshenko) {
     const double deflection = load.dot(body.solve(load).col(0)) / force;
     const double inertia = pi / 4.0 * std::pow(radius, 4), area = pi * radius * radius;
     const double bending = force * std::pow(length, 3) / (3.0 * e * inertia);
-    const double shear =
-        force * length * 2.0 * (1.0 + nu) / e * (7.0 + 6.0 * nu) / (6.0 * (1.0 + nu) * area);
+    const double shear = force * length * 2.0 * (1.0 + nu) / e * (7.0 + 6.0 * nu) / (6.0 * (1.0 + nu) * area);
     errors.push_back(deflection / (bending + shear) - 1.0);
   }
   EXPECT_NEAR(errors[0], -0.0133, 1e-3);
@@ -235,8 +224,7 @@ double hertz_patch_error(int cells) {
   // Equal cells under the pressure, then growing ones; the same downwards.
   std::vector<double> x;
   const double growth = std::pow(size, 1.0 / (cells - edge));
-  for (int k = 0; k <= cells; ++k)
-    x.push_back(k <= edge ? static_cast<double>(k) / edge : std::pow(growth, k - edge));
+  for (int k = 0; k <= cells; ++k) x.push_back(k <= edge ? static_cast<double>(k) / edge : std::pow(growth, k - edge));
   for (int c = 0; c <= cells; ++c)
     for (int l = 0; l <= cells; ++l)
       grid.point(c, l) = {x[static_cast<std::size_t>(l)], -x[static_cast<std::size_t>(cells - c)]};
@@ -251,9 +239,7 @@ double hertz_patch_error(int cells) {
   HarmonicBody body(g.mesh(), kSteel, 0, held);
   EXPECT_EQ(body.factorize(0), FactorizationStatus::ok);
   const Eigen::MatrixXd u = body.solve(load);
-  const auto sink = [&](int layer) {
-    return -u(row_of(g.node(cells, layer), Component::axial), 0);
-  };
+  const auto sink = [&](int layer) { return -u(row_of(g.node(cells, layer), Component::axial), 0); };
   const double exact = pi / 4.0 * (1.0 - nu * nu) * p / kSteel.youngs_modulus;
   return std::abs((sink(0) - sink(edge)) / exact - 1.0);
 }
@@ -296,15 +282,13 @@ TEST(Axisymmetric, SpringActsOnItsWeightedSum) {
   }
   HarmonicSpring against_rotation;
   against_rotation.stiffness = 1e3;
-  against_rotation.terms = {{g.node(0, 0), Component::radial, 1.0},
-                            {g.node(2, 0), Component::radial, -1.0}};
+  against_rotation.terms = {{g.node(0, 0), Component::radial, 1.0}, {g.node(2, 0), Component::radial, -1.0}};
   HarmonicBody body(g.mesh(), kSteel, 1, {}, {spring, against_rotation});
   ASSERT_EQ(body.factorize(1), FactorizationStatus::ok);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(kComponents * g.mesh().size());
   load[row_of(g.node(1, 0), Component::radial)] = 5.0;
   const Eigen::MatrixXd u = body.solve(load);
-  EXPECT_NEAR(0.5 * (u(row_of(g.node(0, 0), Component::radial), 0) +
-                     u(row_of(g.node(2, 0), Component::radial), 0)),
+  EXPECT_NEAR(0.5 * (u(row_of(g.node(0, 0), Component::radial), 0) + u(row_of(g.node(2, 0), Component::radial), 0)),
               5e-3, 2e-8);
 }
 

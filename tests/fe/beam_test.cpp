@@ -30,8 +30,8 @@ struct Cantilever {
     const Equations equations(model);
     NewtonSolver solver(equations);
     State q(Eigen::VectorXd::Zero(equations.size()));
-    const Eigen::VectorXd f = equations.load_vector(
-        {{tip, Dof::u, axial}, {tip, Dof::v, transverse}, {tip, Dof::theta, moment}});
+    const Eigen::VectorXd f =
+        equations.load_vector({{tip, Dof::u, axial}, {tip, Dof::v, transverse}, {tip, Dof::theta, moment}});
     NewtonOptions options;
     options.force_scale = 100.0;
     EXPECT_TRUE(solver.solve(f, options, q).converged());
@@ -71,8 +71,7 @@ TEST(Beam, RigidMotionsStoreNoEnergy) {
     EXPECT_LT((k * rigid).cwiseAbs().maxCoeff(), 1e-14 * k.cwiseAbs().maxCoeff());
     EXPECT_EQ(k, k.transpose());
     const Eigen::Matrix<double, 6, 1> scale{1, 1, l, 1, 1, l};
-    Eigen::FullPivLU<Eigen::MatrixXd> scaled(scale.cwiseInverse().asDiagonal() * k *
-                                             scale.cwiseInverse().asDiagonal());
+    Eigen::FullPivLU<Eigen::MatrixXd> scaled(scale.cwiseInverse().asDiagonal() * k * scale.cwiseInverse().asDiagonal());
     EXPECT_EQ(scaled.setThreshold(1e-6).rank(), 3);
   }
 }

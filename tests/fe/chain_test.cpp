@@ -110,8 +110,7 @@ TEST(Chain, OneStationIsItsContactsInSeriesWithTheGround) {
   const double delta = std::pow(250.0 / 1e10, 2.0 / 3.0);
   const auto& state = s.records[0].state;
   EXPECT_NEAR((state.head[0] + state.tail[0]) / (delta + 500.0 / 2e7), 1.0, 1e-13);
-  const double energy =
-      0.4 * 2 * 250.0 * delta + 0.5 * 500.0 * 500.0 / 2e7 - 500.0 * (delta + 500.0 / 2e7);
+  const double energy = 0.4 * 2 * 250.0 * delta + 0.5 * 500.0 * 500.0 / 2e7 - 500.0 * (delta + 500.0 / 2e7);
   EXPECT_NEAR(s.summary.energy / energy, 1.0, 1e-12);
 }
 
@@ -122,11 +121,9 @@ TEST(Chain, AgreesWithSparseSolverOnTheSameRails) {
   for (int k = 0; k < 2 * kStations; ++k) model.add_node();
   for (int k = 0; k < kStations; ++k) {
     if (k + 1 < kStations)
-      for (int i = 0; i < 2; ++i)
-        model.bars.push_back({2 * k + i, 2 * k + 2 + i, {rails.rail[i], 1.0}});
+      for (int i = 0; i < 2; ++i) model.bars.push_back({2 * k + i, 2 * k + 2 + i, {rails.rail[i], 1.0}});
     model.elastic_supports.push_back({2 * k + 1, Dof::u, rails.support(k)});
-    for (int i = 0; i < 2; ++i)
-      model.springs.push_back({{2 * k}, {2 * k + 1}, 1.0, 0.0, {1e10, 0.0, 0.0}});
+    for (int i = 0; i < 2; ++i) model.springs.push_back({{2 * k}, {2 * k + 1}, 1.0, 0.0, {1e10, 0.0, 0.0}});
   }
   const Equations equations(model);
   NewtonSolver newton(equations);

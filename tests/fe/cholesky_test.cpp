@@ -49,8 +49,7 @@ class CholeskyKinds : public testing::TestWithParam<CholmodModule::Factorize*> {
     return x;
   }
 };
-INSTANTIATE_TEST_SUITE_P(All, CholeskyKinds,
-                         testing::Values(by_simplicial, by_supernodal, eigen_factorization));
+INSTANTIATE_TEST_SUITE_P(All, CholeskyKinds, testing::Values(by_simplicial, by_supernodal, eigen_factorization));
 
 TEST_P(CholeskyKinds, SolvesAsDenseFactorization) {
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -67,8 +66,7 @@ TEST_P(CholeskyKinds, SolvesAsDenseFactorization) {
 TEST_P(CholeskyKinds, TellsIndefiniteFromDefinite) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const RandomSymmetric a(30, 0.2, 0.5, seed);
-    const bool positive =
-        Eigen::LLT<Eigen::MatrixXd>(a.dense).info() == Eigen::ComputationInfo::Success;
+    const bool positive = Eigen::LLT<Eigen::MatrixXd>(a.dense).info() == Eigen::ComputationInfo::Success;
     const auto cholesky = GetParam()(a.sparse);
     EXPECT_EQ(cholesky->factorize(a.sparse) == FactorizationStatus::ok, positive) << seed;
   }
@@ -110,8 +108,8 @@ TEST(Cholesky, IsCholmodsOrEigensAsItsNameSays) {
 
 TEST(FillReducingOrder, IsAPermutation) {
   const RandomSymmetric a(80, 0.05, 80.0, 3);
-  for (std::vector<int> order : {fill_reducing_order(a.sparse),
-                                 modules::loaded<CholmodModule>().fill_reducing_order(a.sparse)}) {
+  for (std::vector<int> order :
+       {fill_reducing_order(a.sparse), modules::loaded<CholmodModule>().fill_reducing_order(a.sparse)}) {
     std::sort(order.begin(), order.end());
     for (int i = 0; i < 80; ++i) EXPECT_EQ(order[static_cast<std::size_t>(i)], i);
   }

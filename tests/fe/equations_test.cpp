@@ -21,11 +21,8 @@ Model mixed_model() {
     m.beams.push_back({beam[i - 1], beam[i], {2e3, 40.0, 5e3, 1.1}});
   }
   for (std::size_t i = 0; i < 5; ++i)
-    m.springs.push_back({{bar[i], 0.1, 0.4},
-                         {beam[i], -0.2, -0.6},
-                         0.8,
-                         0.6,
-                         {5e3, 0.05 * static_cast<double>(i) - 0.1, 1e-5}});
+    m.springs.push_back(
+        {{bar[i], 0.1, 0.4}, {beam[i], -0.2, -0.6}, 0.8, 0.6, {5e3, 0.05 * static_cast<double>(i) - 0.1, 1e-5}});
   m.fixed_supports.push_back({beam[0], Dof::v});
   m.fixed_supports.push_back({beam[4], Dof::u});
   m.elastic_supports.push_back({beam[4], Dof::v, 700.0});
@@ -42,8 +39,8 @@ Eigen::MatrixXd dense(const SparseSymmetric& a) {
   Eigen::MatrixXd d(a.size(), a.size());
   d.setZero();
   for (int j = 0; j < a.size(); ++j)
-    for (int k = a.column_start[static_cast<std::size_t>(j)];
-         k < a.column_start[static_cast<std::size_t>(j) + 1]; ++k) {
+    for (int k = a.column_start[static_cast<std::size_t>(j)]; k < a.column_start[static_cast<std::size_t>(j) + 1];
+         ++k) {
       const auto slot = static_cast<std::size_t>(k);
       d(a.row[slot], j) = d(j, a.row[slot]) = a.value[slot];
     }

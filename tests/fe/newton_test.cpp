@@ -17,14 +17,12 @@ Model pushed_node(const std::vector<PowerLawSpring>& laws) {
   return m;
 }
 
-NewtonSummary push(const Model& model, double force, double start, double& u,
-                   NewtonOptions options = {}) {
+NewtonSummary push(const Model& model, double force, double start, double& u, NewtonOptions options = {}) {
   const Equations equations(model);
   NewtonSolver solver(equations);
   State q(Eigen::VectorXd::Constant(equations.size(), start));
   options.force_scale = std::abs(force);
-  const NewtonSummary summary =
-      solver.solve(equations.load_vector({{0, Dof::u, force}}), options, q);
+  const NewtonSummary summary = solver.solve(equations.load_vector({{0, Dof::u, force}}), options, q);
   u = equations.displacement(q, 0, Dof::u);
   return summary;
 }
@@ -56,8 +54,7 @@ TEST(Newton, EnergyNeverRises) {
   const NewtonSummary summary = push(m, 4e3, 1e-9, u);
   ASSERT_TRUE(summary.converged());
   for (std::size_t i = 1; i < summary.history.size(); ++i)
-    EXPECT_LE(summary.history[i].energy,
-              summary.history[i - 1].energy + 1e-13 * std::abs(summary.energy));
+    EXPECT_LE(summary.history[i].energy, summary.history[i - 1].energy + 1e-13 * std::abs(summary.energy));
 }
 
 TEST(Newton, TailIsQuadratic) {
@@ -172,8 +169,7 @@ TEST(Newton, FollowsWhatFollows) {
   NewtonOptions options;
   options.force_scale = kForce;
   State q(Eigen::VectorXd::Zero(equations.size()));
-  ASSERT_TRUE(
-      solver.solve(equations.load_vector({{pusher, Dof::u, kForce}}), options, q).converged());
+  ASSERT_TRUE(solver.solve(equations.load_vector({{pusher, Dof::u, kForce}}), options, q).converged());
   // The roller moves three times as far as the seat, which a lever of three loads in turn.
   const double seat_moves = 3.0 * kForce / kBar;
   const double roller_moves = 3.0 * seat_moves + 1.5 * kAhead;

@@ -18,8 +18,7 @@ TEST(OvalShell, ARingUnderOppositeForcesGrowsAsTimoshenkoSays) {
   const double modulus = 209e9, radius = 20e-3, h = 1e-3, length = 2e-3, force = 100.0;
   double growth = 0.0;
   for (int n = 2; n <= 200; n += 2) {
-    const OvalRigidity wall =
-        oval_tube(n, radius - 0.5 * h, radius - 0.5 * h, radius + 0.5 * h, modulus, 0.0);
+    const OvalRigidity wall = oval_tube(n, radius - 0.5 * h, radius - 0.5 * h, radius + 0.5 * h, modulus, 0.0);
     growth += 2.0 * 2.0 * force / (wall.hoop * length);
   }
   const double bending = modulus * h * h * h * length / 12.0;
@@ -39,8 +38,7 @@ Eigen::Matrix4d nodal_of(const ShellMatrix& k) {
 Eigen::Matrix2d end_stiffness(const OvalRigidity& wall) {
   // B w'''' - (T + 2 C) w'' + H w = 0, w = sum a_i exp(-r_i x), and the work on the end.
   const double sum = 0.5 * (wall.twist + 2.0 * wall.coupling) / wall.bending;
-  const std::complex<double> root =
-      std::sqrt(std::complex<double>(sum * sum - wall.hoop / wall.bending));
+  const std::complex<double> root = std::sqrt(std::complex<double>(sum * sum - wall.hoop / wall.bending));
   const std::complex<double> r[2] = {std::sqrt(sum + root), std::sqrt(sum - root)};
   Eigen::Matrix2cd shape, force;
   for (int i = 0; i < 2; ++i) {
@@ -67,11 +65,10 @@ TEST(OvalShell, ALongTubeDiesOutAsTheEquationSays) {
 TEST(OvalShell, TheReachOfAThinWallIsVlasovs) {
   const double radius = 20e-3, h = 1e-5, nu = 0.3;
   for (const double n : {2.0, 3.0}) {
-    const OvalRigidity wall = oval_tube(static_cast<int>(n), radius - 0.5 * h, radius - 0.5 * h,
-                                        radius + 0.5 * h, 209e9, nu);
-    const double vlasov = std::pow(
-        12.0 * (1.0 - nu * nu) * std::pow(radius, 6) / std::pow(n * n * h * (n * n - 1.0), 2),
-        0.25);
+    const OvalRigidity wall =
+        oval_tube(static_cast<int>(n), radius - 0.5 * h, radius - 0.5 * h, radius + 0.5 * h, 209e9, nu);
+    const double vlasov =
+        std::pow(12.0 * (1.0 - nu * nu) * std::pow(radius, 6) / std::pow(n * n * h * (n * n - 1.0), 2), 0.25);
     EXPECT_NEAR(std::pow(wall.bending / wall.hoop, 0.25), vlasov, 1e-5 * vlasov);
   }
 }
@@ -87,13 +84,11 @@ TEST(OvalShell, PiecesOfALengthMakeTheLength) {
   Eigen::Matrix<double, 2, 4> coupling;
   coupling << both.block<2, 2>(2, 0), both.block<2, 2>(2, 4);
   Eigen::Matrix4d ends;
-  ends << both.block<2, 2>(0, 0), both.block<2, 2>(0, 4), both.block<2, 2>(4, 0),
-      both.block<2, 2>(4, 4);
+  ends << both.block<2, 2>(0, 0), both.block<2, 2>(0, 4), both.block<2, 2>(4, 0), both.block<2, 2>(4, 4);
   ends -= coupling.transpose() * middle.inverse() * coupling;
   const Eigen::Matrix4d wanted = nodal(6e-3);
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      EXPECT_NEAR(ends(i, j), wanted(i, j), 1e-5 * std::sqrt(wanted(i, i) * wanted(j, j)));
+    for (int j = 0; j < 4; ++j) EXPECT_NEAR(ends(i, j), wanted(i, j), 1e-5 * std::sqrt(wanted(i, i) * wanted(j, j)));
 }
 
 }  // namespace

@@ -56,8 +56,7 @@ TEST(PowerLawSpring, ForceWithSeriesComplianceSatisfiesItsImplicitLaw) {
 }
 
 TEST(PowerLawSpring, TakesBackAtMostHalfOfTheDeflection) {
-  for (const PowerLawSpring& law :
-       {PowerLawSpring{1.1e10, 0.0, -2e-9}, PowerLawSpring{3.0e9, 2e-6, -5e-9}}) {
+  for (const PowerLawSpring& law : {PowerLawSpring{1.1e10, 0.0, -2e-9}, PowerLawSpring{3.0e9, 2e-6, -5e-9}}) {
     const double d = largest_deflection(law);
     const SpringResponse at = response_in_series(law, d);
     EXPECT_NEAR(at.tangent / power_law(law.stiffness, d).tangent, 2.0, 1e-12);

@@ -32,14 +32,11 @@ ShellMatrix stiffness_matrix(const ShellRigidity& shell, double length) {
 }
 
 ShellRigidity tube(double inner, double outer, double reference, double poisson = kPoisson) {
-  return tube_rigidity(inner, outer, reference, kModulus, poisson,
-                       kModulus / (2.0 * (1.0 + kPoisson)));
+  return tube_rigidity(inner, outer, reference, kModulus, poisson, kModulus / (2.0 * (1.0 + kPoisson)));
 }
 
 ShellRigidity random_tube(std::mt19937_64& random) {
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   const double inner = uniform(1e-3, 50e-3), outer = inner * uniform(1.02, 3.0);
   return tube(inner, outer, uniform(inner, 1.5 * outer - 0.5 * inner), uniform(0.0, 0.45));
 }
@@ -49,8 +46,7 @@ template <class F>
 double integral(F f, double a, double b, int cells) {
   const double h = (b - a) / cells;
   double sum = 0.0;
-  for (int i = 0; i < cells; ++i)
-    sum += f(a + i * h) + 4.0 * f(a + (i + 0.5) * h) + f(a + (i + 1) * h);
+  for (int i = 0; i < cells; ++i) sum += f(a + i * h) + 4.0 * f(a + (i + 0.5) * h) + f(a + (i + 1) * h);
   return sum * h / 6.0;
 }
 
@@ -67,8 +63,7 @@ Model chain(const std::vector<ShellMatrix>& shells) {
 
 Eigen::MatrixXd dense_stiffness(const Model& m) {
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(3 * m.nodes, 3 * m.nodes);
-  for (const ShellElement& e : m.shells)
-    k.block<6, 6>(3 * e.first, 3 * e.first) += nodal_stiffness(e.stiffness);
+  for (const ShellElement& e : m.shells) k.block<6, 6>(3 * e.first, 3 * e.first) += nodal_stiffness(e.stiffness);
   return k;
 }
 
@@ -95,8 +90,8 @@ TEST(Shell, StiffnessIsPositiveDefinite) {
     const ShellMatrix k = stiffness_matrix(shell, length);
     ASSERT_EQ((k - k.transpose()).norm(), 0.0);
     // Forces and moments in units of the same size.
-    const ShellMatrix scaled = k.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() * k *
-                               k.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
+    const ShellMatrix scaled =
+        k.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() * k * k.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
     ASSERT_EQ(scaled.llt().info(), Eigen::Success) << i << ' ' << length;
   }
 }
@@ -116,8 +111,7 @@ TEST(Shell, ThreeThirdsMakeAWhole) {
     outer -= coupling.transpose() * inner.llt().solve(coupling);
     const Matrix6 whole = nodal_stiffness(stiffness_matrix(shell, length));
     const Vector6 size = whole.diagonal().cwiseSqrt();
-    const Matrix6 error =
-        size.cwiseInverse().asDiagonal() * (outer - whole) * size.cwiseInverse().asDiagonal();
+    const Matrix6 error = size.cwiseInverse().asDiagonal() * (outer - whole) * size.cwiseInverse().asDiagonal();
     ASSERT_LT(error.cwiseAbs().maxCoeff(), 2e-10) << i;
   }
 }
@@ -151,8 +145,7 @@ TEST(Shell, AThinTubeStretchesLikeABar) {
   const ShellRigidity s = tube(r - 0.5 * h, r + 0.5 * h, r);
   const double v = -s.axial_hoop / s.hoop * strain;
   EXPECT_NEAR(v / (-kPoisson * r * strain), 1.0, 1e-7);
-  EXPECT_NEAR((s.axial * strain + s.axial_hoop * v) / (kModulus * 2.0 * pi * r * h * strain), 1.0,
-              1e-7);
+  EXPECT_NEAR((s.axial * strain + s.axial_hoop * v) / (kModulus * 2.0 * pi * r * h * strain), 1.0, 1e-7);
 }
 
 TEST(Shell, AxialMotionIsFreeOfForce) {
@@ -167,12 +160,10 @@ TEST(Shell, AxialMotionIsFreeOfForce) {
 }
 
 TEST(Shell, AnotherRadiusForUIsAnotherReference) {
-  const ShellMatrix moved =
-      to_matrix(about(shell_blocks(tube(17.5e-3, 23e-3, 23e-3), 6e-3), 1.5e-3));
+  const ShellMatrix moved = to_matrix(about(shell_blocks(tube(17.5e-3, 23e-3, 23e-3), 6e-3), 1.5e-3));
   const ShellMatrix direct = stiffness_matrix(tube(17.5e-3, 23e-3, 24.5e-3), 6e-3);
   const Eigen::Matrix<double, 5, 1> size = direct.diagonal().cwiseSqrt().cwiseInverse();
-  EXPECT_LT((size.asDiagonal() * (moved - direct) * size.asDiagonal()).cwiseAbs().maxCoeff(),
-            1e-11);
+  EXPECT_LT((size.asDiagonal() * (moved - direct) * size.asDiagonal()).cwiseAbs().maxCoeff(), 1e-11);
 }
 
 /// Radial displacement under a unit ring load on an endless shell, from Fourier's integral: of
@@ -184,8 +175,7 @@ double ring_displacement(const ShellRigidity& s, double wave_number) {
     Eigen::Matrix3d m;
     const double uq = -s.eccentric * k * k, uv = s.axial_hoop * k;
     const double qv = -s.bending_hoop * k + s.shear * k;
-    m << s.axial * k * k, uq, uv, uq, s.bending * k * k + s.shear, qv, uv, qv,
-        s.hoop + s.shear * k * k;
+    m << s.axial * k * k, uq, uv, uq, s.bending * k * k + s.shear, qv, uv, qv, s.hoop + s.shear * k * k;
     return m.ldlt().solve(Eigen::Vector3d::UnitZ()).z();
   };
   const auto turned = [&](double t) {  // k = k_0 tan(t)
@@ -197,8 +187,7 @@ double ring_displacement(const ShellRigidity& s, double wave_number) {
 
 /// The same on a long chain of `shells` lengths to both sides.
 double ring_displacement_of_chain(const ShellRigidity& s, double length, int shells) {
-  const std::vector<ShellMatrix> all(2 * static_cast<std::size_t>(shells),
-                                     stiffness_matrix(s, length));
+  const std::vector<ShellMatrix> all(2 * static_cast<std::size_t>(shells), stiffness_matrix(s, length));
   Model m = chain(all);
   m.fixed_supports.push_back({0, Dof::u});
   const Equations equations(m);
@@ -256,16 +245,15 @@ TEST(Shell, RadiallyRigidWallBendsWithItsShear) {
 /// A held tube pushed by springs, one of which takes back deflection.
 Model tube_with_springs() {
   const ShellRigidity s = tube(17.5e-3, 23e-3, 24e-3);
-  Model m = chain({stiffness_matrix(s, 2e-3), stiffness_matrix(s, 5e-3),
-                   stiffness_matrix(tube(17.5e-3, 31e-3, 24e-3), 1e-3)});
+  Model m = chain(
+      {stiffness_matrix(s, 2e-3), stiffness_matrix(s, 5e-3), stiffness_matrix(tube(17.5e-3, 31e-3, 24e-3), 1e-3)});
   m.fixed_supports.push_back({2, Dof::u});
   const double compliance[] = {0.0, 4e-10, -3e-10, -8e-10};
   for (int i = 0; i < 4; ++i) {
     const int node = m.add_node();
     for (const Dof dof : {Dof::u, Dof::v, Dof::theta})
       m.elastic_supports.push_back({node, dof, dof == Dof::theta ? 4e3 : 3e8});
-    m.springs.push_back(
-        {{node, 0.0, -3e-3}, {i, 0.0, -6.5e-3}, 0.8, 0.6, {1.1e10, -2e-5, compliance[i]}});
+    m.springs.push_back({{node, 0.0, -3e-3}, {i, 0.0, -6.5e-3}, 0.8, 0.6, {1.1e10, -2e-5, compliance[i]}});
   }
   return m;
 }
@@ -277,8 +265,7 @@ TEST(Shell, ResidualAndTangentAreDerivativesOfTheEnergy) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto direction = [&] {
     Eigen::VectorXd d(n);
-    for (int i = 0; i < n; ++i)
-      d[i] = uniform(random) * (equations.kind(i) == Dof::theta ? 1e-3 : 1e-5);
+    for (int i = 0; i < n; ++i) d[i] = uniform(random) * (equations.kind(i) == Dof::theta ? 1e-3 : 1e-5);
     return d;
   };
   SparseSymmetric tangent = equations.linear_stiffness();
@@ -286,9 +273,7 @@ TEST(Shell, ResidualAndTangentAreDerivativesOfTheEnergy) {
     const Eigen::VectorXd q = 0.3 * direction(), d = direction(), f = 1e8 * direction();
     Eigen::VectorXd r(n), unused(n);
     const double h = 1e-3;
-    const auto energy = [&](double t) {
-      return equations.energy_and_residual(State(q + t * d), f, unused);
-    };
+    const auto energy = [&](double t) { return equations.energy_and_residual(State(q + t * d), f, unused); };
     equations.energy_and_residual(State(q), f, r);
     EXPECT_NEAR(test::derivative(energy, 0.0, h), r.dot(d), 1e-7 * r.norm() * d.norm());
 

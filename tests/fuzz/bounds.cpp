@@ -26,9 +26,8 @@ bool asks_for_much(const input::Source& source) try {
     if (points(item) > 8) return true;
     loads += points(item);
   }
-  const int threads = m.contacts_per_roller <= 50 && m.rollers <= 40
-                          ? m.contacts_per_roller * (full ? m.rollers : 1)
-                          : 1000;
+  const int threads =
+      m.contacts_per_roller <= 50 && m.rollers <= 40 ? m.contacts_per_roller * (full ? m.rollers : 1) : 1000;
   const bool influence = c.model.bodies == ModelOptions::Bodies::influence;
   return threads > 100 || loads * (full ? 4 : 1) > 24 || influence || c.model.patch_points > 25;
 } catch (const input::InputError&) {

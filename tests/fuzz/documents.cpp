@@ -60,8 +60,7 @@ void expect_balance(const Json& load_case) {
   }
   // Rollers beside each other share the force evenly: their number is what is left.
   const double rollers = sums[0] > 0.0 ? force / sums[0] : 1.0;
-  expect(agree(sums[0], sums[1], 1e-6),
-         fmt::format("screw carries {} N, nut {} N", sums[0], sums[1]));
+  expect(agree(sums[0], sums[1], 1e-6), fmt::format("screw carries {} N, nut {} N", sums[0], sums[1]));
   expect(std::abs(rollers - std::round(rollers)) < 1e-5 * rollers,
          fmt::format("threads carry {} N of {} N", sums[0], force));
 }
@@ -84,15 +83,12 @@ void expect_consistent(const Json& load_case, bool& converged) {
     expect(good == (load_case.at("status") == "converged"), "`converged` is not `status`");
     converged = converged && good;
     if (good) expect_balance(load_case);
-    if (!good)
-      expect(!load_case.contains("axial_stiffness_N_per_um"),
-             "a stiffness of what did not converge");
+    if (!good) expect(!load_case.contains("axial_stiffness_N_per_um"), "a stiffness of what did not converge");
   }
   if (load_case.contains("slip")) {
     const Json& slip = load_case.at("slip");
     if (slip.contains("status"))
-      expect(slip.at("converged").get<bool>() ==
-                 (slip.at("status") == "converged" || slip.at("status") == "imposed"),
+      expect(slip.at("converged").get<bool>() == (slip.at("status") == "converged" || slip.at("status") == "imposed"),
              "slip: `converged` is not `status`");
     expect_power_balance(slip);
   }
@@ -113,8 +109,7 @@ void expect_forms(const Delivery& delivery, bool drawn) {
   expect(!delivery.table().empty(), "an empty table");
   if (delivery.full_table) delivery.full_table();
   if (delivery.files)
-    for (const OutputFile& file : delivery.files({}))
-      expect(!file.content.empty(), file.name + " is empty");
+    for (const OutputFile& file : delivery.files({})) expect(!file.content.empty(), file.name + " is empty");
   if (drawn && delivery.pictures) expect_drawable(delivery.pictures());
 }
 
@@ -123,15 +118,14 @@ void expect_study_agrees(const input::Source& source, const Json& document, Comm
   std::vector<std::string> paths = response_paths(document);
   std::erase_if(paths, [](const std::string& path) {
     return path.starts_with("resolved_input") || path.find("resid") != std::string::npos ||
-           path.find("iterations") != std::string::npos ||
-           path.find("evaluations") != std::string::npos ||
+           path.find("iterations") != std::string::npos || path.find("evaluations") != std::string::npos ||
            path.find_first_of("\",'") != std::string::npos;
   });
   if (paths.empty()) return;
   input::Source asked = source;
-  asked.overrides.push_back(fmt::format(
-      "study={{command: {}, factors: [{{path: mechanism.rollers, values: [7]}}], responses: {}}}",
-      name(command), Json(paths).dump(-1, ' ', false, Json::error_handler_t::replace)));
+  asked.overrides.push_back(
+      fmt::format("study={{command: {}, factors: [{{path: mechanism.rollers, values: [7]}}], responses: {}}}",
+                  name(command), Json(paths).dump(-1, ' ', false, Json::error_handler_t::replace)));
   const input::StudyInput in = [&] {
     try {
       return input::read_study_input(asked);
@@ -150,11 +144,9 @@ void expect_study_agrees(const input::Source& source, const Json& document, Comm
     const std::optional<double> said = response(document, paths[k]);
     const double studied = base.responses[k];
     if (fails && !std::isfinite(studied)) continue;
-    const bool of_forces =
-        paths[k].find("_N") != std::string::npos || paths[k].find("_W") != std::string::npos;
+    const bool of_forces = paths[k].find("_N") != std::string::npos || paths[k].find("_W") != std::string::npos;
     expect(said.has_value() == std::isfinite(studied) &&
-               (!said || agree(*said, studied, 1e-6) ||
-                (of_forces && std::abs(*said - studied) < rounding)),
+               (!said || agree(*said, studied, 1e-6) || (of_forces && std::abs(*said - studied) < rounding)),
            fmt::format("{} is {} in a study", paths[k], studied));
   }
 }
@@ -198,24 +190,19 @@ void expect_pure(const DesignEngine& engine, const RowBlock& all) {
   for (const std::size_t k : {std::size_t{0}, all.rows / 2, all.rows - 1}) {
     const RowBlock one = engine.evaluate(k, 1);
     const bool fails = std::ranges::any_of(all.failures, [&](const RowBlock::Failure& failure) {
-      return failure.row == k && one.failures.size() == 1 &&
-             failure.status.name == one.failures[0].status.name;
+      return failure.row == k && one.failures.size() == 1 && failure.status.name == one.failures[0].status.name;
     });
-    const bool failed =
-        std::ranges::any_of(all.failures, [&](const auto& failure) { return failure.row == k; });
-    expect(failed == !one.failures.empty() && failed == fails,
-           "a verdict by itself is another one");
+    const bool failed = std::ranges::any_of(all.failures, [&](const auto& failure) { return failure.row == k; });
+    expect(failed == !one.failures.empty() && failed == fails, "a verdict by itself is another one");
     for (std::size_t r = 0; r < width; ++r)
-      expect(
-          same(one.responses[r], all.responses[k * width + r]),
-          fmt::format("{} of design {} by itself is another one", engine.study().responses[r], k));
+      expect(same(one.responses[r], all.responses[k * width + r]),
+             fmt::format("{} of design {} by itself is another one", engine.study().responses[r], k));
   }
 }
 
 void expect_known_status(const RowBlock& block) {
   for (const RowBlock::Failure& failure : block.failures)
-    expect(failure.status.name != "failed",
-           fmt::format("design {} failed: {}", failure.row, failure.status.reason));
+    expect(failure.status.name != "failed", fmt::format("design {} failed: {}", failure.row, failure.status.reason));
 }
 
 /// Whether it was small enough.
@@ -249,8 +236,8 @@ bool run_study_document(const input::Source& source) {
 bool run_optimize_document(const input::Source& source) {
   const input::OptimizeInput in = input::read_optimize_input(source);
   if (design_count(in.optimization) > kMostStudied) return false;
-  const std::optional<OptimizationResult> result = run_optimization(
-      in, 1, [](const JournalHeader& header) { return Journal::temporary(header); }, {});
+  const std::optional<OptimizationResult> result =
+      run_optimization(in, 1, [](const JournalHeader& header) { return Journal::temporary(header); }, {});
   expect(result.has_value(), "an optimization was interrupted");
   const Json document = optimize_json(*result, document_info(source, Command::optimize));
   expect_finite(document, "");
@@ -274,8 +261,7 @@ bool run_on_engine(const char* command, const input::Source& source) {
   const int status = answer.at("status").get<int>();
   expect(status == 0 || status == 2 || status == 3, fmt::format("status {}", answer.dump()));
   expect((status == 2) == answer.at("document").is_null(), "a document and an error");
-  expect(status == 0 || !answer.at("messages").empty() || status == 3,
-         "an error without a message");
+  expect(status == 0 || !answer.at("messages").empty() || status == 3, "an error without a message");
   return status != 2;
 }
 
@@ -305,16 +291,14 @@ bool run_export(const input::Source& source) {
     expect(std::isfinite(force) && force >= before - 1e-12 * std::abs(before),
            fmt::format("{} N after {} N", force, before));
     expect(std::isfinite(stiffness) && stiffness >= 0.0, fmt::format("{} N/m", stiffness));
-    expect(prs_force(&read, deflection, &same_stiffness, &beyond) == force &&
-               same_stiffness == stiffness,
+    expect(prs_force(&read, deflection, &same_stiffness, &beyond) == force && same_stiffness == stiffness,
            "what was written has another force");
     for (const double speed : {-1e3, -1e-3, 0.0, 50.0})
       expect(std::isfinite(prs_torque(&here, force, speed, &beyond)), "a torque is not finite");
     before = force;
   }
   expect(functional_mockup_unit(curves, model.text).starts_with("PK"), "no archive");
-  expect(modelica_package(curves, model.text).ends_with("end " + model.text.name + ";\n"),
-         "no whole package");
+  expect(modelica_package(curves, model.text).ends_with("end " + model.text.name + ";\n"), "no whole package");
   expect(!curves_text(curves).empty(), "nothing is said of the curves");
   return true;
 }
@@ -359,18 +343,15 @@ void expect_stored_study(const StudyResult& result, const DocumentInfo& info) {
 }
 
 void expect_drawable(const Pictures& pictures) {
-  const auto expect_bounded = [](const auto& self, const Json& value,
-                                 const std::string& at) -> void {
-    if (value.is_number_float())
-      expect(!std::isinf(value.get<double>()), "figures" + at + " is infinite");
+  const auto expect_bounded = [](const auto& self, const Json& value, const std::string& at) -> void {
+    if (value.is_number_float()) expect(!std::isinf(value.get<double>()), "figures" + at + " is infinite");
     if (!value.is_structured()) return;
     for (const auto& [key, child] : value.items()) self(self, child, at + '/' + key);
   };
   expect_bounded(expect_bounded, to_json(figures(pictures)), "");
 }
 
-const char* const kFlight =
-    "time_s,force_kN,position_mm\n0,1,0\n1,12.5,3\n2,-7,5\n3,19.7,-2\n4,2,0\n";
+const char* const kFlight = "time_s,force_kN,position_mm\n0,1,0\n1,12.5,3\n2,-7,5\n3,19.7,-2\n4,2,0\n";
 
 bool documents(std::string_view input) {
   const std::size_t end = std::min(input.find('\n'), input.size());

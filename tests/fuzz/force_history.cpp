@@ -41,17 +41,15 @@ std::optional<Json> life_under(const std::string& history) {
     delivery.files({});
     return delivery.document(document_info(source, Command::life));
   } catch (const input::InputError& error) {
-    expect(std::string_view(error.what()).find(": error: ") != std::string_view::npos,
-           error.what());
+    expect(std::string_view(error.what()).find(": error: ") != std::string_view::npos, error.what());
     return std::nullopt;
   }
 }
 
 void expect_same(const Json& a, const Json& b, const char* what) {
   const Json::json_pointer at(what);
-  expect(a.contains(at) == b.contains(at) &&
-             (!a.contains(at) || std::abs(a[at].get<double>() - b[at].get<double>()) <=
-                                     1e-6 * std::abs(a[at].get<double>())),
+  expect(a.contains(at) == b.contains(at) && (!a.contains(at) || std::abs(a[at].get<double>() - b[at].get<double>()) <=
+                                                                     1e-6 * std::abs(a[at].get<double>())),
          fmt::format("{} moves with a sample that says nothing new", what));
 }
 
@@ -68,8 +66,7 @@ bool force_history(std::string_view input) {
   expect(loads.value("mean_load_N", 0.0) <= loads.value("largest_force_N", 0.0) * (1.0 + 1e-12),
          "a mean above the largest force");
   if (life->at("life").contains("cycles"))
-    expect(life->at("life").at("cycles").value("count", 0.0) <= 0.5 * samples,
-           "more cycles than two samples give");
+    expect(life->at("life").at("cycles").value("count", 0.0) <= 0.5 * samples, "more cycles than two samples give");
 
   // The last sample once more: no time passes, nothing moves.
   while (history.ends_with('\n') || history.ends_with('\r')) history.pop_back();
@@ -77,8 +74,8 @@ bool force_history(std::string_view input) {
   if (history.find('"') != std::string::npos) return true;
   const std::optional<Json> longer = life_under(history + '\n' + last + '\n');
   expect(longer.has_value(), "refused with a sample once more");
-  for (const char* what : {"/life/system/l10_revolutions", "/life/cycles/count",
-                           "/life/loads/mean_load_N", "/life/static_safety"})
+  for (const char* what :
+       {"/life/system/l10_revolutions", "/life/cycles/count", "/life/loads/mean_load_N", "/life/static_safety"})
     expect_same(*life, *longer, what);
   return true;
 }

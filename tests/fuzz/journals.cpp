@@ -33,8 +33,7 @@ void expect_sound(const Journal& journal) {
     expect(block.rows > 0 && block.first < journal.header().designs &&
                block.rows <= journal.header().designs - block.first,
            "a record beyond the study");
-    expect(block.responses.size() == block.rows * journal.header().responses.size(),
-           "a record with too few numbers");
+    expect(block.responses.size() == block.rows * journal.header().responses.size(), "a record with too few numbers");
     expect(journal.takes(encode(block)), "a record that is not taken again");
   }
 }
@@ -50,8 +49,7 @@ void expect_continued(const fs::path& path) {
     expect(continued.records().size() == kept, "a continued journal holds other records");
   }
   const Journal again = Journal::read(path);
-  expect(!again.is_damaged() && again.records().size() == kept,
-         "a continued journal is not what it was");
+  expect(!again.is_damaged() && again.records().size() == kept, "a continued journal is not what it was");
 }
 
 /// The rows of all journals together: each design once, in order.
@@ -74,15 +72,12 @@ void expect_deliverable(const StoredRows& rows) {
   const input::Source source = input::source_of_text("case.yaml", header.source.text, {});
   const input::StudyInput in = input::read_study_input(source);
   Study study = in.study;
-  const std::vector<std::string> known =
-      study.responses.empty() ? default_responses(study.command) : study.responses;
+  const std::vector<std::string> known = study.responses.empty() ? default_responses(study.command) : study.responses;
   const bool agree =
       header.designs == design_count(study) &&
       (study.responses.empty()
            ? std::ranges::all_of(header.responses,
-                                 [&](const std::string& path) {
-                                   return std::ranges::find(known, path) != known.end();
-                                 })
+                                 [&](const std::string& path) { return std::ranges::find(known, path) != known.end(); })
            : header.responses == known);
   if (!agree || study.plan == Plan::derivatives) return;
   study.responses = header.responses;
@@ -91,11 +86,10 @@ void expect_deliverable(const StoredRows& rows) {
   const DocumentInfo info{"1", "1", "", {}, "study", "case.yaml", {}};
   const fs::path out = scratch_folder() / "out";
   fs::create_directories(out);
-  write_rows(rows, study, info, &out, 1,
-             [&](const RowBlock& block, std::span<const double> inputs) {
-               add(result, block);
-               analysis.add(block, inputs);
-             });
+  write_rows(rows, study, info, &out, 1, [&](const RowBlock& block, std::span<const double> inputs) {
+    add(result, block);
+    analysis.add(block, inputs);
+  });
   result.summary = analysis.summary();
   expect_stored_study(result, info);
 }
@@ -116,8 +110,7 @@ void seal(std::string& bytes) {
     std::uint64_t length = Cursor(std::string_view(bytes).substr(at)).number();
     length = std::clamp<std::uint64_t>(length, 2 * kWord, bytes.size() - at);
     set_number(bytes, at, length);
-    set_number(bytes, at + length - kWord,
-               checksum(std::string_view(bytes).substr(at, length - kWord)));
+    set_number(bytes, at + length - kWord, checksum(std::string_view(bytes).substr(at, length - kWord)));
     at += length;
   }
 }
@@ -168,8 +161,7 @@ std::string mutated_journals(std::string_view input, std::size_t most, std::uint
     const std::size_t first = of_records ? first_record(bytes) : 0;
     if (first >= bytes.size()) continue;
     const std::size_t at = first + below(bytes.size() - first), word = at / kWord * kWord;
-    constexpr std::uint64_t kOdd[] = {0,   1,        2,          7,          8,    40,
-                                      255, 1u << 26, 1ull << 32, 1ull << 61, ~0ull};
+    constexpr std::uint64_t kOdd[] = {0, 1, 2, 7, 8, 40, 255, 1u << 26, 1ull << 32, 1ull << 61, ~0ull};
     switch (below(of_records ? 3 : 7)) {
       case 0:
         bytes[at] = static_cast<char>(below(256));
@@ -178,8 +170,7 @@ std::string mutated_journals(std::string_view input, std::size_t most, std::uint
         set_number(bytes, word, kOdd[below(std::size(kOdd))]);
         break;
       case 2:
-        set_number(bytes, word,
-                   Cursor(std::string_view(bytes).substr(word)).number() + below(5) - 2);
+        set_number(bytes, word, Cursor(std::string_view(bytes).substr(word)).number() + below(5) - 2);
         break;
       case 3:
         bytes.resize(at);

@@ -11,8 +11,8 @@
 namespace {
 
 const prs::fuzz::Target& target() {
-  static const prs::fuzz::Target& found = *std::ranges::find(
-      prs::fuzz::kTargets, std::string_view(PRS_FUZZ_TARGET), &prs::fuzz::Target::name);
+  static const prs::fuzz::Target& found =
+      *std::ranges::find(prs::fuzz::kTargets, std::string_view(PRS_FUZZ_TARGET), &prs::fuzz::Target::name);
   return found;
 }
 
@@ -31,8 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 }
 
 /// One mutation in eight is of bytes.
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                               std::size_t most, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   if (!target().mutate || seed % 8 == 0) return LLVMFuzzerMutate(data, size, most);
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const std::string text = target().mutate(input, most, seed);

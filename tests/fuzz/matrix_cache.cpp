@@ -44,8 +44,7 @@ struct Screw {
 };
 
 double sum(const std::vector<double>& loads) {
-  for (const double load : loads)
-    expect(std::isfinite(load) && load >= 0.0, "a load that cannot be");
+  for (const double load : loads) expect(std::isfinite(load) && load >= 0.0, "a load that cannot be");
   return std::accumulate(loads.begin(), loads.end(), 0.0);
 }
 
@@ -70,10 +69,9 @@ void solve_both(MatrixCache& cache, std::size_t& solved) {
       influence_solver(c, screw.contacts, screw.laws, *load.direction, *load.position, cache);
   expect_equilibrium(screw, sector.solve(kForce));
   solved = 1;
-  const FullModel model = full_model(screw.contacts.mechanism, *c.structure, *c.materials, c.model,
-                                     screw.laws, load, c.deviations);
-  const FullDistribution full =
-      solve(model, full_bodies(c, screw.contacts, screw.laws, model, cache));
+  const FullModel model =
+      full_model(screw.contacts.mechanism, *c.structure, *c.materials, c.model, screw.laws, load, c.deviations);
+  const FullDistribution full = solve(model, full_bodies(c, screw.contacts, screw.laws, model, cache));
   if (full.solve.converged())
     for (const Interface i : kInterfaces)
       for (const std::vector<double>& roller : full.normal_load[i]) sum(roller);
@@ -81,8 +79,7 @@ void solve_both(MatrixCache& cache, std::size_t& solved) {
 }
 
 /// Solves with matrices that `next` gives for one key after the other: how many of the two were.
-std::size_t solved_from(
-    const std::function<std::optional<std::string>(const std::string& key)>& next) {
+std::size_t solved_from(const std::function<std::optional<std::string>(const std::string& key)>& next) {
   const std::filesystem::path folder = scratch_folder() / "cache";
   std::filesystem::remove_all(folder);
   const CacheFolder files(folder);
@@ -128,9 +125,7 @@ std::string whole_matrices() {
   return joined(contents);
 }
 
-bool matrix_cache(std::string_view input) {
-  return input.size() <= kLongest && solved_with(input) > 0;
-}
+bool matrix_cache(std::string_view input) { return input.size() <= kLongest && solved_with(input) > 0; }
 
 std::string mutated_cache(std::string_view input, std::size_t most, std::uint32_t seed) {
   Random random(seed);

@@ -59,8 +59,7 @@ double moved(double x, Random& random) {
 /// Another unit of the same dimension.
 std::string_view other_unit(std::string_view unit, Random& random) {
   for (const input::Dimension* dimension : input::dimensions())
-    if (input::find_unit(unit, *dimension))
-      return any_of(any_of(dimension->units, random).spellings, random);
+    if (input::find_unit(unit, *dimension)) return any_of(any_of(dimension->units, random).spellings, random);
   return unit;
 }
 
@@ -74,8 +73,7 @@ std::string moved_quantity(const std::string& text, Random& random) {
 
 Json random_number(const Json& schema, Random& random) {
   const double least = schema.value("minimum", schema.value("exclusiveMinimum", -10.0));
-  const double most =
-      schema.value("maximum", schema.value("exclusiveMaximum", std::max(10.0, least + 10.0)));
+  const double most = schema.value("maximum", schema.value("exclusiveMaximum", std::max(10.0, least + 10.0)));
   double x = 0.0;
   switch (below(6, random)) {
     case 0:
@@ -177,9 +175,8 @@ bool is_of_type(const Json& value, const Json& schema) {
              return properties != schema.end() && properties->contains(item.key());
            });
   }
-  return type.empty() || (type == "array" && value.is_array()) ||
-         (type == "string" && value.is_string()) || (type == "boolean" && value.is_boolean()) ||
-         (type == "integer" && value.is_number_integer()) ||
+  return type.empty() || (type == "array" && value.is_array()) || (type == "string" && value.is_string()) ||
+         (type == "boolean" && value.is_boolean()) || (type == "integer" && value.is_number_integer()) ||
          (type == "number" && value.is_number());
 }
 
@@ -192,8 +189,7 @@ Json json_of(const input::Node& node) {
       case input::ScalarType::boolean:
         return node.text == "true";
       case input::ScalarType::number:
-        return Json::accept(node.text) ? Json::parse(node.text)
-                                       : Json(*input::parse_number(node.text));
+        return Json::accept(node.text) ? Json::parse(node.text) : Json(*input::parse_number(node.text));
     }
   const bool is_map = node.kind == input::Node::Kind::map;
   Json json = is_map ? Json::object() : Json::array();
@@ -213,13 +209,10 @@ std::optional<Json> parsed(std::string_view text) try {
   return std::nullopt;
 }
 
-constexpr const char* kCommands[] = {"check",   "contact", "solve",    "solve", "slip",
-                                     "compare", "life",    "measures", "study", "report",
-                                     "write",   "preload", "optimize", "export"};
+constexpr const char* kCommands[] = {"check",    "contact", "solve",  "solve", "slip",    "compare",  "life",
+                                     "measures", "study",   "report", "write", "preload", "optimize", "export"};
 
-std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
 
@@ -237,8 +230,7 @@ const Json& taken_by(const Json& schema, const Json& value, Random& random) {
   std::vector<const Json*> fitting;
   for (const Json& one : schema["oneOf"])
     if (is_of_type(value, one)) fitting.push_back(&one);
-  return taken_by(fitting.empty() ? any_of(schema["oneOf"], random) : *any_of(fitting, random),
-                  value, random);
+  return taken_by(fitting.empty() ? any_of(schema["oneOf"], random) : *any_of(fitting, random), value, random);
 }
 
 Json random_value(const Json& schema, Random& random) {
@@ -281,8 +273,7 @@ std::string mutated_document(std::string_view input, std::size_t most, std::uint
   random.gentle = one_in(2, random);
   std::optional<Json> json = parsed(input);
   if (!json || !json->is_object()) json = random_value(case_schema(), random);
-  for (std::size_t left = 1 + below(4, random); left > 0; --left)
-    change(*json, case_schema(), random);
+  for (std::size_t left = 1 + below(4, random); left > 0; --left) change(*json, case_schema(), random);
   const std::string text = first + '\n' + dumped(*json) + '\n';
   return text.size() <= most ? text : std::string(input);
 }
@@ -301,11 +292,9 @@ std::string mutated_overrides(std::string_view input, std::size_t most, std::uin
   // Down the schema to some value.
   const Json* schema = &case_schema();
   std::string path;
-  while (schema->contains("properties") && !schema->at("properties").empty() &&
-         (path.empty() || !one_in(5, random))) {
+  while (schema->contains("properties") && !schema->at("properties").empty() && (path.empty() || !one_in(5, random))) {
     auto child = schema->at("properties").begin();
-    std::advance(child,
-                 static_cast<std::ptrdiff_t>(below(schema->at("properties").size(), random)));
+    std::advance(child, static_cast<std::ptrdiff_t>(below(schema->at("properties").size(), random)));
     path += (path.empty() ? "" : ".") + child.key();
     schema = &child.value();
     if (schema->contains("oneOf")) schema = &any_of(schema->at("oneOf"), random);

@@ -28,7 +28,7 @@ void change(nlohmann::ordered_json& value, const nlohmann::ordered_json& schema,
 const nlohmann::ordered_json& case_schema();
 
 /// The schema of one alternative that takes the value, where there are several.
-const nlohmann::ordered_json& taken_by(const nlohmann::ordered_json& schema,
-                                       const nlohmann::ordered_json& value, Random& random);
+const nlohmann::ordered_json& taken_by(const nlohmann::ordered_json& schema, const nlohmann::ordered_json& value,
+                                       Random& random);
 
 }  // namespace prs::fuzz

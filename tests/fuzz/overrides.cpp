@@ -17,8 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string kWholeCase =
-    "# A screw with most blocks.\n" + input::kAbeviThreads + R"(  rollers: 11  # all equal
+const std::string kWholeCase = "# A screw with most blocks.\n" + input::kAbeviThreads + R"(  rollers: 11  # all equal
   contacts_per_roller: 4
 structure:
   screw: {bore: 6 mm, free_length: 10 mm}

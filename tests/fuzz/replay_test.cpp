@@ -20,8 +20,7 @@ const fs::path kCorpus = PRS_SOURCE_DIR "/tests/fuzz/corpus";
 
 std::vector<fs::path> corpus_of(const Target& target) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(kCorpus / target.name))
-    files.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(kCorpus / target.name)) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
@@ -32,8 +31,7 @@ TEST_P(FuzzCorpus, HoldsNoFinding) {
   const std::vector<fs::path> files = corpus_of(GetParam());
   EXPECT_FALSE(files.empty());
   std::size_t taken = 0;
-  for (const fs::path& file : files)
-    EXPECT_NO_THROW(taken += GetParam().run(test::content_of(file))) << file;
+  for (const fs::path& file : files) EXPECT_NO_THROW(taken += GetParam().run(test::content_of(file))) << file;
   EXPECT_GE(10 * taken, files.size());
 }
 
@@ -46,8 +44,7 @@ TEST_P(FuzzMutations, AreNoFinding) {
   const auto runs = static_cast<std::size_t>(test::samples(40, 2000));
   std::vector<std::string> inputs;
   for (const fs::path& file : corpus_of(GetParam()))
-    if (inputs.size() < runs && GetParam().run(test::content_of(file)))
-      inputs.push_back(test::content_of(file));
+    if (inputs.size() < runs && GetParam().run(test::content_of(file))) inputs.push_back(test::content_of(file));
   ASSERT_FALSE(inputs.empty());
   std::size_t changed = 0, taken = 0;
   for (std::uint32_t seed = 0; seed < runs; ++seed) {
@@ -70,8 +67,7 @@ std::vector<Target> mutated_targets() {
 
 const auto kNameOfTarget = [](const auto& target) { return std::string(target.param.name); };
 INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpus, testing::ValuesIn(kTargets), kNameOfTarget);
-INSTANTIATE_TEST_SUITE_P(Targets, FuzzMutations, testing::ValuesIn(mutated_targets()),
-                         kNameOfTarget);
+INSTANTIATE_TEST_SUITE_P(Targets, FuzzMutations, testing::ValuesIn(mutated_targets()), kNameOfTarget);
 
 TEST(FuzzedCache, WholeMatricesSolveSectorAndFullMechanism) {
   const fs::path file = kCorpus / "matrix_cache" / "whole";

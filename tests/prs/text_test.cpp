@@ -17,8 +17,8 @@ TEST(Text, PrintableKeepsWellFormedTextOnly) {
 }
 
 TEST(Text, PrintableShowsWhereTextIsHiddenOrTurned) {
-  for (const char* hidden : {"\u061c", "\u200b", "\u200e", "\u200f", "\u202a", "\u202e", "\u2060",
-                             "\u2066", "\u2069", "\ufeff", "\ufffb", "\U000e0041"})
+  for (const char* hidden : {"\u061c", "\u200b", "\u200e", "\u200f", "\u202a", "\u202e", "\u2060", "\u2066", "\u2069",
+                             "\ufeff", "\ufffb", "\U000e0041"})
     EXPECT_EQ(printable("a" + std::string(hidden) + "b"), "a\uFFFDb") << hidden;
   for (const char* control : {"\u0080", "\u009b", "\u009f", "\u2028", "\u2029"})
     EXPECT_EQ(printable("a" + std::string(control) + "b"), "a b");
@@ -31,8 +31,7 @@ TEST(Text, PrintableLinesKeepsLinesOnly) {
 }
 
 TEST(Text, WideLinesBreakBetweenWords) {
-  EXPECT_EQ(wrapped_lines("one two three\nfour\n  five six\n", 9),
-            "one two\n  three\nfour\n  five\n    six\n");
+  EXPECT_EQ(wrapped_lines("one two three\nfour\n  five six\n", 9), "one two\n  three\nfour\n  five\n    six\n");
   EXPECT_EQ(wrapped_lines("one two three", 9), "one two\n  three");
   EXPECT_EQ(wrapped_lines("a\n\nb", 9), "a\n\nb");
 }

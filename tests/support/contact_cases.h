@@ -9,8 +9,7 @@
 namespace test {
 
 /// The screw of a lesson under the given loads.
-inline prs::Case contact_lesson(const std::string& file,
-                                std::vector<prs::LoadCase> load_cases = {}) {
+inline prs::Case contact_lesson(const std::string& file, std::vector<prs::LoadCase> load_cases = {}) {
   prs::Case c = prs::input::read_case(PRS_SOURCE_DIR "/configs/" + file, {}, prs::Command::contact);
   c.load_cases = std::move(load_cases);
   return c;

@@ -13,8 +13,6 @@ inline bool thorough() { return std::getenv("PRS_THOROUGH") != nullptr; }
 inline int count(int quick, int all) { return thorough() ? all : quick; }
 
 /// The same of samples that go through the same functions: sanitizers see a fifth.
-inline int samples(int quick, int all) {
-  return count(sanitized() ? std::max(1, quick / 5) : quick, all);
-}
+inline int samples(int quick, int all) { return count(sanitized() ? std::max(1, quick / 5) : quick, all); }
 
 }  // namespace test

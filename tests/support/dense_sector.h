@@ -47,8 +47,7 @@ struct DenseSector {
     const auto nut_index = [&](Real x) {
       int best = 0;
       for (int i = 0; i < static_cast<int>(nut.size()); ++i)
-        if (std::abs(nut[static_cast<std::size_t>(i)] - x) <
-            std::abs(nut[static_cast<std::size_t>(best)] - x))
+        if (std::abs(nut[static_cast<std::size_t>(i)] - x) < std::abs(nut[static_cast<std::size_t>(best)] - x))
           best = i;
       return best;
     };
@@ -69,8 +68,7 @@ struct DenseSector {
     };
 
     const Real screw_ea = c.materials.screw.youngs_modulus * pi / 4 *
-                          (std::pow(*m.pitch_diameter.screw, 2) - std::pow(st.screw.bore, 2)) /
-                          m.rollers;
+                          (std::pow(*m.pitch_diameter.screw, 2) - std::pow(st.screw.bore, 2)) / m.rollers;
     for (int k = 1; k < n; ++k) bar(us(k), us(k + 1), screw_ea / p);
     int loaded = us(0);
     if (st.screw.free_length > 0.0) {
@@ -80,8 +78,7 @@ struct DenseSector {
       held[0] = true;
     }
     for (int i = 1; i < nuts; ++i) {
-      const Real mid =
-          0.5 * (nut[static_cast<std::size_t>(i)] + nut[static_cast<std::size_t>(i) - 1]);
+      const Real mid = 0.5 * (nut[static_cast<std::size_t>(i)] + nut[static_cast<std::size_t>(i) - 1]);
       Real outer = st.nut.outer_diameter;
       for (const auto& f : st.nut.flanges)
         if (mid > f.from && mid < f.to) outer = f.outer_diameter;
@@ -187,8 +184,7 @@ struct DenseSector {
     for (const bool at_screw : {true, false}) {
       const Vector& push = at_screw ? push_screw : push_both;
       Real shift = 0;
-      for (std::size_t i = at_screw ? 0 : contacts / 2; i < (at_screw ? contacts / 2 : contacts);
-           ++i) {
+      for (std::size_t i = at_screw ? 0 : contacts / 2; i < (at_screw ? contacts / 2 : contacts); ++i) {
         const Real share = sector_force / static_cast<Real>(contacts / 2);
         const Real approached = gap[i] + std::pow(share / k0[i], Real(2) / 3);
         shift = std::max(shift, approached / approach[i].dot(push));
@@ -214,8 +210,7 @@ struct DenseSector {
       tangent = linear.cast<double>();
       for (std::size_t i = 0; i < contacts; ++i) {
         const Real w = std::max(Real(0), approach[i].dot(x) - gap[i]);
-        const Eigen::VectorXd row =
-            (std::sqrt(1.5 * k0[i] * std::sqrt(w)) * approach[i]).cast<double>();
+        const Eigen::VectorXd row = (std::sqrt(1.5 * k0[i] * std::sqrt(w)) * approach[i]).cast<double>();
         tangent.selfadjointView<Eigen::Lower>().rankUpdate(row);
       }
       for (int i = 0; i < size; ++i)
@@ -244,8 +239,7 @@ struct DenseSector {
       q -= t * d;
     }
     for (std::size_t i = 0; i < contacts; ++i)
-      result.normal_load.push_back(k0[i] *
-                                   std::pow(std::max(Real(0), approach[i].dot(q) - gap[i]), 1.5));
+      result.normal_load.push_back(k0[i] * std::pow(std::max(Real(0), approach[i].dot(q) - gap[i]), 1.5));
     result.displacement = unit_load.dot(q);
     factorize(q);
     const Eigen::VectorXd load = unit_load.cast<double>();

@@ -35,8 +35,7 @@ std::string malformed(const std::string& svg) {
   for (std::size_t at = svg.find("<svg"); (at = svg.find('<', at)) != std::string::npos; ++at) {
     const std::size_t end = svg.find('>', at);
     const std::string tag = svg.substr(at + 1, end - at - 1);
-    if (std::ranges::count(tag, '"') % 2 != 0 || tag.find('<') != tag.npos)
-      return tag.substr(0, 99);
+    if (std::ranges::count(tag, '"') % 2 != 0 || tag.find('<') != tag.npos) return tag.substr(0, 99);
     const std::string name = tag.substr(0, tag.find_first_of(" /", 1));
     if (tag.starts_with('/')) {
       if (open.empty() || "/" + open.back() != tag) return tag;
@@ -78,10 +77,9 @@ std::vector<DrawnText> drawn_texts(const std::string& svg) {
     DrawnText drawn{unescaped(svg.substr(end + 1, svg.find('<', end) - end - 1)), {}};
     const double x = std::stod(attribute(tag, "x")), y = std::stod(attribute(tag, "y"));
     const std::string classes = " " + attribute(tag, "class") + " ";
-    const double share = classes.find(" m ") != classes.npos || classes.find(" n ") != classes.npos
-                             ? 0.5
-                         : classes.find(" e ") != classes.npos ? 1.0
-                                                               : 0.0;
+    const double share = classes.find(" m ") != classes.npos || classes.find(" n ") != classes.npos ? 0.5
+                         : classes.find(" e ") != classes.npos                                      ? 1.0
+                                                                                                    : 0.0;
     const prs::TextBox box = prs::text_box(drawn.content, x, y, share);
     const std::string turn = attribute(tag, "transform");
     double angle = 0.0, centre_x = x, centre_y = y;

@@ -24,8 +24,7 @@ class FolderWatch {
 
   /// Changes in this folder from now on count; nothing where there is no such folder.
   void add(const std::filesystem::path& folder) const {
-    ::inotify_add_watch(changes_, folder.c_str(),
-                        IN_CREATE | IN_MODIFY | IN_MOVED_TO | IN_DELETE | IN_ONLYDIR);
+    ::inotify_add_watch(changes_, folder.c_str(), IN_CREATE | IN_MODIFY | IN_MOVED_TO | IN_DELETE | IN_ONLYDIR);
   }
 
   /// Waits until something has changed, or until the other file has something to tell; false where
@@ -49,8 +48,7 @@ class FolderWatch {
 inline std::uintmax_t bytes_in(const std::filesystem::path& folder) {
   std::error_code gone;  // Files come and go meanwhile.
   std::uintmax_t bytes = 0;
-  for (std::filesystem::directory_iterator entry(folder, gone), end; !gone && entry != end;
-       entry.increment(gone)) {
+  for (std::filesystem::directory_iterator entry(folder, gone), end; !gone && entry != end; entry.increment(gone)) {
     std::error_code none;
     if (const std::uintmax_t size = entry->file_size(none); !none) bytes += size;
   }

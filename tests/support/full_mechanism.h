@@ -19,8 +19,7 @@ inline double largest(const prs::RollerThreads& loads) {
 inline double largest_difference(const prs::RollerThreads& a, const prs::RollerThreads& b) {
   double value = 0.0;
   for (std::size_t j = 0; j < a.size(); ++j)
-    for (std::size_t k = 0; k < a[j].size(); ++k)
-      value = std::max(value, std::abs(a[j][k] - b[j][k]));
+    for (std::size_t k = 0; k < a[j].size(); ++k) value = std::max(value, std::abs(a[j][k] - b[j][k]));
   return value;
 }
 
@@ -30,15 +29,13 @@ inline void expect_the_sector(const prs::FullModel& f) {
   ASSERT_TRUE(full.solve.converged());
   prs::SectorModel sector = f.sector;
   sector.gaps = f.present[0].gaps;
-  const prs::LoadDistribution one =
-      prs::SectorSolver(prs::build_sector(sector)).solve(f.axial_force);
+  const prs::LoadDistribution one = prs::SectorSolver(prs::build_sector(sector)).solve(f.axial_force);
   EXPECT_NEAR(full.axial_displacement, one.axial_displacement, 1e-10 * one.axial_displacement);
   EXPECT_NEAR(*full.tangent_stiffness, *one.tangent_stiffness, 1e-10 * *one.tangent_stiffness);
   for (const prs::Interface i : prs::kInterfaces) {
     const auto rollers = static_cast<std::size_t>(f.rollers);
-    EXPECT_LT(
-        largest_difference(full.normal_load[i], prs::RollerThreads(rollers, one.normal_load[i])),
-        1e-10 * largest(full.normal_load[i]));
+    EXPECT_LT(largest_difference(full.normal_load[i], prs::RollerThreads(rollers, one.normal_load[i])),
+              1e-10 * largest(full.normal_load[i]));
   }
 }
 

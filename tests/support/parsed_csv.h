@@ -12,8 +12,7 @@ namespace test {
 using CsvRow = std::map<std::string, std::string>;
 
 /// Fields of RFC 4180 text, line by line.
-inline std::vector<std::vector<std::string>> parse_fields(const std::string& csv,
-                                                          char separator = ',') {
+inline std::vector<std::vector<std::string>> parse_fields(const std::string& csv, char separator = ',') {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row(1);
   bool quoted = false;

@@ -62,8 +62,7 @@ inline Touch touch(const Flank& body, const Flank& roller, bool outward) {
   const auto clearance = [&](Number x, Number y) {
     const Slopes b = slopes(body, 1, x, y), r = slopes(roller, outward ? -1 : 1, x, y);
     const Number sign = outward ? 1 : -1;
-    return Slopes{sign * b.x + r.x, sign * b.y + r.y, sign * b.xx + r.xx, sign * b.xy + r.xy,
-                  sign * b.yy + r.yy};
+    return Slopes{sign * b.x + r.x, sign * b.y + r.y, sign * b.xx + r.xx, sign * b.xy + r.xy, sign * b.yy + r.yy};
   };
   Number x = body.pitch_radius, y = 0;
   for (int k = 0; k < 50; ++k) {

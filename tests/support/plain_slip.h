@@ -89,9 +89,7 @@ struct Motion {
 };
 
 /// lambda of (2.4): speed of the roller in the carrier over that of the screw against the nut.
-inline Real roller_ratio(const Case& c, Real slip) {
-  return -(c.standard ? slip : 1 - slip) / c.gear_ratio;
-}
+inline Real roller_ratio(const Case& c, Real slip) { return -(c.standard ? slip : 1 - slip) / c.gear_ratio; }
 
 /// (2.6) applied to body and roller; both turn about z, only the advancing body moves along it.
 inline Motion motion(const Case& c, bool screw, Real slip) {
@@ -148,19 +146,16 @@ struct Film {
 /// for its powers.
 inline Real full_film_number(Real m, Real l, Real lambda) {
   const Real k = 1 + Real(0.006L) * std::log(lambda) + Real(0.63L) * std::pow(lambda, Real(4) / 7);
-  const Real ri = 145 *
-                  std::pow(1 + Real(0.796L) * std::pow(lambda, Real(14) / 15), -Real(15) / 7) /
-                  lambda / (m * m);
-  const Real ei = Real(3.18L) * std::pow(k, -Real(14) / 25) * std::pow(lambda, -Real(1) / 15) *
-                  std::pow(m, -Real(2) / 15);
-  const Real rp =
-      Real(1.29L) * std::pow(1 + Real(0.691L) * lambda, -Real(2) / 3) * std::pow(l, Real(2) / 3);
+  const Real ri = 145 * std::pow(1 + Real(0.796L) * std::pow(lambda, Real(14) / 15), -Real(15) / 7) / lambda / (m * m);
+  const Real ei =
+      Real(3.18L) * std::pow(k, -Real(14) / 25) * std::pow(lambda, -Real(1) / 15) * std::pow(m, -Real(2) / 15);
+  const Real rp = Real(1.29L) * std::pow(1 + Real(0.691L) * lambda, -Real(2) / 3) * std::pow(l, Real(2) / 3);
   const Real ep = Real(1.48L) * std::pow(k, -Real(7) / 20) * std::pow(lambda, -Real(1) / 24) *
                   std::pow(m, -Real(1) / 12) * std::pow(l, Real(3) / 4);
   const Real h00 = Real(1.80L) * std::pow(lambda, -Real(5) / 7);
   const Real s = Real(1.5L) * (1 + std::exp(-Real(1.2L) * ei / ep));
-  const Real isoviscous = std::pow(ri, Real(1.5L)) +
-                          std::pow(std::pow(ei, Real(-4)) + std::pow(h00, Real(-4)), -Real(3) / 8);
+  const Real isoviscous =
+      std::pow(ri, Real(1.5L)) + std::pow(std::pow(ei, Real(-4)) + std::pow(h00, Real(-4)), -Real(3) / 8);
   const Real piezoviscous = std::pow(rp, Real(-8)) + std::pow(ep, Real(-8));
   return std::pow(std::pow(isoviscous, 2 * s / 3) + std::pow(piezoviscous, -s / 8), 1 / s);
 }
@@ -178,15 +173,13 @@ inline Film film(const Interface& m, const Lubricant& l, Real rolling, Real norm
   const Real moes_m = normal_load * rho * rho / (e * std::pow(u, Real(3) / 4));
   const Real moes_l = l.pressure_viscosity * e * std::pow(u, Real(1) / 4);
   const Real h = Real(1.7L) * std::pow(moes_m, -Real(1) / 9) * std::pow(moes_l, Real(3) / 4);
-  return {h, h * std::sqrt(u) / rho,
-          full_film_number(moes_m, moes_l, m.curvature_ratio) * std::sqrt(u) / rho};
+  return {h, h * std::sqrt(u) / rho, full_film_number(moes_m, moes_l, m.curvature_ratio) * std::sqrt(u) / rho};
 }
 
 /// Central film of Chittenden, Dowson, Dunn and Taylor (1985) at the angle theta of the rolling to
 /// the minor axis, which their x axis is: 1/R_e = cos^2/R_x + sin^2/R_y, 1/R_s = sin^2/R_x +
 /// cos^2/R_y, with mean velocity and E' = 2 E* [m].
-inline Real film_along_rolling(const Interface& m, const Lubricant& l, const Motion& v,
-                               Real normal_load) {
+inline Real film_along_rolling(const Interface& m, const Lubricant& l, const Motion& v, Real normal_load) {
   const Real u_1 = dot(v.sum, m.major), u_2 = dot(v.sum, cross(m.normal, m.major));
   const Real theta = std::atan2(u_1, u_2), c = std::cos(theta), s = std::sin(theta);
   const Real r_x = 1 / m.larger_curvature, r_y = r_x / m.curvature_ratio;
@@ -194,16 +187,14 @@ inline Real film_along_rolling(const Interface& m, const Lubricant& l, const Mot
   const Real e = m.relative_modulus;
   const Real mean_speed = rolling_speed(v, m.normal) / 2;
   return r_e * Real(4.31L) * std::pow(l.viscosity * mean_speed / (e * r_e), Real(0.68L)) *
-         std::pow(l.pressure_viscosity * e, Real(0.49L)) *
-         std::pow(normal_load / (e * r_e * r_e), Real(-0.073L)) *
+         std::pow(l.pressure_viscosity * e, Real(0.49L)) * std::pow(normal_load / (e * r_e * r_e), Real(-0.073L)) *
          (1 - std::exp(Real(-1.23L) * std::pow(r_s / r_e, Real(2) / 3)));
 }
 
 /// (2.27), (2.29), (2.30) at one point.
-inline Real jacod(const Interface& m, const Lubricant& l, Real pressure, Real sliding, Real rolling,
-                  Real film_number) {
-  const Real viscosity = std::exp((std::log(l.viscosity) + Real(9.67L)) *
-                                  (std::pow(1 + pressure / Real(0.198e9L), Real(0.6L)) - 1));
+inline Real jacod(const Interface& m, const Lubricant& l, Real pressure, Real sliding, Real rolling, Real film_number) {
+  const Real viscosity =
+      std::exp((std::log(l.viscosity) + Real(9.67L)) * (std::pow(1 + pressure / Real(0.198e9L), Real(0.6L)) - 1));
   const Real slide = 2 / l.eyring_stress * (sliding / rolling) *
                      std::sqrt(rolling * l.viscosity * m.relative_modulus * m.larger_curvature);
   return l.eyring_stress / pressure * std::asinh(viscosity * slide / (5 * film_number));
@@ -242,8 +233,7 @@ inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread
       central.central = film_along_rolling(m, c.lubricant, v, t.axial_load / std::abs(m.normal[2]));
     out.film_thickness = central.thickness;
     out.central_film = central.central;
-    if (m.roughness > 0)
-      out.boundary_share = std::pow(1 + central.central / m.roughness, -c.exponent);
+    if (m.roughness > 0) out.boundary_share = std::pow(1 + central.central / m.roughness, -c.exponent);
   }
 
   const int n = c.patch_points;
@@ -261,9 +251,7 @@ inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread
       const Real v2 = dot(v.sliding, t2) + normal_spin * d1;
       const Real speed = std::hypot(v1, v2);
       out.max_sliding_speed = std::max(out.max_sliding_speed, speed);
-      Real mu = c.coulomb
-                    ? *c.coulomb
-                    : jacod(m, c.lubricant, t.peak_pressure * root, speed, rolling, central.number);
+      Real mu = c.coulomb ? *c.coulomb : jacod(m, c.lubricant, t.peak_pressure * root, speed, rolling, central.number);
       if (c.boundary) mu = mu + (*c.boundary - mu) * out.boundary_share;
       ++out.points;
       coefficients += mu;
@@ -329,8 +317,8 @@ inline State state(const Case& c, Real slip) {
 
   // Sums over one roller's threads: force on the roller, moments about its axis and about z.
   Real about_screw_axis = 0, about_nut_axis = 0;
-  const auto add = [&](bool screw, const Motion& v, std::vector<ThreadFriction>& threads,
-                       Real& about_axis, Real& power) {
+  const auto add = [&](bool screw, const Motion& v, std::vector<ThreadFriction>& threads, Real& about_axis,
+                       Real& power) {
     const Interface& m = screw ? c.screw : c.nut;
     for (const Thread& t : m.threads) {
       const ThreadFriction f = friction(c, screw, v, t);
@@ -366,8 +354,7 @@ inline State state(const Case& c, Real slip) {
   s.carrier_force_x = s.gear_force_x + s.contact_force[0] + s.centrifugal_force;
 
   // Operating pitch radius of the roller's gear, and the moment on the roller (3.38).
-  const Real gear_radius =
-      c.centre_distance * c.gear_ratio / (c.standard ? 1 - c.gear_ratio : 1 + c.gear_ratio);
+  const Real gear_radius = c.centre_distance * c.gear_ratio / (c.standard ? 1 - c.gear_ratio : 1 + c.gear_ratio);
   s.residue_carrier = c_pr;
   s.residue_gear = (2 * chi - 1) * gear_radius * s.gear_force_y;
   s.residue = s.residue_contact + s.residue_spin + s.residue_carrier + s.residue_gear;
@@ -380,8 +367,7 @@ inline State state(const Case& c, Real slip) {
   else
     s.torque_screw += c.rollers * (c.centre_distance - gear_radius) * s.gear_force_y;
 
-  s.power_loss = s.power_screw + s.power_nut + s.power_carrier_roller + s.power_carrier_screw +
-                 s.power_carrier_nut;
+  s.power_loss = s.power_screw + s.power_nut + s.power_carrier_roller + s.power_carrier_screw + s.power_carrier_nut;
   const Real force_on_screw = -c.force_on_nut;  // (3.1)
   if (c.standard) {
     s.efficiency = c.force_on_nut * c.lead / (2 * pi * s.torque_screw);

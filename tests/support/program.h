@@ -20,13 +20,12 @@ struct Outcome {
 };
 
 /// Runs `BEFORE prs ARGUMENTS` in a directory; `prs` may be another copy of the program.
-inline Outcome run_prs(const std::string& arguments,
-                       const std::filesystem::path& directory = PRS_SOURCE_DIR,
+inline Outcome run_prs(const std::string& arguments, const std::filesystem::path& directory = PRS_SOURCE_DIR,
                        const std::string& before = "", const std::string& prs = program()) {
   const TemporaryDirectory folder;
   const std::filesystem::path out = folder.path() / "stdout", err = folder.path() / "stderr";
-  const std::string command = "cd '" + directory.string() + "' && " + before + " '" + prs + "' " +
-                              arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
+  const std::string command = "cd '" + directory.string() + "' && " + before + " '" + prs + "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
 }

@@ -54,18 +54,13 @@ struct Screw {
   std::string more;        ///< Blocks for slip.
   std::vector<Drawn> drawn;
 
-  double screw_area() const {
-    return std::numbers::pi * (radius.screw * radius.screw - 0.25 * bore * bore);
-  }
-  double nut_area() const {
-    return std::numbers::pi * (0.25 * nut_diameter * nut_diameter - radius.nut * radius.nut);
-  }
+  double screw_area() const { return std::numbers::pi * (radius.screw * radius.screw - 0.25 * bore * bore); }
+  double nut_area() const { return std::numbers::pi * (0.25 * nut_diameter * nut_diameter - radius.nut * radius.nut); }
 
   /// Whether threads may touch later than others.
   bool has_gaps() const {
-    return !deviations.empty() || std::ranges::any_of(drawn, [](const Drawn& d) {
-      return d.path.starts_with("deviations");
-    });
+    return !deviations.empty() ||
+           std::ranges::any_of(drawn, [](const Drawn& d) { return d.path.starts_with("deviations"); });
   }
 
   /// The case with its study.
@@ -83,9 +78,8 @@ struct Screw {
           "{}}}\n",
           m(2 * r.screw), m(2e-3 * pitch), m(3e-3 * pitch));
     else
-      t += fmt::format(
-          "  pitch_diameter: {{screw: {}, roller: {}, nut: {}}}\n  centre_distance: {}\n",
-          m(2 * r.screw), m(2 * r.roller), m(2 * r.nut), m(r.screw + r.roller));
+      t += fmt::format("  pitch_diameter: {{screw: {}, roller: {}, nut: {}}}\n  centre_distance: {}\n", m(2 * r.screw),
+                       m(2 * r.roller), m(2 * r.nut), m(r.screw + r.roller));
     t += fmt::format(
         "  profile: {{screw: straight, roller: {{convex: {}}}, nut: straight}}\n"
         "  rollers: {}\n  contacts_per_roller: {}\n",
@@ -95,9 +89,9 @@ struct Screw {
         "  roller: {{end_length: {}, end_diameter: {}, guidance: {}{}}}\n"
         "  nut:\n    length: {}\n    outer_diameter: {}\n    thrust: {{tension: {}, compression: "
         "{}}}\n",
-        m(bore), m(free_length), bearings.empty() ? "" : ", bearings: " + bearings, m(end_length),
-        m(end_diameter), guidance, rings.empty() ? "" : ", rings: " + rings, m(nut_length),
-        m(nut_diameter), m(thrust_tension), m(thrust_compression));
+        m(bore), m(free_length), bearings.empty() ? "" : ", bearings: " + bearings, m(end_length), m(end_diameter),
+        guidance, rings.empty() ? "" : ", rings: " + rings, m(nut_length), m(nut_diameter), m(thrust_tension),
+        m(thrust_compression));
     if (flanges)
       t += fmt::format(
           "    flanges: [{{from: 0 m, to: {0}, outer_diameter: {2}}}, {{from: {1}, to: {3}, "
@@ -121,8 +115,7 @@ struct Screw {
     for (const int k : {0, 1})
       t += fmt::format("  - {{name: {0}, axial_force: {1} N, direction: {0}, position: {2}}}\n",
                        directions[exchanged ? 1 - k : k], force, m(position));
-    t += fmt::format("study:\n  command: {}\n  plan: monte_carlo\n  samples: {}\n  seed: {}\n",
-                     command, samples, seed);
+    t += fmt::format("study:\n  command: {}\n  plan: monte_carlo\n  samples: {}\n  seed: {}\n", command, samples, seed);
     t += "  factors:\n";
     for (const Drawn& d : drawn)
       t += fmt::format("    - {{path: '{}', {}: {{from: {} {}, to: {} {}}}}}\n", d.path,
@@ -150,8 +143,7 @@ inline Screw swapped(Screw s) {
                          : d.path == "materials.nut.youngs_modulus" ? s.nut_area() / s.screw_area()
                                                                     : 1.0;
     d.from *= scale, d.to *= scale;
-    for (const char* path :
-         {"materials.{}.youngs_modulus", "contact.hertz_constant.{}", "contact.normal_angle.{}"}) {
+    for (const char* path : {"materials.{}.youngs_modulus", "contact.hertz_constant.{}", "contact.normal_angle.{}"}) {
       const std::string of_screw = fmt::format(fmt::runtime(path), "screw");
       const std::string of_nut = fmt::format(fmt::runtime(path), "nut");
       if (d.path == of_screw)
@@ -183,16 +175,16 @@ class RandomScrews {
     s.standard = chance();
     s.starts = s.standard ? whole(4, 8) : whole(2, 8);
     s.hand = chance() ? 1.0 : -1.0;
-    s.radius = contact::matched_pitch_radii(
-        s.standard ? contact::MechanismType::standard : contact::MechanismType::inverted,
-        log(3e-3, 75e-3), s.starts, 1);
+    s.radius =
+        contact::matched_pitch_radii(s.standard ? contact::MechanismType::standard : contact::MechanismType::inverted,
+                                     log(3e-3, 75e-3), s.starts, 1);
     s.pitch = std::clamp(uniform(0.15, 0.45) * s.radius.roller, 0.2e-3, 6e-3);
     s.flank_angle = uniform(0.66, 0.88);
     s.profile_radius = s.radius.roller / std::sin(s.flank_angle) * uniform(0.7, 1.3);
     s.designed = kind == Kind::any && chance();
     const double crest = s.radius.roller + 0.3 * s.pitch;
-    const int most = static_cast<int>(
-        std::numbers::pi / std::asin(std::min(1.0, crest / (s.radius.screw + s.radius.roller))));
+    const int most =
+        static_cast<int>(std::numbers::pi / std::asin(std::min(1.0, crest / (s.radius.screw + s.radius.roller))));
     s.rollers = whole(std::min(3, most), most);
     s.threads = whole(5, 60);
 
@@ -203,8 +195,7 @@ class RandomScrews {
     const double roller_bending = 2e11 * s.radius.roller;
     const char* guidances[] = {"both_end_nodes", "outer_node", "ring"};
     s.guidance = guidances[whole(0, 2)];
-    if (s.guidance == "ring")
-      s.guidance = fmt::format("{{ring: {} N/m}}", roller_bending * log(1e-4, 1.0));
+    if (s.guidance == "ring") s.guidance = fmt::format("{{ring: {} N/m}}", roller_bending * log(1e-4, 1.0));
 
     // CONFIG 1 to 3 of Abevi: at the far end of the nut, in its middle, at its near end.
     const double contacts = (s.threads - 1) * s.pitch;
@@ -217,8 +208,7 @@ class RandomScrews {
     s.position = uniform(0.0, 0.999) * room;
     const double places[] = {0.05 * room, 0.5 * room, 0.95 * room};
 
-    for (double* modulus : {&s.screw_modulus, &s.roller_modulus, &s.nut_modulus})
-      *modulus = uniform(195e9, 215e9);
+    for (double* modulus : {&s.screw_modulus, &s.roller_modulus, &s.nut_modulus}) *modulus = uniform(195e9, 215e9);
     // Hertz, of a ball of the profile's radius on a plane.
     const double least = load_at(0.1e9, s), most_load = load_at(4e9, s);
     s.force = std::sqrt(least * most_load);
@@ -243,10 +233,8 @@ class RandomScrews {
         s.drawn.push_back({fmt::format("contact.normal_angle.{}", part), "rad", 0.66, 0.88});
       }
     } else {
-      s.drawn.push_back(
-          {"mechanism.flank_angle", "rad", 0.99 * s.flank_angle, 1.01 * s.flank_angle});
-      s.drawn.push_back(
-          {"structure.nut.outer_diameter", "m", 2.4 * s.radius.nut, 3.2 * s.radius.nut});
+      s.drawn.push_back({"mechanism.flank_angle", "rad", 0.99 * s.flank_angle, 1.01 * s.flank_angle});
+      s.drawn.push_back({"structure.nut.outer_diameter", "m", 2.4 * s.radius.nut, 3.2 * s.radius.nut});
       if (s.flanges) s.drawn.pop_back();
       s.drawn.push_back({"structure.screw.free_length", "m", 0.0, 4.0 * s.radius.screw});
       s.drawn.push_back({"load_cases[0].position", "m", 0.0, 0.999 * room});
@@ -259,14 +247,11 @@ class RandomScrews {
   /// Axial force at which a mean thread has a peak pressure.
   static double load_at(double pressure, const Screw& s) {
     const double modulus = 115e9;
-    return s.rollers * s.threads * std::sin(s.flank_angle) *
-           std::pow(std::numbers::pi * pressure, 3) * std::pow(s.profile_radius, 2) /
-           (6.0 * modulus * modulus);
+    return s.rollers * s.threads * std::sin(s.flank_angle) * std::pow(std::numbers::pi * pressure, 3) *
+           std::pow(s.profile_radius, 2) / (6.0 * modulus * modulus);
   }
 
-  double uniform(double from, double to) {
-    return std::uniform_real_distribution<double>(from, to)(random_);
-  }
+  double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
   double log(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
   int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
   bool chance() { return whole(0, 1) == 1; }

@@ -35,8 +35,7 @@ inline InterfaceLoads decaying_loads(double force, int threads, double decay) {
   return loads;
 }
 
-inline LoadCaseResult solved_case(std::string name, double force, Direction direction,
-                                  int threads = 20) {
+inline LoadCaseResult solved_case(std::string name, double force, Direction direction, int threads = 20) {
   LoadCaseResult result;
   result.load_case.name = std::move(name);
   result.load_case.axial_force = force;
@@ -51,8 +50,7 @@ inline LoadCaseResult solved_case(std::string name, double force, Direction dire
   result.tangent_stiffness = 1.5 * *result.axial_stiffness;
   result.axial_displacement = force / *result.axial_stiffness;
   const double decay = 0.05 * std::cbrt(force / 45e3);
-  result.threads = {decaying_loads(force, threads, decay),
-                    decaying_loads(force, threads, sense(direction) * -decay)};
+  result.threads = {decaying_loads(force, threads, decay), decaying_loads(force, threads, sense(direction) * -decay)};
   return result;
 }
 
@@ -83,8 +81,7 @@ inline LoadCaseResult equal_share_case(std::string name) {
 /// The range NAME[0] .. NAME[points-1] up to 45 kN.
 inline void add_sweep(Result& result, const std::string& name, Direction direction, int points) {
   for (int k = 0; k < points; ++k)
-    result.load_cases.push_back(
-        solved_case(name + '[' + std::to_string(k) + ']', 45e3 * (k + 1) / points, direction));
+    result.load_cases.push_back(solved_case(name + '[' + std::to_string(k) + ']', 45e3 * (k + 1) / points, direction));
 }
 
 /// Nine loads in tension, then in compression, of each configuration.

@@ -62,12 +62,12 @@ inline SlipResult sample_slip(const LoadCaseResult& result) {
   slip.forces = {1.0, 2.0, 3.0, 4.0, -4.0, -6.0, 0.0};
   slip.bearing_eccentricity = 0.25;
   slip.hottest = {prs::Interface::screw, 0};
-  slip.equal_shares = prs::EqualShareSlip{
-      .slip_ratio = 0.372950,
-      .power_loss = 0.98 * slip.power.total(),
-      .efficiency = *slip.efficiency + 0.002,
-      .thread_power = {0.7 * slip.threads.screw.power[0], 0.7 * slip.threads.nut.power[0]},
-      .max_power_density = 0.75 * slip.threads.screw.power_density[0]};
+  slip.equal_shares =
+      prs::EqualShareSlip{.slip_ratio = 0.372950,
+                          .power_loss = 0.98 * slip.power.total(),
+                          .efficiency = *slip.efficiency + 0.002,
+                          .thread_power = {0.7 * slip.threads.screw.power[0], 0.7 * slip.threads.nut.power[0]},
+                          .max_power_density = 0.75 * slip.threads.screw.power_density[0]};
   return slip;
 }
 
@@ -101,8 +101,7 @@ inline PatchField sample_patch(double semi_major, double sliding, double spin, i
       field.sliding_major.push_back(0.8 * sliding - spin * y * field.semi_minor);
       field.sliding_minor.push_back(0.6 * sliding + spin * x * field.semi_major);
       const double speed = std::hypot(field.sliding_major.back(), field.sliding_minor.back());
-      field.friction_coefficient.push_back(0.02 + 0.1 * std::sqrt(1 - x * x - y * y) *
-                                                      std::asinh(speed / 0.002) / 4.7);
+      field.friction_coefficient.push_back(0.02 + 0.1 * std::sqrt(1 - x * x - y * y) * std::asinh(speed / 0.002) / 4.7);
     }
   return field;
 }
@@ -112,8 +111,8 @@ inline prs::ResidueCurve sample_curve(double from, double to) {
   for (int k = 0; k <= 60; ++k) {
     const double slip_ratio = from + (to - from) * k / 60;
     curve.slip_ratio.push_back(slip_ratio);
-    curve.moments.push_back({-0.8 * std::tanh((slip_ratio - 0.373134) / 0.002), -0.02, -0.03,
-                             -0.0211 - 0.05 * (slip_ratio - 0.373134)});
+    curve.moments.push_back(
+        {-0.8 * std::tanh((slip_ratio - 0.373134) / 0.002), -0.02, -0.03, -0.0211 - 0.05 * (slip_ratio - 0.373134)});
   }
   return curve;
 }

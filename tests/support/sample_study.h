@@ -48,8 +48,7 @@ inline StudyResult run(const Study& study, const Answer& answer) {
       if (values[i].kind == Draw::Kind::as_in_file)
         x.push_back(factor.base ? factor.base->number.value_or(0.0) : 0.0);
       else if (values[i].kind == Draw::Kind::level)
-        x.push_back(
-            factor.levels[values[i].level].number.value_or(static_cast<double>(values[i].level)));
+        x.push_back(factor.levels[values[i].level].number.value_or(static_cast<double>(values[i].level)));
       else
         x.push_back(values[i].number);
     }

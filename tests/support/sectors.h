@@ -20,8 +20,7 @@ struct SectorCase {
   prs::Deviations deviations = {};
 
   prs::SectorModel model() const {
-    return prs::sector_model(mechanism, structure, materials, options, laws, direction, position,
-                             deviations);
+    return prs::sector_model(mechanism, structure, materials, options, laws, direction, position, deviations);
   }
   prs::Sector build() const { return prs::build_sector(model()); }
 };
@@ -38,10 +37,8 @@ inline SectorCase abevi() {
   c.mechanism.contacts_per_roller = 20;
   c.structure.screw = {6e-3, 10e-3};
   c.structure.roller = {5e-3, 5e-3, {}};
-  c.structure.nut = {90e-3,
-                     46e-3,
-                     {{0.0, 10e-3, 62e-3}, {80e-3, 90e-3, 62e-3}},
-                     {.tension = 10e-3, .compression = 80e-3}};
+  c.structure.nut = {
+      90e-3, 46e-3, {{0.0, 10e-3, 62e-3}, {80e-3, 90e-3, 62e-3}}, {.tension = 10e-3, .compression = 80e-3}};
   for (const prs::Part p : prs::kParts) c.materials[p] = {209e9, 0.3, {}};
   const double per_m = std::pow(1e3, 1.5);
   c.laws = {{3.6062e5 * per_m, 45.0288 * kDegree}, {4.2140e5 * per_m, 45.0803 * kDegree}};
@@ -63,12 +60,8 @@ inline SectorCase short_screw() {
 /// A random sector: 4 to 99 threads, constants over two decades, every option of the model.
 inline SectorCase random_sector(std::mt19937_64& random) {
   using prs::Direction, prs::Guidance, prs::ModelOptions;
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
-  const auto log_uniform = [&](double a, double b) {
-    return std::exp(uniform(std::log(a), std::log(b)));
-  };
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto log_uniform = [&](double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); };
   const auto whole = [&](int a, int b) { return std::uniform_int_distribution<int>(a, b)(random); };
 
   SectorCase c;
@@ -88,8 +81,7 @@ inline SectorCase random_sector(std::mt19937_64& random) {
   const double before = whole(0, 3) ? uniform(0.0, 2.0) * roller : 0.0;
   const double length = contacts + before + uniform(0.0, 3.0) * roller + 1e-6;
   c.position = before;
-  c.structure.screw = {whole(0, 1) ? uniform(0.0, 0.7) * screw : 0.0,
-                       whole(0, 2) ? uniform(0.1, 3.0) * screw : 0.0};
+  c.structure.screw = {whole(0, 1) ? uniform(0.0, 0.7) * screw : 0.0, whole(0, 2) ? uniform(0.1, 3.0) * screw : 0.0};
   c.structure.roller = {uniform(0.3, 2.0) * roller, uniform(0.5, 1.0) * roller, {}};
   switch (whole(0, 3)) {
     case 0:
@@ -106,12 +98,10 @@ inline SectorCase random_sector(std::mt19937_64& random) {
                      nut,
                      {{0.0, 0.2 * length, 1.4 * nut}, {0.2 * length, 0.3 * length, 1.1 * nut}},
                      {.tension = uniform(0.0, 1.0) * length, .compression = length}};
-  for (const prs::Part p : prs::kParts)
-    c.materials[p] = {log_uniform(0.7e11, 4e11), uniform(0.2, 0.4), {}};
+  for (const prs::Part p : prs::kParts) c.materials[p] = {log_uniform(0.7e11, 4e11), uniform(0.2, 0.4), {}};
   for (const prs::Interface i : prs::kInterfaces)
     c.laws[i] = {log_uniform(1e9, 1e11) * std::sqrt(roller / 7e-3), uniform(20.0, 70.0) * kDegree};
-  c.options.roller =
-      whole(0, 4) ? ModelOptions::Roller::flexible : ModelOptions::Roller::rigid_bending;
+  c.options.roller = whole(0, 4) ? ModelOptions::Roller::flexible : ModelOptions::Roller::rigid_bending;
   c.options.roller_shear = whole(0, 3) == 0;
   c.direction = whole(0, 1) ? Direction::tension : Direction::compression;
   return c;
@@ -121,8 +111,7 @@ inline SectorCase random_sector(std::mt19937_64& random) {
 inline double random_force(const SectorCase& c, std::mt19937_64& random) {
   const double size = *c.mechanism.pitch_diameter.roller;
   const double heavy = 5e6 * size * size;  // about 250 N a thread on a 7 mm roller
-  const double share =
-      std::exp(std::uniform_real_distribution<double>(std::log(1e-4), 0.0)(random));
+  const double share = std::exp(std::uniform_real_distribution<double>(std::log(1e-4), 0.0)(random));
   return share * heavy * c.mechanism.rollers * c.mechanism.contacts_per_roller;
 }
 
@@ -131,16 +120,10 @@ inline double random_force(const SectorCase& c, std::mt19937_64& random) {
 /// ends, free lengths from 0 and 1e-12 mm up, 2 to 60 threads.
 inline SectorCase extreme_sector(std::mt19937_64& random) {
   using prs::Direction, prs::Guidance, prs::ModelOptions;
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
-  const auto log_uniform = [&](double a, double b) {
-    return std::exp(uniform(std::log(a), std::log(b)));
-  };
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto log_uniform = [&](double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); };
   const auto whole = [&](int a, int b) { return std::uniform_int_distribution<int>(a, b)(random); };
-  const auto nine_decades = [&](double middle) {
-    return middle * std::pow(10.0, uniform(-4.5, 4.5));
-  };
+  const auto nine_decades = [&](double middle) { return middle * std::pow(10.0, uniform(-4.5, 4.5)); };
 
   SectorCase c;
   prs::Mechanism& m = c.mechanism;
@@ -153,12 +136,10 @@ inline SectorCase extreme_sector(std::mt19937_64& random) {
   const double screw = roller * uniform(1.5, 5.0);
   m.pitch_diameter = {screw, roller, screw + 2.0 * roller};
   const double before = whole(0, 3) ? uniform(0.0, 2.0) * roller : 0.0;
-  const double length =
-      (m.contacts_per_roller - 1) * pitch + before + uniform(0.0, 3.0) * roller + 1e-6;
+  const double length = (m.contacts_per_roller - 1) * pitch + before + uniform(0.0, 3.0) * roller + 1e-6;
   c.position = before;
   const double free[] = {0.0, 1e-15, log_uniform(1e-15, 1e-6), log_uniform(1e-6, 1.0)};
-  c.structure.screw = {whole(0, 1) ? (1.0 - log_uniform(1e-6, 1.0)) * screw : 0.0,
-                       free[whole(0, 3)]};
+  c.structure.screw = {whole(0, 1) ? (1.0 - log_uniform(1e-6, 1.0)) * screw : 0.0, free[whole(0, 3)]};
   c.structure.roller = {log_uniform(1e-2, 10.0) * roller, log_uniform(2e-2, 2.0) * roller, {}};
   switch (whole(0, 3)) {
     case 0:
@@ -176,13 +157,10 @@ inline SectorCase extreme_sector(std::mt19937_64& random) {
                      nut,
                      {{0.0, 0.2 * length, 1.4 * nut}, {0.2 * length, 0.3 * length, 1.1 * nut}},
                      {.tension = uniform(0.0, 1.0) * length, .compression = length}};
-  for (const prs::Part p : prs::kParts)
-    c.materials[p] = {nine_decades(2e11), uniform(0.0, 0.45), {}};
-  for (const prs::Interface i : prs::kInterfaces)
-    c.laws[i] = {nine_decades(1e10), uniform(20.0, 70.0) * kDegree};
+  for (const prs::Part p : prs::kParts) c.materials[p] = {nine_decades(2e11), uniform(0.0, 0.45), {}};
+  for (const prs::Interface i : prs::kInterfaces) c.laws[i] = {nine_decades(1e10), uniform(20.0, 70.0) * kDegree};
   if (whole(0, 4) == 0) c.laws.nut.normal_angle = c.laws.screw.normal_angle;
-  c.options.roller =
-      whole(0, 4) ? ModelOptions::Roller::flexible : ModelOptions::Roller::rigid_bending;
+  c.options.roller = whole(0, 4) ? ModelOptions::Roller::flexible : ModelOptions::Roller::rigid_bending;
   c.options.roller_shear = whole(0, 3) == 0;
   c.direction = whole(0, 1) ? Direction::tension : Direction::compression;
   return c;

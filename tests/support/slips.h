@@ -75,12 +75,8 @@ inline prs::Case left_handed(prs::Case c) {
 /// Around the reference: type, hand, sense, size, materials, load, speed, lubricant, torques and
 /// patch differ; some impose the slip ratio.
 inline prs::Case random_slip(std::mt19937_64& random) {
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
-  const auto log_uniform = [&](double a, double b) {
-    return std::exp(uniform(std::log(a), std::log(b)));
-  };
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto log_uniform = [&](double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); };
   const auto whole = [&](int a, int b) { return std::uniform_int_distribution<int>(a, b)(random); };
 
   prs::Case c = sandu_reference();
@@ -93,8 +89,7 @@ inline prs::Case random_slip(std::mt19937_64& random) {
   const double flank = uniform(35.0, 55.0) * std::numbers::pi / 180.0;
   m.flank_angle = {flank, flank, flank};
   const bool standard = m.type == prs::Mechanism::Type::standard;
-  const double roller_radius =
-      0.5 * *m.pitch_diameter.screw / (standard ? m.starts.screw - 2 : m.starts.screw);
+  const double roller_radius = 0.5 * *m.pitch_diameter.screw / (standard ? m.starts.screw - 2 : m.starts.screw);
   m.profile.roller.radius = roller_radius / std::sin(flank) * uniform(0.7, 1.3);
   m.backlash = {uniform(-0.02, 0.05) * pitch, uniform(-0.02, 0.05) * pitch};
   m.rollers = whole(1, standard && m.starts.screw == 3 ? 5 : 6);  // As thick as the screw.
@@ -102,8 +97,8 @@ inline prs::Case random_slip(std::mt19937_64& random) {
   c.lubricant->viscosity = log_uniform(5e-3, 1.0);
   c.lubricant->pressure_viscosity = uniform(10e-9, 40e-9);
   c.lubricant->eyring_stress = uniform(2e6, 15e6);
-  c.load_cases[0].axial_force = m.rollers * m.contacts_per_roller * log_uniform(20.0, 400.0) *
-                                std::pow(*m.pitch_diameter.screw / 30e-3, 2.0);
+  c.load_cases[0].axial_force =
+      m.rollers * m.contacts_per_roller * log_uniform(20.0, 400.0) * std::pow(*m.pitch_diameter.screw / 30e-3, 2.0);
   c.operation->speed = log_uniform(0.5, 300.0);
   if (whole(0, 2) == 0) {
     // Of the torque that the load alone needs.
@@ -151,17 +146,14 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
       side.roughness = std::hypot(static_cast<plain::Real>((*c.roughness)[prs::body_of(i)]),
                                   static_cast<plain::Real>(c.roughness->roller));
     for (const double load : (*loaded.threads)[i].axial_load) {
-      const contact::HertzContact e =
-          contact::at_load(contact.hertz, load / std::abs(g.point.normal.z));
+      const contact::HertzContact e = contact::at_load(contact.hertz, load / std::abs(g.point.normal.z));
       side.threads.push_back({load, e.semi_major, e.semi_minor, e.peak_pressure});
     }
   }
   if (c.friction->model == prs::Friction::Model::coulomb) p.coulomb = c.friction->coefficient;
   if (c.lubricant)
-    p.lubricant = {*c.lubricant->viscosity, *c.lubricant->pressure_viscosity,
-                   *c.lubricant->eyring_stress};
-  if (c.lubricant)
-    p.film_along_rolling = c.lubricant->film.direction == contact::FilmDirection::rolling;
+    p.lubricant = {*c.lubricant->viscosity, *c.lubricant->pressure_viscosity, *c.lubricant->eyring_stress};
+  if (c.lubricant) p.film_along_rolling = c.lubricant->film.direction == contact::FilmDirection::rolling;
   if (c.friction->model == prs::Friction::Model::mixed) p.boundary = c.friction->mixed.boundary;
   p.exponent = c.friction->mixed.exponent;
   p.carrier_roller_torque = c.carrier.roller_torque;
@@ -171,8 +163,8 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
   if (const auto& density = c.materials->roller.density) {
     // A cylinder on the pitch diameter, as long as the thread; the cases here have no ends.
     const plain::Real radius = result.contacts.threads.roller.pitch_radius;
-    p.roller_mass = *density * plain::pi * radius * radius * result.contacts.threads.roller.pitch *
-                    c.mechanism.contacts_per_roller;
+    p.roller_mass =
+        *density * plain::pi * radius * radius * result.contacts.threads.roller.pitch * c.mechanism.contacts_per_roller;
   }
   p.patch_points = c.model.patch_points;
   return p;

@@ -11,9 +11,7 @@
 
 namespace test {
 
-inline bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
+inline bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 inline std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> all;

@@ -40,15 +40,13 @@ class Results {
     }
   }
 
-  const LoadCaseResult& at(std::size_t config, Direction direction,
-                           ModelOptions::Roller roller = kFlexible,
+  const LoadCaseResult& at(std::size_t config, Direction direction, ModelOptions::Roller roller = kFlexible,
                            std::size_t load = kLoads.size() - 1) const {
     const std::size_t d = direction == kTension ? 0 : 1, r = roller == kFlexible ? 0 : 1;
     return results_[r][(config * kDirections.size() + d) * kLoads.size() + load];
   }
 
-  const Rates& rates(Interface i, std::size_t config, Direction direction,
-                     ModelOptions::Roller roller = kFlexible,
+  const Rates& rates(Interface i, std::size_t config, Direction direction, ModelOptions::Roller roller = kFlexible,
                      std::size_t load = kLoads.size() - 1) const {
     return (*at(config, direction, roller, load).threads)[i].load_rate;
   }
@@ -103,18 +101,14 @@ std::string listed(const std::array<double, 3>& v, double scale, const char* uni
 }
 
 Finding stiffness_trend(const Results& r, Direction direction, double sign) {
-  const auto k =
-      by_configuration([&](std::size_t c) { return *r.at(c, direction).axial_stiffness; });
-  return {sign * (k[1] - k[0]) > 0 && sign * (k[2] - k[1]) > 0,
-          "CONFIG 1 to 3: " + listed(k, 1e-6, "N/um")};
+  const auto k = by_configuration([&](std::size_t c) { return *r.at(c, direction).axial_stiffness; });
+  return {sign * (k[1] - k[0]) > 0 && sign * (k[2] - k[1]) > 0, "CONFIG 1 to 3: " + listed(k, 1e-6, "N/um")};
 }
 
 Finding stiffness_depends_on_case(const Results& r) {
-  const auto ratio = by_configuration([&](std::size_t c) {
-    return *r.at(c, kCompression).axial_stiffness / *r.at(c, kTension).axial_stiffness;
-  });
-  const bool depends =
-      std::all_of(ratio.begin(), ratio.end(), [](double x) { return std::abs(x - 1.0) > 1e-3; });
+  const auto ratio = by_configuration(
+      [&](std::size_t c) { return *r.at(c, kCompression).axial_stiffness / *r.at(c, kTension).axial_stiffness; });
+  const bool depends = std::all_of(ratio.begin(), ratio.end(), [](double x) { return std::abs(x - 1.0) > 1e-3; });
   return {depends, "compression over tension, CONFIG 1 to 3: " + listed(ratio, 1.0, "")};
 }
 
@@ -140,8 +134,8 @@ Finding flexibility_makes_compression_worst(const Results& r) {
   const auto flexible = excess(kFlexible), rigid = excess(kRigid);
   bool mainly = true;
   for (std::size_t c = 0; c < 3; ++c) mainly = mainly && std::abs(rigid[c]) < 0.5 * flexible[c];
-  return {mainly, "compression less tension, flexible " + listed(flexible, 100, "points") +
-                      ", rigid " + listed(rigid, 100, "points")};
+  return {mainly, "compression less tension, flexible " + listed(flexible, 100, "points") + ", rigid " +
+                      listed(rigid, 100, "points")};
 }
 
 Finding screw_load_falls_from_first_to_last(const Results& r) {
@@ -151,8 +145,8 @@ Finding screw_load_falls_from_first_to_last(const Results& r) {
     falls = falls && std::is_sorted(rates.rbegin(), rates.rend());
   });
   const Rates& example = r.rates(Interface::screw, 1, kCompression);
-  return {falls, fmt::format("e.g. CONFIG 2, compression: {:.2f} to {:.2f} %",
-                             100 * example.front(), 100 * example.back())};
+  return {falls,
+          fmt::format("e.g. CONFIG 2, compression: {:.2f} to {:.2f} %", 100 * example.front(), 100 * example.back())};
 }
 
 /// Largest change of a thread's share between two configurations.
@@ -167,16 +161,14 @@ double change_between_configurations(const Results& r, Interface i) {
 Finding nut_distribution_differs_between_configurations(const Results& r) {
   const double nut = change_between_configurations(r, Interface::nut);
   const double screw = change_between_configurations(r, Interface::screw);
-  return {nut > 10.0 * screw,
-          fmt::format("a nut thread's share changes by up to {:.2f} points, a screw thread's by "
-                      "{:.2f} (judged against ten times that)",
-                      100 * nut, 100 * screw)};
+  return {nut > 10.0 * screw, fmt::format("a nut thread's share changes by up to {:.2f} points, a screw thread's by "
+                                          "{:.2f} (judged against ten times that)",
+                                          100 * nut, 100 * screw)};
 }
 
 Finding first_nut_thread_is_higher_in_tension(const Results& r) {
   const auto ratio = by_configuration([&](std::size_t c) {
-    return r.rates(Interface::nut, c, kTension).front() /
-           r.rates(Interface::nut, c, kCompression).front();
+    return r.rates(Interface::nut, c, kTension).front() / r.rates(Interface::nut, c, kCompression).front();
   });
   return {*std::min_element(ratio.begin(), ratio.end()) > 1.0,
           "tension over compression, CONFIG 1 to 3: " + listed(ratio, 1.0, "")};
@@ -205,8 +197,7 @@ Finding low_load_is_uniform(const Results& r) {
     }
   });
   return {low > 0.045 && high < 0.055,
-          fmt::format("{:.2f} to {:.2f} % at the smallest load (judged against 4.5 to 5.5 %)",
-                      100 * low, 100 * high)};
+          fmt::format("{:.2f} to {:.2f} % at the smallest load (judged against 4.5 to 5.5 %)", 100 * low, 100 * high)};
 }
 
 Finding spread_grows_with_load(const Results& r) {
@@ -214,13 +205,11 @@ Finding spread_grows_with_load(const Results& r) {
   for_each_case([&](std::size_t c, Direction d) {
     for (const Interface i : kInterfaces)
       for (std::size_t load = 1; load < kLoads.size(); ++load)
-        grows = grows && spread(r.rates(i, c, d, kFlexible, load)) >
-                             spread(r.rates(i, c, d, kFlexible, load - 1));
+        grows = grows && spread(r.rates(i, c, d, kFlexible, load)) > spread(r.rates(i, c, d, kFlexible, load - 1));
   });
-  return {grows,
-          fmt::format("e.g. screw, CONFIG 2, tension: {:.2f} points at 1 kN, {:.2f} at 45 kN",
-                      100 * spread(r.rates(Interface::screw, 1, kTension, kFlexible, 0)),
-                      100 * spread(r.rates(Interface::screw, 1, kTension)))};
+  return {grows, fmt::format("e.g. screw, CONFIG 2, tension: {:.2f} points at 1 kN, {:.2f} at 45 kN",
+                             100 * spread(r.rates(Interface::screw, 1, kTension, kFlexible, 0)),
+                             100 * spread(r.rates(Interface::screw, 1, kTension)))};
 }
 
 Finding first_screw_thread_is_most_loaded(const Results& r) {
@@ -238,15 +227,14 @@ Finding first_screw_thread_grows_alike(const Results& r) {
   double difference = 0.0;
   for (const Direction d : kDirections)
     for (std::size_t load = 0; load < kLoads.size(); ++load) {
-      const auto first = by_configuration(
-          [&](std::size_t c) { return r.rates(Interface::screw, c, d, kFlexible, load).front(); });
+      const auto first =
+          by_configuration([&](std::size_t c) { return r.rates(Interface::screw, c, d, kFlexible, load).front(); });
       const auto [low, high] = std::minmax_element(first.begin(), first.end());
       difference = std::max(difference, *high / *low - 1.0);
       for (std::size_t c = 0; load > 0 && c < 3; ++c)
         grows = grows && first[c] > r.rates(Interface::screw, c, d, kFlexible, load - 1).front();
     }
-  return {grows && difference < 0.05,
-          fmt::format("the configurations differ by at most {:.1f} %", 100 * difference)};
+  return {grows && difference < 0.05, fmt::format("the configurations differ by at most {:.1f} %", 100 * difference)};
 }
 
 Finding first_six_grow_and_last_ten_fall(const Results& r) {
@@ -262,14 +250,12 @@ Finding first_six_grow_and_last_ten_fall(const Results& r) {
     for (std::size_t k = growing; k < low.size(); ++k) holds = holds && high[k] < low[k];
     holds = holds && growing >= 6 && growing <= 10;
   });
-  return {holds, fmt::format("from 1 to 45 kN the first {} to {} of 20 grow, the others fall",
-                             least, most)};
+  return {holds, fmt::format("from 1 to 45 kN the first {} to {} of 20 grow, the others fall", least, most)};
 }
 
 Finding tension_wing_is_larger(const Results& r, Interface i) {
-  const auto ratio = by_configuration([&](std::size_t c) {
-    return spread(r.rates(i, c, kTension)) / spread(r.rates(i, c, kCompression));
-  });
+  const auto ratio = by_configuration(
+      [&](std::size_t c) { return spread(r.rates(i, c, kTension)) / spread(r.rates(i, c, kCompression)); });
   return {*std::min_element(ratio.begin(), ratio.end()) > 1.0,
           "spread in tension over compression, CONFIG 1 to 3: " + listed(ratio, 1.0, "")};
 }
@@ -277,39 +263,32 @@ Finding tension_wing_is_larger(const Results& r, Interface i) {
 double sensitivity_to_bending(const Results& r, std::size_t config, Direction d) {
   double change = 0.0;
   for (const Interface i : kInterfaces)
-    change = std::max(change, largest_difference(r.rates(i, config, d, kFlexible),
-                                                 r.rates(i, config, d, kRigid)));
+    change = std::max(change, largest_difference(r.rates(i, config, d, kFlexible), r.rates(i, config, d, kRigid)));
   return change;
 }
 
 Finding tension_is_more_sensitive_to_bending(const Results& r) {
-  const auto tension =
-      by_configuration([&](std::size_t c) { return sensitivity_to_bending(r, c, kTension); });
-  const auto compression =
-      by_configuration([&](std::size_t c) { return sensitivity_to_bending(r, c, kCompression); });
+  const auto tension = by_configuration([&](std::size_t c) { return sensitivity_to_bending(r, c, kTension); });
+  const auto compression = by_configuration([&](std::size_t c) { return sensitivity_to_bending(r, c, kCompression); });
   bool more = true;
   for (std::size_t c = 0; c < 3; ++c) more = more && tension[c] > compression[c];
-  return {more, "largest change of a share by bending, tension " + listed(tension, 100, "points") +
-                    ", compression " + listed(compression, 100, "points")};
+  return {more, "largest change of a share by bending, tension " + listed(tension, 100, "points") + ", compression " +
+                    listed(compression, 100, "points")};
 }
 
 /// Share of the first thread, flexible over rigid roller.
 std::array<double, 3> first_thread_ratio(const Results& r, Interface i, Direction d) {
-  return by_configuration([&](std::size_t c) {
-    return r.rates(i, c, d, kFlexible).front() / r.rates(i, c, d, kRigid).front();
-  });
+  return by_configuration(
+      [&](std::size_t c) { return r.rates(i, c, d, kFlexible).front() / r.rates(i, c, d, kRigid).front(); });
 }
 
-Finding all_between(const std::array<double, 3>& v, double low, double high,
-                    const std::string& what) {
-  const bool inside =
-      std::all_of(v.begin(), v.end(), [&](double x) { return low < x && x < high; });
+Finding all_between(const std::array<double, 3>& v, double low, double high, const std::string& what) {
+  const bool inside = std::all_of(v.begin(), v.end(), [&](double x) { return low < x && x < high; });
   return {inside, what + ", CONFIG 1 to 3: " + listed(v, 1.0, "")};
 }
 
 Finding first_screw_thread_rises_slightly_in_tension(const Results& r) {
-  return all_between(first_thread_ratio(r, Interface::screw, kTension), 1.0, 1.1,
-                     "flexible over rigid");
+  return all_between(first_thread_ratio(r, Interface::screw, kTension), 1.0, 1.1, "flexible over rigid");
 }
 
 Finding first_screw_thread_falls_by_40_percent_in_compression(const Results& r) {
@@ -321,20 +300,17 @@ Finding first_screw_thread_falls_by_40_percent_in_compression(const Results& r) 
 Finding first_nut_thread_is_most_loaded_in_tension(const Results& r) {
   bool first = true;
   for (std::size_t c = 0; c < 3; ++c)
-    for (const auto roller : kRollers)
-      first = first && most_loaded(r.rates(Interface::nut, c, kTension, roller)) == 0;
+    for (const auto roller : kRollers) first = first && most_loaded(r.rates(Interface::nut, c, kTension, roller)) == 0;
   const auto thread = [&](ModelOptions::Roller roller) {
     return fmt::format("{}, {}, {}", 1 + most_loaded(r.rates(Interface::nut, 0, kTension, roller)),
                        1 + most_loaded(r.rates(Interface::nut, 1, kTension, roller)),
                        1 + most_loaded(r.rates(Interface::nut, 2, kTension, roller)));
   };
-  return {first, "most loaded thread, CONFIG 1 to 3: flexible " + thread(kFlexible) + "; rigid " +
-                     thread(kRigid)};
+  return {first, "most loaded thread, CONFIG 1 to 3: flexible " + thread(kFlexible) + "; rigid " + thread(kRigid)};
 }
 
 Finding bending_raises_first_nut_thread_by_half(const Results& r) {
-  return all_between(first_thread_ratio(r, Interface::nut, kTension), 1.4, 1.6,
-                     "flexible over rigid");
+  return all_between(first_thread_ratio(r, Interface::nut, kTension), 1.4, 1.6, "flexible over rigid");
 }
 
 Finding most_loaded_nut_thread_moves_in_compression(const Results& r) {
@@ -345,18 +321,16 @@ Finding most_loaded_nut_thread_moves_in_compression(const Results& r) {
   const auto differ = [&](std::size_t a, std::size_t b) { return threads[a] != threads[b]; };
   const bool by_configuration_ = differ(0, 1) || differ(1, 2) || differ(0, 2);
   const bool by_bending = differ(0, 3) || differ(1, 4) || differ(2, 5);
-  return {by_configuration_ && by_bending,
-          fmt::format("most loaded thread, CONFIG 1 to 3: flexible {}; rigid {}",
-                      fmt::join(threads.begin(), threads.begin() + 3, ", "),
-                      fmt::join(threads.begin() + 3, threads.end(), ", "))};
+  return {by_configuration_ && by_bending, fmt::format("most loaded thread, CONFIG 1 to 3: flexible {}; rigid {}",
+                                                       fmt::join(threads.begin(), threads.begin() + 3, ", "),
+                                                       fmt::join(threads.begin() + 3, threads.end(), ", "))};
 }
 
 /// Largest change of a thread's share at an interface between tension and compression.
 double change_by_direction(const Results& r, Interface i) {
   double change = 0.0;
   for (std::size_t c = 0; c < kPositions.size(); ++c)
-    change =
-        std::max(change, largest_difference(r.rates(i, c, kTension), r.rates(i, c, kCompression)));
+    change = std::max(change, largest_difference(r.rates(i, c, kTension), r.rates(i, c, kCompression)));
   return change;
 }
 
@@ -381,13 +355,10 @@ Finding distribution_differs_at_the_interfaces(const Results& r) {
 }
 
 Finding wings_differ_from_the_rigid_roller(const Results& r) {
-  const double least = smallest_of_cases(
-      [&](std::size_t c, Direction d) { return sensitivity_to_bending(r, c, d); });
-  return {
-      least > kVisible,
-      fmt::format(
-          "bending changes a share by at least {:.2f} points in every case (judged against 0.05)",
-          100 * least)};
+  const double least = smallest_of_cases([&](std::size_t c, Direction d) { return sensitivity_to_bending(r, c, d); });
+  return {least > kVisible,
+          fmt::format("bending changes a share by at least {:.2f} points in every case (judged against 0.05)",
+                      100 * least)};
 }
 
 Finding bending_matters_in_tension_only(const Results& r) {
@@ -398,8 +369,8 @@ Finding bending_matters_in_tension_only(const Results& r) {
   const bool holds = *std::max_element(compression.begin(), compression.end()) < 0.005 &&
                      *std::min_element(tension.begin(), tension.end()) > 0.01;
   return {holds, "largest change of a share by bending, compression " +
-                     listed(compression, 100, "points (judged against less than 0.5)") +
-                     ", tension " + listed(tension, 100, "points (more than 1)")};
+                     listed(compression, 100, "points (judged against less than 0.5)") + ", tension " +
+                     listed(tension, 100, "points (more than 1)")};
 }
 
 Finding distribution_is_sensitive_to_everything(const Results& r) {
@@ -420,21 +391,17 @@ Finding distribution_is_sensitive_to_everything(const Results& r) {
 }
 
 const Checks<Results> kChecks{
-    {"stiffness_rises_in_tension",
-     [](const Results& r) { return stiffness_trend(r, kTension, 1.0); }},
-    {"stiffness_falls_in_compression",
-     [](const Results& r) { return stiffness_trend(r, kCompression, -1.0); }},
+    {"stiffness_rises_in_tension", [](const Results& r) { return stiffness_trend(r, kTension, 1.0); }},
+    {"stiffness_falls_in_compression", [](const Results& r) { return stiffness_trend(r, kCompression, -1.0); }},
     {"tension_wing_is_larger_at_the_screw",
      [](const Results& r) { return tension_wing_is_larger(r, Interface::screw); }},
-    {"tension_wing_is_larger_at_the_nut",
-     [](const Results& r) { return tension_wing_is_larger(r, Interface::nut); }},
+    {"tension_wing_is_larger_at_the_nut", [](const Results& r) { return tension_wing_is_larger(r, Interface::nut); }},
     {"stiffness_depends_on_case", stiffness_depends_on_case},
     {"compression_is_worst_for_the_screw", compression_is_worst_for_the_screw},
     {"flexibility_makes_compression_worst", flexibility_makes_compression_worst},
     {"screw_load_falls_from_first_to_last", screw_load_falls_from_first_to_last},
     {"screw_distribution_varies", screw_distribution_varies},
-    {"nut_distribution_differs_between_configurations",
-     nut_distribution_differs_between_configurations},
+    {"nut_distribution_differs_between_configurations", nut_distribution_differs_between_configurations},
     {"first_nut_thread_is_higher_in_tension", first_nut_thread_is_higher_in_tension},
     {"rates_sum_to_one", rates_sum_to_one},
     {"low_load_is_uniform", low_load_is_uniform},
@@ -445,8 +412,7 @@ const Checks<Results> kChecks{
     {"wings_differ_from_the_rigid_roller", wings_differ_from_the_rigid_roller},
     {"tension_is_more_sensitive_to_bending", tension_is_more_sensitive_to_bending},
     {"first_screw_thread_rises_slightly_in_tension", first_screw_thread_rises_slightly_in_tension},
-    {"first_screw_thread_falls_by_40_percent_in_compression",
-     first_screw_thread_falls_by_40_percent_in_compression},
+    {"first_screw_thread_falls_by_40_percent_in_compression", first_screw_thread_falls_by_40_percent_in_compression},
     {"first_nut_thread_is_most_loaded_in_tension", first_nut_thread_is_most_loaded_in_tension},
     {"bending_raises_first_nut_thread_by_half", bending_raises_first_nut_thread_by_half},
     {"most_loaded_nut_thread_moves_in_compression", most_loaded_nut_thread_moves_in_compression},
@@ -478,17 +444,15 @@ Finding boundary_conditions_matter(const std::vector<Variant<Results>>& variants
   for (std::size_t v = 1; v < 5; ++v)
     for_each_case([&](std::size_t c, Direction d) {
       const Results &plain = variants[0].results, &other = variants[v].results;
-      stiffness = std::max(
-          stiffness,
-          std::abs(*other.at(c, d).axial_stiffness / *plain.at(c, d).axial_stiffness - 1.0));
+      stiffness =
+          std::max(stiffness, std::abs(*other.at(c, d).axial_stiffness / *plain.at(c, d).axial_stiffness - 1.0));
       for (const Interface i : kInterfaces)
         share = std::max(share, largest_difference(plain.rates(i, c, d), other.rates(i, c, d)));
     });
-  return {
-      stiffness > 0.05 && share > 0.005,
-      fmt::format("guidance changes the stiffness by up to {:.1f} % and a thread's share by up to "
-                  "{:.2f} points (judged against 5 % and 0.5 points)",
-                  100 * stiffness, 100 * share)};
+  return {stiffness > 0.05 && share > 0.005,
+          fmt::format("guidance changes the stiffness by up to {:.1f} % and a thread's share by up to "
+                      "{:.2f} points (judged against 5 % and 0.5 points)",
+                      100 * stiffness, 100 * share)};
 }
 
 /// The influence of the nut's shape needs a second nut, without flanges.
@@ -497,13 +461,11 @@ Finding nut_shape_matters(const Case& screw, const Results& plain) {
   tube.structure->nut.flanges.clear();
   const Results without(tube);
   const double share = largest_of_cases([&](std::size_t c, Direction d) {
-    return largest_difference(plain.rates(Interface::nut, c, d),
-                              without.rates(Interface::nut, c, d));
+    return largest_difference(plain.rates(Interface::nut, c, d), without.rates(Interface::nut, c, d));
   });
-  return {share > 0.005,
-          fmt::format("without flanges a nut thread's share changes by up to {:.2f} points (judged "
-                      "against 0.5)",
-                      100 * share)};
+  return {share > 0.005, fmt::format("without flanges a nut thread's share changes by up to {:.2f} points (judged "
+                                     "against 0.5)",
+                                     100 * share)};
 }
 
 }  // namespace
@@ -514,8 +476,7 @@ std::vector<ComparedStatement> compare_statements(const Case& screw, const Refer
   // Section 6 says these of the variants among themselves, and of a second nut.
   const Checks<Case> others{
       {"boundary_conditions_matter", [&](const Case&) { return boundary_conditions_matter(all); }},
-      {"nut_shape_matters",
-       [&](const Case& c) { return nut_shape_matters(c, all.front().results); }}};
+      {"nut_shape_matters", [&](const Case& c) { return nut_shape_matters(c, all.front().results); }}};
   std::ranges::move(compare(paper.statements, others, {{"", screw}}), std::back_inserter(compared));
   return compared;
 }

@@ -44,8 +44,8 @@ double factor_of(const Diameters& d) {
 }
 
 double capacity(const Diameters& d, double helix_angle) {
-  return lemor_capacity(factor_of(d), kContactAngle, kContacts,
-                        rolling_element_diameter(kPitch, d.roller), helix_angle);
+  return lemor_capacity(factor_of(d), kContactAngle, kContacts, rolling_element_diameter(kPitch, d.roller),
+                        helix_angle);
 }
 
 /// Relative curvatures (3.27)-(3.38) of one contact [1/m], the equal ones of the ball first.
@@ -62,8 +62,7 @@ BothCurvatures curvatures(const Diameters& d) {
   return {{ball, ball - radial / d.nut_inner()}, {ball, ball + radial / d.screw}};
 }
 
-ThreadCompliance yamamoto(const Diameters& d, const ToothSection& tooth, double screw_width,
-                          double nut_width) {
+ThreadCompliance yamamoto(const Diameters& d, const ToothSection& tooth, double screw_width, double nut_width) {
   const ToothDeflection screw = yamamoto_deflection(tooth, kSteel, d.screw);
   const ToothDeflection nut = yamamoto_deflection(tooth, kSteel, d.nut_inner(), d.nut_outer);
   ThreadCompliance c;
@@ -76,21 +75,19 @@ ThreadCompliance yamamoto(const Diameters& d, const ToothSection& tooth, double 
 /// Printed numbers over exact ones, less 1, in ppm, and the part of it that the rounding of F(rho)
 /// and of the number itself explains.
 ValidationTable deviations_of_table_a1(const Reference& thesis) {
-  ValidationTable table{
-      "Table A1: printed over exact, less 1, and what of it no rounding explains, in ppm",
-      {"F(rho)", "a*", "b*", "delta*", "beyond, a*", "b*", "delta*"},
-      {},
-      0};
+  ValidationTable table{"Table A1: printed over exact, less 1, and what of it no rounding explains, in ppm",
+                        {"F(rho)", "a*", "b*", "delta*", "beyond, a*", "b*", "delta*"},
+                        {},
+                        0};
   for (const PrintedParameters& line : table_a1(thesis)) {
     const ContactParameters exact = contact_parameters(line.curvature_difference.value());
     ValidationTable::Row row{line.curvature_difference.text, {}};
-    row.values = {
-        line.semi_major.value() / exact.semi_major - 1.0,
-        line.semi_minor.value() / exact.semi_minor - 1.0,
-        line.approach.value() / exact.approach - 1.0,
-        unexplained(line.semi_major, line.curvature_difference, &ContactParameters::semi_major),
-        unexplained(line.semi_minor, line.curvature_difference, &ContactParameters::semi_minor),
-        unexplained(line.approach, line.curvature_difference, &ContactParameters::approach)};
+    row.values = {line.semi_major.value() / exact.semi_major - 1.0,
+                  line.semi_minor.value() / exact.semi_minor - 1.0,
+                  line.approach.value() / exact.approach - 1.0,
+                  unexplained(line.semi_major, line.curvature_difference, &ContactParameters::semi_major),
+                  unexplained(line.semi_minor, line.curvature_difference, &ContactParameters::semi_minor),
+                  unexplained(line.approach, line.curvature_difference, &ContactParameters::approach)};
     for (double& value : row.values) value *= 1e6;
     table.rows.push_back(std::move(row));
   }
@@ -131,8 +128,7 @@ Measures as_printed(const Diameters& d) {
   Measures m;
   const double outer = d.nut_outer, inner = d.nut_inner();
   m.nut_thickness = outer - inner;
-  m.volume = pi * kLength *
-             (square(outer) + square(d.screw) - square(inner) + kRollers * square(d.roller));
+  m.volume = pi * kLength * (square(outer) + square(d.screw) - square(inner) + kRollers * square(d.roller));
   m.stiffness = 1.0 / compliance_as_printed(d).total();
   m.load_capacity = capacity(d, kPrintedHelixAngle);
   // In mm and in this order: a weight of table 7.2 ends in a rounded 5.
@@ -152,8 +148,8 @@ ThreadCompliance right_compliance(const Diameters& d) {
   const double modulus = contact::contact_modulus(kSteel, kSteel);
   const auto approach = [&](const Curvatures& rho, double diameter) {
     const double axial = std::sin(kContactAngle) * std::cos(std::atan(kLead / (pi * diameter)));
-    const contact::HertzContact contact = contact::at_load(
-        contact::hertz_constants(rho.along, rho.across, modulus), kThreadLoad / axial);
+    const contact::HertzContact contact =
+        contact::at_load(contact::hertz_constants(rho.along, rho.across, modulus), kThreadLoad / axial);
     return contact.approach / axial;
   };
   const BothCurvatures rho = curvatures(d);
@@ -164,8 +160,7 @@ ThreadCompliance right_compliance(const Diameters& d) {
 Measures corrected(const Diameters& d) {
   Measures m;
   m.nut_thickness = 0.5 * (d.nut_outer - d.nut_inner());
-  m.volume = 0.25 * pi * kLength *
-             (square(d.nut_outer) - square(d.nut_inner()) + kRollers * square(d.roller));
+  m.volume = 0.25 * pi * kLength * (square(d.nut_outer) - square(d.nut_inner()) + kRollers * square(d.roller));
   m.stiffness = 1.0 / right_compliance(d).total();
   m.load_capacity = capacity(d, std::atan(kLead / (pi * d.screw)));
   m.weight = kDensity * m.volume;
@@ -188,8 +183,7 @@ std::vector<PrintedParameters> table_a1(const Reference& thesis) {
     for (const PrintedValue& v : c.values) {
       if (!v.where.starts_with("table A1")) continue;
       const std::string f = v.where.substr(v.where.rfind(' ') + 1);  // Of `F = 0.1075`.
-      if (lines.empty() || lines.back().curvature_difference.text != f)
-        lines.push_back({{f, {}}, {}, {}, {}});
+      if (lines.empty() || lines.back().curvature_difference.text != f) lines.push_back({{f, {}}, {}, {}, {}});
       PrintedParameters& line = lines.back();
       (v.quantity.ends_with("semi_major")   ? line.semi_major
        : v.quantity.ends_with("semi_minor") ? line.semi_minor
@@ -198,8 +192,7 @@ std::vector<PrintedParameters> table_a1(const Reference& thesis) {
   return lines;
 }
 
-double unexplained(const PrintedNumber& printed, const PrintedNumber& f,
-                   double ContactParameters::*parameter) {
+double unexplained(const PrintedNumber& printed, const PrintedNumber& f, double ContactParameters::*parameter) {
   const double one = contact_parameters(f.value() - f.half_unit()).*parameter;
   const double other = contact_parameters(f.value() + f.half_unit()).*parameter;
   const auto [least, greatest] = std::minmax(one, other);
@@ -229,9 +222,7 @@ constexpr double kLitre = 1e3;  // Per m^3.
 
 double to_three_decimals(double x) { return std::round(1e3 * x) / 1e3; }
 
-std::array<Diameters, 10> rows_of(const VolumeFit& fit) {
-  return fit.of_case_2 ? case_2() : case_1();
-}
+std::array<Diameters, 10> rows_of(const VolumeFit& fit) { return fit.of_case_2 ? case_2() : case_1(); }
 
 /// Largest differences between a printed polynomial and what it was fitted to.
 ValidationTable::Row deviation(const VolumeFit& fit) {
@@ -266,8 +257,7 @@ std::vector<VolumeFit> volume_fits(const Reference& thesis) {
     fit.measure = table.text(row, 1);
     fit.of_case_2 = table.number(row, 2) == 2.0;
     fit.value = values.at(fit.measure);
-    for (std::size_t k = 0; k < fit.coefficients.size(); ++k)
-      fit.coefficients[k] = table.number(row, 3 + k);
+    for (std::size_t k = 0; k < fit.coefficients.size(); ++k) fit.coefficients[k] = table.number(row, 3 + k);
   }
   return fits;
 }
@@ -283,8 +273,7 @@ std::array<double, 6> refitted(const VolumeFit& fit) {
       x = to_three_decimals(x);
       if (y < 1e3) y = to_three_decimals(y);  // Stiffnesses have fewer decimals.
     }
-    for (Eigen::Index power = 0; power < 6; ++power)
-      powers(row, power) = std::pow(x, static_cast<double>(5 - power));
+    for (Eigen::Index power = 0; power < 6; ++power) powers(row, power) = std::pow(x, static_cast<double>(5 - power));
     values(row++) = y;
   }
   const Eigen::Vector<double, 6> solution = powers.colPivHouseholderQr().solve(values);
@@ -308,8 +297,7 @@ std::vector<ValidationTable> fit_tables(const Reference& thesis) {
     deviations.rows.push_back(deviation(fit));
     const std::array<double, 6> again = refitted(fit);
     ValidationTable::Row row{fit.equation, {}};
-    for (std::size_t k = 0; k < again.size(); ++k)
-      row.values.push_back(1e6 * (fit.coefficients[k] / again[k] - 1.0));
+    for (std::size_t k = 0; k < again.size(); ++k) row.values.push_back(1e6 * (fit.coefficients[k] / again[k] - 1.0));
     coefficients.rows.push_back(std::move(row));
   }
   return {deviations, coefficients};
@@ -331,22 +319,19 @@ using Json = nlohmann::ordered_json;
 Json lines_by_rollers() {
   Json lines = Json::object();
   for (const ScaleLine& line : scale_chart())
-    lines[fmt::format("rollers_{}", line.rollers)] = {
-        {"scale", line.scale},
-        {"roller_mm", line.roller * per_si::millimetre},
-        {"screw_mm", line.screw * per_si::millimetre},
-        {"nut_outer_mm", line.nut_outer * per_si::millimetre}};
+    lines[fmt::format("rollers_{}", line.rollers)] = {{"scale", line.scale},
+                                                      {"roller_mm", line.roller * per_si::millimetre},
+                                                      {"screw_mm", line.screw * per_si::millimetre},
+                                                      {"nut_outer_mm", line.nut_outer * per_si::millimetre}};
   return lines;
 }
 
 Json formulas(const Reference& thesis) {
   Json json{{"table_7_1", Json::array()}, {"table_a1", Json::array()}};
-  for (const Diameters& d : case_1())
-    json["table_7_1"].push_back(row_json(*find_recipe("jung-as-printed"), d));
+  for (const Diameters& d : case_1()) json["table_7_1"].push_back(row_json(*find_recipe("jung-as-printed"), d));
   for (const PrintedParameters& line : table_a1(thesis)) {
     const ContactParameters p = contact_parameters(line.curvature_difference.value());
-    json["table_a1"].push_back(
-        {{"semi_major", p.semi_major}, {"semi_minor", p.semi_minor}, {"approach", p.approach}});
+    json["table_a1"].push_back({{"semi_major", p.semi_major}, {"semi_minor", p.semi_minor}, {"approach", p.approach}});
   }
   json["table_8_1"] = lines_by_rollers();
   return json;
@@ -355,16 +340,13 @@ Json formulas(const Reference& thesis) {
 ValidationTable measures_table(std::string title, const std::array<Diameters, 10>& rows,
                                Measures (*measures)(const Diameters&)) {
   ValidationTable table{
-      std::move(title),
-      {"D_n, mm", "d_r, mm", "T, mm", "V, l", "k, N/mm", "C_a, kN", "W, kg", "C_a/W, kN/kg"},
-      {}};
+      std::move(title), {"D_n, mm", "d_r, mm", "T, mm", "V, l", "k, N/mm", "C_a, kN", "W, kg", "C_a/W, kN/kg"}, {}};
   for (const Diameters& d : rows) {
     const Measures m = measures(d);
-    table.rows.push_back(
-        {fmt::format("{:g}", d.nut_outer * per_si::millimetre),
-         {d.roller * per_si::millimetre, m.nut_thickness * per_si::millimetre, 1e3 * m.volume,
-          m.stiffness / per_si::millimetre, m.load_capacity * per_si::kilonewton, m.weight,
-          m.force_density() * per_si::kilonewton}});
+    table.rows.push_back({fmt::format("{:g}", d.nut_outer * per_si::millimetre),
+                          {d.roller * per_si::millimetre, m.nut_thickness * per_si::millimetre, 1e3 * m.volume,
+                           m.stiffness / per_si::millimetre, m.load_capacity * per_si::kilonewton, m.weight,
+                           m.force_density() * per_si::kilonewton}});
   }
   return table;
 }
@@ -387,8 +369,7 @@ std::vector<ValidationTable> tables(const Reference& thesis) {
   std::vector<ValidationTable> all{
       measures_table("Table 7.1, case 1, by the right formulas", case_1(), corrected),
       measures_table("Table 7.2, case 2, by the recipe of table 7.1", case_2(), as_printed),
-      measures_table("Table 7.2, case 2, by the right formulas", case_2(), corrected),
-      compliance_table()};
+      measures_table("Table 7.2, case 2, by the right formulas", case_2(), corrected), compliance_table()};
   for (ValidationTable& table : fit_tables(thesis)) all.push_back(std::move(table));
   all.push_back(deviations_of_table_a1(thesis));
   return all;
@@ -403,9 +384,8 @@ struct Given {
   std::string_view key;
   double Diameters::*diameter;
 };
-constexpr Given kGiven[] = {{"nut_outer", &Diameters::nut_outer},
-                            {"screw", &Diameters::screw},
-                            {"roller", &Diameters::roller}};
+constexpr Given kGiven[] = {
+    {"nut_outer", &Diameters::nut_outer}, {"screw", &Diameters::screw}, {"roller", &Diameters::roller}};
 constexpr std::size_t kGivenCount = std::size(kGiven);
 constexpr std::string_view kExample = "54 mm, 27 mm, 9 mm";
 
@@ -424,8 +404,7 @@ std::optional<Problem> problem_of(const Diameters& d) {
   for (std::size_t k = 0; k < kGivenCount; ++k) {
     const double value = d.*kGiven[k].diameter;
     if (!(value >= kSmallest && value <= kLargest))
-      return Problem{k,
-                     fmt::format("got {}; expected 0.1 mm to 10 m; check its unit", in_mm(value))};
+      return Problem{k, fmt::format("got {}; expected 0.1 mm to 10 m; check its unit", in_mm(value))};
   }
   if (d.nut_outer <= d.nut_inner())
     return Problem{0, fmt::format("got {}; expected more than screw and two rollers, {}; enlarge "
@@ -435,14 +414,11 @@ std::optional<Problem> problem_of(const Diameters& d) {
   const double ratio = d.roller * cosine / d.nut_inner();
   if (geometry_factor(ratio)) return {};
   // d_r cos/d_n = q, d_n = d_s + 2 d_r; to whole micrometres within the range.
-  const auto roller_at = [&](double limit) {
-    return d.screw / (cosine / limit - 2.0) * per_si::micrometre;
-  };
-  return Problem{
-      2, fmt::format("got {}, d_r cos(45 deg)/d_n = {:.4g}; expected 0.01 to 0.30, where Lemor's "
-                     "geometry factor is known; with this screw take {:g} to {:g} mm",
-                     in_mm(d.roller), ratio, std::ceil(roller_at(kFactorRatios.least)) * 1e-3,
-                     std::floor(roller_at(kFactorRatios.greatest)) * 1e-3)};
+  const auto roller_at = [&](double limit) { return d.screw / (cosine / limit - 2.0) * per_si::micrometre; };
+  return Problem{2, fmt::format("got {}, d_r cos(45 deg)/d_n = {:.4g}; expected 0.01 to 0.30, where Lemor's "
+                                "geometry factor is known; with this screw take {:g} to {:g} mm",
+                                in_mm(d.roller), ratio, std::ceil(roller_at(kFactorRatios.least)) * 1e-3,
+                                std::floor(roller_at(kFactorRatios.greatest)) * 1e-3)};
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -453,8 +429,7 @@ std::string_view trimmed(std::string_view text) {
 
 Diameters read_text(const std::string& text) {
   const auto fail = [&](const std::string& message) {
-    throw InputError(
-        fmt::format("prs: error: --diameters \"{}\": {}", input::shown(text), message));
+    throw InputError(fmt::format("prs: error: --diameters \"{}\": {}", input::shown(text), message));
   };
   std::vector<std::string_view> fields;
   for (std::size_t from = 0; from <= text.size();) {
@@ -497,8 +472,7 @@ std::vector<Diameters> read_yaml(const std::string& file) {
   errors.throw_if_any();
   for (std::size_t row = 0; row < rows.diameters.size(); ++row)
     if (const std::optional<Problem> problem = problem_of(rows.diameters[row]))
-      input::refuse(root, fmt::format("diameters[{}].{}", row, kGiven[problem->given].key),
-                    problem->message, errors);
+      input::refuse(root, fmt::format("diameters[{}].{}", row, kGiven[problem->given].key), problem->message, errors);
   errors.throw_if_any();
   return rows.diameters;
 }
@@ -506,8 +480,7 @@ std::vector<Diameters> read_yaml(const std::string& file) {
 std::vector<Diameters> read_csv(const std::string& file) {
   const CsvTable table{file};
   std::array<std::size_t, kGivenCount> columns{};
-  for (std::size_t k = 0; k < kGivenCount; ++k)
-    columns[k] = table.column(fmt::format("{}_mm", kGiven[k].key));
+  for (std::size_t k = 0; k < kGivenCount; ++k) columns[k] = table.column(fmt::format("{}_mm", kGiven[k].key));
   std::vector<Diameters> rows(table.rows());
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t k = 0; k < kGivenCount; ++k)
@@ -529,40 +502,31 @@ struct Column {
 constexpr Column kColumns[] = {
     {"nut_outer_mm", "D_n, mm", per_si::millimetre, "{:.10g}",
      [](const Diameters& d, const Measures&) { return d.nut_outer; }},
-    {"screw_mm", "d_s, mm", per_si::millimetre, "{:.10g}",
-     [](const Diameters& d, const Measures&) { return d.screw; }},
+    {"screw_mm", "d_s, mm", per_si::millimetre, "{:.10g}", [](const Diameters& d, const Measures&) { return d.screw; }},
     {"roller_mm", "d_r, mm", per_si::millimetre, "{:.10g}",
      [](const Diameters& d, const Measures&) { return d.roller; }},
     {"nut_thickness_mm", "T, mm", per_si::millimetre, "{:.6g}",
      [](const Diameters&, const Measures& m) { return m.nut_thickness; }},
-    {"volume_l", "V, l", 1e3, "{:.3f}",
-     [](const Diameters&, const Measures& m) { return m.volume; }},
-    {"stiffness_N_per_mm", "k, N/mm", 1e-3, "{:.6g}",
-     [](const Diameters&, const Measures& m) { return m.stiffness; }},
+    {"volume_l", "V, l", 1e3, "{:.3f}", [](const Diameters&, const Measures& m) { return m.volume; }},
+    {"stiffness_N_per_mm", "k, N/mm", 1e-3, "{:.6g}", [](const Diameters&, const Measures& m) { return m.stiffness; }},
     {"load_capacity_kN", "C_a, kN", per_si::kilonewton, "{:.3f}",
      [](const Diameters&, const Measures& m) { return m.load_capacity; }},
-    {"weight_kg", "W, kg", 1.0, "{:.3f}",
-     [](const Diameters&, const Measures& m) { return m.weight; }},
+    {"weight_kg", "W, kg", 1.0, "{:.3f}", [](const Diameters&, const Measures& m) { return m.weight; }},
     {"force_density_kN_per_kg", "C_a/W, kN/kg", per_si::kilonewton, "{:.3f}",
      [](const Diameters&, const Measures& m) { return m.force_density(); }},
 };
 
-double shown(const Column& c, const Diameters& d, const Measures& m) {
-  return c.factor * c.value(d, m);
-}
+double shown(const Column& c, const Diameters& d, const Measures& m) { return c.factor * c.value(d, m); }
 
 }  // namespace
 
-SourceExtension extension() {
-  return {.folder = "jung_2017", .formulas = formulas, .tables = tables};
-}
+SourceExtension extension() { return {.folder = "jung_2017", .formulas = formulas, .tables = tables}; }
 
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all = {
       {"jung-as-printed", as_printed,
        "Jung 2017, tables 7.1 and 7.2 as printed, slips included (their m^3 are litres)"},
-      {"jung-corrected", corrected,
-       "Jung 2017, columns of tables 7.1 and 7.2 by the right formulas"}};
+      {"jung-corrected", corrected, "Jung 2017, columns of tables 7.1 and 7.2 by the right formulas"}};
   return all;
 }
 
@@ -571,8 +535,7 @@ const Recipe* find_recipe(std::string_view name) {
   return found != recipes().end() ? &*found : nullptr;
 }
 
-std::vector<Diameters> read_diameters(const std::string& file,
-                                      const std::vector<std::string>& texts) {
+std::vector<Diameters> read_diameters(const std::string& file, const std::vector<std::string>& texts) {
   std::vector<Diameters> rows;
   if (!file.empty()) rows = file.ends_with(".csv") ? read_csv(file) : read_yaml(file);
   for (const std::string& text : texts) rows.push_back(read_text(text));
@@ -590,23 +553,20 @@ std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows
   for (const Diameters& d : rows) {
     const Measures m = recipe.measures(d);
     std::vector<std::string>& line = lines.emplace_back();
-    for (const Column& c : kColumns)
-      line.push_back(fmt::format(fmt::runtime(c.format), shown(c, d, m)));
+    for (const Column& c : kColumns) line.push_back(fmt::format(fmt::runtime(c.format), shown(c, d, m)));
   }
   std::array<std::size_t, std::size(kColumns)> widths{};
   for (const auto& line : lines)
     for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
   std::string text = fmt::format("{}: {}\n", recipe.name, recipe.title);
   for (const auto& line : lines) {
-    for (std::size_t k = 0; k < line.size(); ++k)
-      text += fmt::format("  {:>{}}", line[k], widths[k]);
+    for (std::size_t k = 0; k < line.size(); ++k) text += fmt::format("  {:>{}}", line[k], widths[k]);
     text += '\n';
   }
   return text;
 }
 
-std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows,
-                       const CsvStyle& style) {
+std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows, const CsvStyle& style) {
   CsvWriter csv(style);
   for (const Column& c : kColumns) csv.text(c.key);
   csv.end_row();
@@ -625,8 +585,7 @@ Json row_json(const Recipe& recipe, const Diameters& d) {
   return row;
 }
 
-Json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows,
-                 const DocumentInfo& info) {
+Json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows, const DocumentInfo& info) {
   Json document = document_head(info, {});
   document["recipe"] = recipe.name;
   document["rows"] = Json::array();

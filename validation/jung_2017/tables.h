@@ -159,15 +159,12 @@ const Recipe* find_recipe(std::string_view name);
 /// screw_mm and roller_mm. Throws input::InputError, also where there is no row, where rollers and
 /// screw do not fit into the nut and where the ratio of diameters is outside the range of Lemor's
 /// factor.
-std::vector<Diameters> read_diameters(const std::string& file,
-                                      const std::vector<std::string>& texts);
+std::vector<Diameters> read_diameters(const std::string& file, const std::vector<std::string>& texts);
 
 /// The columns with the decimals that table 7.1 prints.
 std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows);
-std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows,
-                       const CsvStyle& style = {});
-nlohmann::ordered_json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows,
-                                   const DocumentInfo& info);
+std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows, const CsvStyle& style = {});
+nlohmann::ordered_json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows, const DocumentInfo& info);
 
 /// Value of each column of a row by its key, diameters first.
 nlohmann::ordered_json row_json(const Recipe& recipe, const Diameters& d);

@@ -14,15 +14,12 @@ using Contacts = ModelOptions::RollerContacts;
 template <class Value>
 using Words = std::array<std::pair<std::string_view, Value>, 2>;
 
-constexpr Words<Direction> kDirections{
-    {{"tension", Direction::tension}, {"compression", Direction::compression}}};
-constexpr Words<Guidance::Kind> kGuidances{{{"both_end_nodes", Guidance::Kind::both_end_nodes},
-                                            {"outer_node", Guidance::Kind::outer_node}}};
-constexpr Words<Contacts> kContacts{
-    {{"opposite", Contacts::opposite}, {"half_pitch", Contacts::half_pitch_apart}}};
+constexpr Words<Direction> kDirections{{{"tension", Direction::tension}, {"compression", Direction::compression}}};
+constexpr Words<Guidance::Kind> kGuidances{
+    {{"both_end_nodes", Guidance::Kind::both_end_nodes}, {"outer_node", Guidance::Kind::outer_node}}};
+constexpr Words<Contacts> kContacts{{{"opposite", Contacts::opposite}, {"half_pitch", Contacts::half_pitch_apart}}};
 constexpr int kConfigs = 3;
-constexpr std::size_t kSetups =
-    kConfigs * kDirections.size() * kGuidances.size() * kContacts.size();
+constexpr std::size_t kSetups = kConfigs * kDirections.size() * kGuidances.size() * kContacts.size();
 
 /// A printed digit is rounded from a computation of unknown rounding.
 constexpr double kSlack = 1.0 + 1e-9;
@@ -61,29 +58,24 @@ class Reader {
     for (const Curve& curve : all)
       if (curve.points.size() != all.front().points.size())
         table_.fail(table_.rows() - 1, load_,
-                    fmt::format("the curve {} has {} loads, others {}", name(curve.setup),
-                                curve.points.size(), all.front().points.size()));
+                    fmt::format("the curve {} has {} loads, others {}", name(curve.setup), curve.points.size(),
+                                all.front().points.size()));
     if (all.size() != kSetups)
-      table_.fail(table_.rows() - 1, config_,
-                  fmt::format("the file ends with {} of {} curves", all.size(), kSetups));
+      table_.fail(table_.rows() - 1, config_, fmt::format("the file ends with {} of {} curves", all.size(), kSetups));
     return all;
   }
 
  private:
-  static std::string rate_name(Interface i, std::size_t thread) {
-    return fmt::format("{}_{}_%", prs::name(i), thread);
-  }
-  Interface fewer() const {
-    return rates_.screw.size() < rates_.nut.size() ? Interface::screw : Interface::nut;
-  }
+  static std::string rate_name(Interface i, std::size_t thread) { return fmt::format("{}_{}_%", prs::name(i), thread); }
+  Interface fewer() const { return rates_.screw.size() < rates_.nut.size() ? Interface::screw : Interface::nut; }
   std::size_t count() const { return rates_[fewer()].size(); }
 
   Setup setup_at(std::size_t row) const {
     const double config = table_.number(row, config_);
     if (config != std::floor(config) || config < 1.0 || config > kConfigs)
       table_.fail(row, config_, fmt::format("expected 1 to {}", kConfigs));
-    return {static_cast<int>(config), choice(row, direction_, kDirections),
-            choice(row, guidance_, kGuidances), choice(row, contacts_, kContacts)};
+    return {static_cast<int>(config), choice(row, direction_, kDirections), choice(row, guidance_, kGuidances),
+            choice(row, contacts_, kContacts)};
   }
 
   template <class Value>
@@ -114,11 +106,10 @@ class Reader {
   /// kN and um as printed.
   void check_stiffness(std::size_t row, double load, double displacement) const {
     const double stiffness = 1e3 * load / displacement;
-    const double rounding = table_.half_unit(row, stiffness_) +
-                            stiffness * table_.half_unit(row, displacement_) / displacement;
+    const double rounding =
+        table_.half_unit(row, stiffness_) + stiffness * table_.half_unit(row, displacement_) / displacement;
     if (std::abs(positive(row, stiffness_) - stiffness) > rounding * kSlack)
-      table_.fail(row, stiffness_,
-                  fmt::format("expected {:.6g}, load over displacement", stiffness));
+      table_.fail(row, stiffness_, fmt::format("expected {:.6g}, load over displacement", stiffness));
   }
 
   std::vector<double> rates_at(std::size_t row, Interface i) const {
@@ -131,9 +122,8 @@ class Reader {
       rates.push_back(percent / per_si::percent);
     }
     if (std::abs(sum - 100.0) > rounding * kSlack)
-      table_.fail(
-          row, rates_[i].front(),
-          fmt::format("the {} load rates sum to {:.6f} %; expected 100", prs::name(i), sum));
+      table_.fail(row, rates_[i].front(),
+                  fmt::format("the {} load rates sum to {:.6f} %; expected 100", prs::name(i), sum));
     return rates;
   }
 
@@ -181,8 +171,7 @@ std::vector<std::vector<std::size_t>> grouped(const std::vector<Curve>& curves) 
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const auto group = std::ranges::find_if(groups, [&](const auto& indices) {
       const Setup& first = curves[indices.front()].setup;
-      return first.guidance == curves[k].setup.guidance &&
-             first.contacts == curves[k].setup.contacts;
+      return first.guidance == curves[k].setup.guidance && first.contacts == curves[k].setup.contacts;
     });
     (group == groups.end() ? groups.emplace_back() : *group).push_back(k);
   }
@@ -197,8 +186,7 @@ CurvePoint point_of(const LoadCaseResult& result) {
   return point;
 }
 
-LoadDiscrepancy load_discrepancy(const std::vector<double>& rates,
-                                 const std::vector<double>& reference) {
+LoadDiscrepancy load_discrepancy(const std::vector<double>& rates, const std::vector<double>& reference) {
   LoadDiscrepancy d{0.0, 0.0, 0.0, -HUGE_VAL, HUGE_VAL};
   const double share = 1.0 / static_cast<double>(rates.size());
   for (std::size_t k = 0; k < rates.size(); ++k) {
@@ -253,8 +241,8 @@ class Gathering {
 }  // namespace
 
 std::array<std::string, 4> words(const Setup& setup) {
-  return {fmt::to_string(setup.config), std::string(prs::name(setup.direction)),
-          word(kGuidances, setup.guidance), word(kContacts, setup.contacts)};
+  return {fmt::to_string(setup.config), std::string(prs::name(setup.direction)), word(kGuidances, setup.guidance),
+          word(kContacts, setup.contacts)};
 }
 
 std::string name(const Setup& setup) { return fmt::format("{}", fmt::join(words(setup), " ")); }
@@ -276,8 +264,7 @@ std::vector<Curve> computed_curves(const Case& screw, ModelOptions::Bodies bodie
     auto result = results.begin();
     for (const std::size_t k : indices) {
       all[k].setup = reference[k].setup;
-      for (std::size_t n = 0; n < reference[k].points.size(); ++n)
-        all[k].points.push_back(point_of(*result++));
+      for (std::size_t n = 0; n < reference[k].points.size(); ++n) all[k].points.push_back(point_of(*result++));
     }
   }
   return all;
@@ -294,8 +281,7 @@ const Extreme& Summary::farthest_stiffness() const {
   return std::abs(least_stiff.value) > std::abs(stiffest.value) ? least_stiff : stiffest;
 }
 
-Summary summary(const std::vector<Curve>& curves, const std::vector<Curve>& reference,
-                const Selection& selection) {
+Summary summary(const std::vector<Curve>& curves, const std::vector<Curve>& reference, const Selection& selection) {
   Gathering gathering;
   for (std::size_t k = 0; k < curves.size(); ++k)
     for (std::size_t load = 0; load < curves[k].points.size(); ++load) {

@@ -59,8 +59,7 @@ struct Model {
 /// The curves of the screw by one model, at the setups and loads of the reference. CONFIG k is
 /// where the screw's load case `configK-DIRECTION` stands. A load without an answer keeps its
 /// place. Throws CaseError, also where the screw has other threads than the reference.
-std::vector<Curve> computed_curves(const Case& screw, ModelOptions::Bodies bodies,
-                                   const std::vector<Curve>& reference);
+std::vector<Curve> computed_curves(const Case& screw, ModelOptions::Bodies bodies, const std::vector<Curve>& reference);
 
 /// How far the load rates of an interface are from the reference's.
 struct LoadDiscrepancy {
@@ -106,7 +105,6 @@ struct Summary {
 using Selection = std::function<bool(const Setup&, double load)>;
 
 /// Compares curves at the same setups and loads.
-Summary summary(const std::vector<Curve>& curves, const std::vector<Curve>& reference,
-                const Selection& selection);
+Summary summary(const std::vector<Curve>& curves, const std::vector<Curve>& reference, const Selection& selection);
 
 }  // namespace prs::reference_fe

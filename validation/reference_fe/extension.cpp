@@ -18,9 +18,7 @@ constexpr Band kBarsInTension{0.25, 0.33};
 constexpr Band kBarsInCompression{0.16, 0.20};
 constexpr Band kBarsLoadRate{0.005, 0.016};
 
-ErrorBar sum(const ErrorBar& a, const ErrorBar& b) {
-  return {a.stiffness + b.stiffness, a.load_rate + b.load_rate};
-}
+ErrorBar sum(const ErrorBar& a, const ErrorBar& b) { return {a.stiffness + b.stiffness, a.load_rate + b.load_rate}; }
 
 /// `-1.20 % (3 tension both_end_nodes opposite, 45 kN)`, the value times a factor.
 std::string shown(const Extreme& e, const char* format, int factor = 1) {
@@ -28,9 +26,7 @@ std::string shown(const Extreme& e, const char* format, int factor = 1) {
          fmt::format(" ({}, {:g} kN)", name(e.setup), e.load * per_si::kilonewton);
 }
 
-int threads(const Fidelities& f) {
-  return static_cast<int>(f.reference.front().points.back().load_rate.screw.size());
-}
+int threads(const Fidelities& f) { return static_cast<int>(f.reference.front().points.back().load_rate.screw.size()); }
 
 /// In % of the mean thread load, which says the same with few threads and with many.
 double of_mean_load(double load_rate, int threads) { return percent(load_rate * threads); }
@@ -38,9 +34,8 @@ double of_mean_load(double load_rate, int threads) { return percent(load_rate * 
 double full_load(const Fidelities& f) { return f.reference.front().points.back().load; }
 
 Summary bars_at_full_load(const Fidelities& f, Direction direction) {
-  return summary(f.bars, f.reference, [&](const Setup& setup, double load) {
-    return setup.direction == direction && load == full_load(f);
-  });
+  return summary(f.bars, f.reference,
+                 [&](const Setup& setup, double load) { return setup.direction == direction && load == full_load(f); });
 }
 
 Finding bars_are_too_stiff(const Fidelities& f) {
@@ -50,33 +45,29 @@ Finding bars_are_too_stiff(const Fidelities& f) {
     return s.unsolved == 0 && band.holds(s.least_stiff.value, s.stiffest.value);
   };
   return {in(kBarsInTension, tension) && in(kBarsInCompression, compression),
-          fmt::format("tension {:.1f} to {:.1f} %, compression {:.1f} to {:.1f} %",
-                      percent(tension.least_stiff.value), percent(tension.stiffest.value),
-                      percent(compression.least_stiff.value), percent(compression.stiffest.value))};
+          fmt::format("tension {:.1f} to {:.1f} %, compression {:.1f} to {:.1f} %", percent(tension.least_stiff.value),
+                      percent(tension.stiffest.value), percent(compression.least_stiff.value),
+                      percent(compression.stiffest.value))};
 }
 
 Finding bars_shift_the_loads(const Fidelities& f) {
-  const Summary s =
-      summary(f.bars, f.reference, [&](const Setup&, double load) { return load == full_load(f); });
+  const Summary s = summary(f.bars, f.reference, [&](const Setup&, double load) { return load == full_load(f); });
   return {s.unsolved == 0 && kBarsLoadRate.holds(s.best_loads.value, s.worst_loads.value),
           fmt::format("{} to {}", shown(s.best_loads, "{:.1f} %", threads(f)),
                       shown(s.worst_loads, "{:.1f} %", threads(f)))};
 }
 
 /// Whether curves stay within limits of others, at all setups and loads.
-Finding stays_within(const ErrorBar& limits, const std::vector<Curve>& curves,
-                     const std::vector<Curve>& reference, int threads) {
+Finding stays_within(const ErrorBar& limits, const std::vector<Curve>& curves, const std::vector<Curve>& reference,
+                     int threads) {
   const Summary s = summary(curves, reference, [](const Setup&, double) { return true; });
-  const bool holds = s.unsolved == 0 &&
-                     std::abs(s.farthest_stiffness().value) <= limits.stiffness &&
+  const bool holds = s.unsolved == 0 && std::abs(s.farthest_stiffness().value) <= limits.stiffness &&
                      s.worst_loads.value <= limits.load_rate;
   std::string evidence =
-      fmt::format("stiffness {} to {}; a thread's load up to {}, mean {:.1f} %",
-                  shown(s.least_stiff, "{:+.2f} %"), shown(s.stiffest, "{:+.2f} %"),
-                  shown(s.worst_loads, "{:.1f} %", threads),
+      fmt::format("stiffness {} to {}; a thread's load up to {}, mean {:.1f} %", shown(s.least_stiff, "{:+.2f} %"),
+                  shown(s.stiffest, "{:+.2f} %"), shown(s.worst_loads, "{:.1f} %", threads),
                   of_mean_load(0.5 * (s.mean_load.screw + s.mean_load.nut), threads));
-  if (s.unsolved > 0)
-    evidence += fmt::format("; {} of {} points without an answer", s.unsolved, s.points);
+  if (s.unsolved > 0) evidence += fmt::format("; {} of {} points without an answer", s.unsolved, s.points);
   return {holds, std::move(evidence)};
 }
 
@@ -90,22 +81,20 @@ std::vector<ComparedStatement> compare_statements(const Fidelities& f) {
     all.push_back({section, std::move(text), compare<Finding>(std::identity(), "", only)});
   };
   const auto limits_text = [&](const ErrorBar& limits) {
-    return fmt::format(
-        "{:g} % of the stiffness and, at every thread, {:g} % of the mean thread load ({} threads)",
-        percent(limits.stiffness), of_mean_load(limits.load_rate, count), count);
+    return fmt::format("{:g} % of the stiffness and, at every thread, {:g} % of the mean thread load ({} threads)",
+                       percent(limits.stiffness), of_mean_load(limits.load_rate, count), count);
   };
   const ErrorBar joint = sum(kReferenceError, kInfluenceError);
   add("bars",
       fmt::format("at full load the paper's bars are {:g} to {:g} % too stiff in tension and {:g} "
                   "to {:g} % in compression",
-                  percent(kBarsInTension.from), percent(kBarsInTension.to),
-                  percent(kBarsInCompression.from), percent(kBarsInCompression.to)),
+                  percent(kBarsInTension.from), percent(kBarsInTension.to), percent(kBarsInCompression.from),
+                  percent(kBarsInCompression.to)),
       bars_are_too_stiff(f));
   add("bars",
       fmt::format("at full load the worst thread of a case is {:g} to {:g} % of the mean thread "
                   "load off ({} threads)",
-                  of_mean_load(kBarsLoadRate.from, count), of_mean_load(kBarsLoadRate.to, count),
-                  count),
+                  of_mean_load(kBarsLoadRate.from, count), of_mean_load(kBarsLoadRate.to, count), count),
       bars_shift_the_loads(f));
   add("refined", "within " + limits_text(kRefinedError) + " of the reference, at all loads",
       stays_within(kRefinedError, f.refined, f.reference, count));
@@ -129,12 +118,11 @@ std::string at_full_load(const std::vector<Curve>& reference) {
 /// The unit of load rates and how to read it.
 std::string of_sector_load(const std::vector<Curve>& reference) {
   const std::size_t threads = reference.front().points.back().load_rate.screw.size();
-  return fmt::format("in % of the sector load, of which the mean thread of {} carries {:g} %",
-                     threads, percent(1.0 / static_cast<double>(threads)));
+  return fmt::format("in % of the sector load, of which the mean thread of {} carries {:g} %", threads,
+                     percent(1.0 / static_cast<double>(threads)));
 }
 
-ValidationTable stiffness_table(const std::vector<Model>& models,
-                                const std::vector<Curve>& reference) {
+ValidationTable stiffness_table(const std::vector<Model>& models, const std::vector<Curve>& reference) {
   ValidationTable table{fmt::format("Axial stiffness at {} in N/um; the models less the reference, "
                                     "in %, there and as the mean over all {} loads",
                                     at_full_load(reference), reference.front().points.size()),
@@ -145,28 +133,24 @@ ValidationTable stiffness_table(const std::vector<Model>& models,
     for (const Model& model : models) table.columns.push_back(model.name + what);
   for (std::size_t k = 0; k < reference.size(); ++k) {
     const CurvePoint& full = reference[k].points.back();
-    ValidationTable::Row row{name(reference[k].setup),
-                             {full.stiffness() * per_si::newton_per_micrometre}};
+    ValidationTable::Row row{name(reference[k].setup), {full.stiffness() * per_si::newton_per_micrometre}};
     for (const Model& model : models) {
       const auto d = discrepancy(model.curves[k].points.back(), full);
       row.values.push_back(d ? percent(d->stiffness) : kAbsent);
     }
     for (const Model& model : models)
-      row.values.push_back(
-          percent(summary({model.curves[k]}, {reference[k]}, all_loads).mean_stiffness));
+      row.values.push_back(percent(summary({model.curves[k]}, {reference[k]}, all_loads).mean_stiffness));
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-ValidationTable load_table(const std::vector<Model>& models, const std::vector<Curve>& reference,
-                           Interface i) {
-  ValidationTable table{
-      fmt::format("Load rates at the {} at {}: mean and largest discrepancy over the threads, {}",
-                  prs::name(i), at_full_load(reference), of_sector_load(reference)),
-      {"CONFIG, direction, guidance, contacts"},
-      {},
-      3};
+ValidationTable load_table(const std::vector<Model>& models, const std::vector<Curve>& reference, Interface i) {
+  ValidationTable table{fmt::format("Load rates at the {} at {}: mean and largest discrepancy over the threads, {}",
+                                    prs::name(i), at_full_load(reference), of_sector_load(reference)),
+                        {"CONFIG, direction, guidance, contacts"},
+                        {},
+                        3};
   for (const Model& model : models) {
     table.columns.push_back(model.name);
     table.columns.push_back("largest");
@@ -184,21 +168,19 @@ ValidationTable load_table(const std::vector<Model>& models, const std::vector<C
 }
 
 ValidationTable::Row summary_row(std::string label, const Summary& s) {
-  return {std::move(label),
-          {percent(s.least_stiff.value), percent(s.mean_stiffness), percent(s.stiffest.value),
-           percent(s.mean_load.screw), percent(s.largest_load.screw), percent(s.mean_load.nut),
-           percent(s.largest_load.nut)}};
+  return {
+      std::move(label),
+      {percent(s.least_stiff.value), percent(s.mean_stiffness), percent(s.stiffest.value), percent(s.mean_load.screw),
+       percent(s.largest_load.screw), percent(s.mean_load.nut), percent(s.largest_load.nut)}};
 }
 
-ValidationTable summary_table(const std::vector<Model>& models,
-                              const std::vector<Curve>& reference) {
-  ValidationTable table{
-      fmt::format("All {} cases at all {} loads: stiffness less that of the reference, in %; load "
-                  "rates, mean and largest discrepancy, {}",
-                  reference.size(), reference.front().points.size(), of_sector_load(reference)),
-      {"", "softest", "mean", "stiffest", "screw", "largest", "nut", "largest"},
-      {},
-      3};
+ValidationTable summary_table(const std::vector<Model>& models, const std::vector<Curve>& reference) {
+  ValidationTable table{fmt::format("All {} cases at all {} loads: stiffness less that of the reference, in %; load "
+                                    "rates, mean and largest discrepancy, {}",
+                                    reference.size(), reference.front().points.size(), of_sector_load(reference)),
+                        {"", "softest", "mean", "stiffest", "screw", "largest", "nut", "largest"},
+                        {},
+                        3};
   for (const Model& model : models)
     table.rows.push_back(summary_row(model.name, summary(model.curves, reference, all_loads)));
   return table;
@@ -214,21 +196,19 @@ void setup_fields(CsvWriter& csv, const Setup& setup, double load) {
 }
 
 void load_discrepancy_fields(CsvWriter& csv, const std::optional<Discrepancy>& d, Interface i) {
-  for (const auto value :
-       {&LoadDiscrepancy::mean, &LoadDiscrepancy::largest, &LoadDiscrepancy::relative_mean,
-        &LoadDiscrepancy::relative_highest, &LoadDiscrepancy::relative_lowest})
+  for (const auto value : {&LoadDiscrepancy::mean, &LoadDiscrepancy::largest, &LoadDiscrepancy::relative_mean,
+                           &LoadDiscrepancy::relative_highest, &LoadDiscrepancy::relative_lowest})
     csv.number(d ? std::optional(d->loads[i].*value) : std::nullopt, per_si::percent);
 }
 
 std::string comparison_csv(const std::vector<Model>& models, const std::vector<Curve>& reference) {
   CsvWriter csv(CsvStyle{});
   setup_header(csv);
-  for (const char* key : {"model", "displacement_um", "reference_displacement_um",
-                          "stiffness_N_per_um", "stiffness_discrepancy_percent"})
+  for (const char* key :
+       {"model", "displacement_um", "reference_displacement_um", "stiffness_N_per_um", "stiffness_discrepancy_percent"})
     csv.text(key);
   for (const Interface i : kInterfaces)
-    for (const char* key :
-         {"mean", "largest", "relative_mean", "relative_highest", "relative_lowest"})
+    for (const char* key : {"mean", "largest", "relative_mean", "relative_highest", "relative_lowest"})
       csv.text(fmt::format("{}_{}_discrepancy_percent", prs::name(i), key));
   csv.end_row();
   for (const Model& model : models)
@@ -240,8 +220,7 @@ std::string comparison_csv(const std::vector<Model>& models, const std::vector<C
         csv.text(model.name);
         csv.number(d ? std::optional(point.displacement) : std::nullopt, per_si::micrometre);
         csv.number(target.displacement, per_si::micrometre);
-        csv.number(d ? std::optional(point.stiffness()) : std::nullopt,
-                   per_si::newton_per_micrometre);
+        csv.number(d ? std::optional(point.stiffness()) : std::nullopt, per_si::newton_per_micrometre);
         csv.number(d ? std::optional(d->stiffness) : std::nullopt, per_si::percent);
         for (const Interface i : kInterfaces) load_discrepancy_fields(csv, d, i);
         csv.end_row();
@@ -268,8 +247,7 @@ std::string load_rates_csv(const std::vector<Model>& models, const std::vector<C
           csv.text(prs::name(i));
           csv.integer(thread + 1);
           csv.number(target.load_rate[i][thread], per_si::percent);
-          for (const Model& model : models)
-            csv.number(rate_of(model.curves[k].points[n], i, thread), per_si::percent);
+          for (const Model& model : models) csv.number(rate_of(model.curves[k].points[n], i, thread), per_si::percent);
           csv.end_row();
         }
     }
@@ -277,11 +255,10 @@ std::string load_rates_csv(const std::vector<Model>& models, const std::vector<C
 }
 
 /// Rates of one case at its largest load.
-std::string markdown_table(const std::vector<Model>& models, const Curve& reference,
-                           std::size_t curve) {
+std::string markdown_table(const std::vector<Model>& models, const Curve& reference, std::size_t curve) {
   const CurvePoint& target = reference.points.back();
-  std::string text = fmt::format("\n## {}, {:g} kN\n\n| thread |", name(reference.setup),
-                                 target.load * per_si::kilonewton);
+  std::string text =
+      fmt::format("\n## {}, {:g} kN\n\n| thread |", name(reference.setup), target.load * per_si::kilonewton);
   std::string rule = "\n| ---: |";
   for (const Interface i : kInterfaces) {
     text += fmt::format(" {}: reference |", prs::name(i));
@@ -306,24 +283,19 @@ std::string markdown_table(const std::vector<Model>& models, const Curve& refere
   return text;
 }
 
-std::string load_rates_markdown(const std::vector<Model>& models,
-                                const std::vector<Curve>& reference) {
+std::string load_rates_markdown(const std::vector<Model>& models, const std::vector<Curve>& reference) {
   std::string text = "# Load rates of all threads, in % of the sector load\n";
-  for (std::size_t k = 0; k < reference.size(); ++k)
-    text += markdown_table(models, reference[k], k);
+  for (std::size_t k = 0; k < reference.size(); ++k) text += markdown_table(models, reference[k], k);
   return text;
 }
 
 /// Told apart by dash in grey print; the thinner ones lie on top.
 constexpr Style kModelStyles[] = {line_of(Colour::orange, Dash::dash_dotted, Weight::strong),
-                                  line_of(Colour::vermillion, Dash::dashed, Weight::strong),
-                                  line_of(Colour::blue)};
+                                  line_of(Colour::vermillion, Dash::dashed, Weight::strong), line_of(Colour::blue)};
 constexpr Style kPointStyle = points_of(Colour::ink, Mark::circle, Weight::thin);
 constexpr Style kBarStyle = line_of(Colour::ink, Dash::solid, Weight::thin);
 
-bool is_drawn(const Setup& setup) {
-  return setup.contacts == ModelOptions::RollerContacts::opposite;
-}
+bool is_drawn(const Setup& setup) { return setup.contacts == ModelOptions::RollerContacts::opposite; }
 
 /// `both end nodes`
 std::string guidance_title(const Setup& setup) {
@@ -343,8 +315,7 @@ struct StyleIndices {
 };
 
 StyleIndices add_styles(Figure& figure, const std::vector<Model>& models) {
-  for (std::size_t m = 0; m < models.size(); ++m)
-    figure.add(models[m].name, kModelStyles[m % std::size(kModelStyles)]);
+  for (std::size_t m = 0; m < models.size(); ++m) figure.add(models[m].name, kModelStyles[m % std::size(kModelStyles)]);
   StyleIndices styles;
   styles.points = figure.add("reference with its error bar", kPointStyle);
   styles.bars = figure.add(kBarStyle);
@@ -352,8 +323,7 @@ StyleIndices add_styles(Figure& figure, const std::vector<Model>& models) {
 }
 
 /// A vertical stroke at each point, as long as its half widths say.
-Series error_bars(std::size_t style, const Polyline& points,
-                  const std::vector<double>& half_widths) {
+Series error_bars(std::size_t style, const Polyline& points, const std::vector<double>& half_widths) {
   Series line{style};
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto [x, y] = points[k];
@@ -371,17 +341,16 @@ Polyline differences(const std::vector<double>& rates, const std::vector<double>
 }
 
 /// Rates of all models and the reference, less those of `base`.
-Panel rate_panel(const std::vector<Model>& models, std::size_t curve, const CurvePoint& reference,
-                 Interface i, const std::vector<double>& base, const StyleIndices& styles,
-                 const ErrorBar& error) {
+Panel rate_panel(const std::vector<Model>& models, std::size_t curve, const CurvePoint& reference, Interface i,
+                 const std::vector<double>& base, const StyleIndices& styles, const ErrorBar& error) {
   Panel panel;
   for (std::size_t m = 0; m < models.size(); ++m) {
     const CurvePoint& point = models[m].curves[curve].points.back();
     if (point.is_solved()) panel.series.push_back({m, {differences(point.load_rate[i], base)}});
   }
   const Polyline points = differences(reference.load_rate[i], base);
-  panel.series.push_back(error_bars(
-      styles.bars, points, std::vector<double>(points.size(), error.load_rate * per_si::percent)));
+  panel.series.push_back(
+      error_bars(styles.bars, points, std::vector<double>(points.size(), error.load_rate * per_si::percent)));
   panel.series.push_back({styles.points, {points}});
   return panel;
 }
@@ -408,8 +377,7 @@ Figure load_rate_figure(const std::vector<Model>& models, std::size_t curve, con
   figure.columns = std::size(kInterfaces);
   const StyleIndices styles = add_styles(figure, models);
   for (const Interface i : kInterfaces) {
-    figure.panels.push_back(
-        rate_panel(models, curve, point, i, std::vector<double>(threads, 0.0), styles, error));
+    figure.panels.push_back(rate_panel(models, curve, point, i, std::vector<double>(threads, 0.0), styles, error));
     figure.panels.back().title = interface_title(i);
   }
   fit_y_range(figure);
@@ -424,23 +392,19 @@ Figure load_rate_figure(const std::vector<Model>& models, std::size_t curve, con
 Polyline over_load(const Curve& curve) {
   Polyline points{{0.0, 0.0}};
   for (const CurvePoint& point : curve.points)
-    if (point.is_solved())
-      points.push_back({point.load * per_si::kilonewton, point.displacement * per_si::micrometre});
+    if (point.is_solved()) points.push_back({point.load * per_si::kilonewton, point.displacement * per_si::micrometre});
   return points;
 }
 
-Panel displacement_panel(const std::vector<Model>& models, std::size_t curve,
-                         const Curve& reference, const StyleIndices& styles,
-                         const ErrorBar& error) {
+Panel displacement_panel(const std::vector<Model>& models, std::size_t curve, const Curve& reference,
+                         const StyleIndices& styles, const ErrorBar& error) {
   Panel panel;
   panel.title = case_title(reference.setup);
-  for (std::size_t m = 0; m < models.size(); ++m)
-    panel.series.push_back({m, {over_load(models[m].curves[curve])}});
+  for (std::size_t m = 0; m < models.size(); ++m) panel.series.push_back({m, {over_load(models[m].curves[curve])}});
   Polyline points = over_load(reference);
   points.erase(points.begin());
   std::vector<double> half_widths;
-  for (const auto& [load, displacement] : points)
-    half_widths.push_back(error.stiffness * displacement);
+  for (const auto& [load, displacement] : points) half_widths.push_back(error.stiffness * displacement);
   panel.series.push_back(error_bars(styles.bars, points, half_widths));
   panel.series.push_back({styles.points, {std::move(points)}});
   return panel;
@@ -448,34 +412,29 @@ Panel displacement_panel(const std::vector<Model>& models, std::size_t curve,
 
 }  // namespace
 
-std::vector<ValidationTable> tables(const std::vector<Model>& models,
-                                    const std::vector<Curve>& reference) {
+std::vector<ValidationTable> tables(const std::vector<Model>& models, const std::vector<Curve>& reference) {
   return {stiffness_table(models, reference), load_table(models, reference, Interface::screw),
           load_table(models, reference, Interface::nut), summary_table(models, reference)};
 }
 
-std::vector<OutputFile> files(const std::vector<Model>& models,
-                              const std::vector<Curve>& reference) {
+std::vector<OutputFile> files(const std::vector<Model>& models, const std::vector<Curve>& reference) {
   return {{"comparison.csv", comparison_csv(models, reference)},
           {"load_rates.csv", load_rates_csv(models, reference)},
           {"load_rates.md", load_rates_markdown(models, reference)}};
 }
 
-std::vector<Figure> load_rate_figures(const std::vector<Model>& models,
-                                      const std::vector<Curve>& reference, const ErrorBar& error) {
+std::vector<Figure> load_rate_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
+                                      const ErrorBar& error) {
   std::vector<Figure> figures;
   for (std::size_t k = 0; k < reference.size(); ++k)
-    if (is_drawn(reference[k].setup))
-      figures.push_back(load_rate_figure(models, k, reference[k], error));
+    if (is_drawn(reference[k].setup)) figures.push_back(load_rate_figure(models, k, reference[k], error));
   return figures;
 }
 
-std::vector<Figure> displacement_figures(const std::vector<Model>& models,
-                                         const std::vector<Curve>& reference,
+std::vector<Figure> displacement_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
                                          const ErrorBar& error) {
   std::vector<Figure> figures;
-  for (const Guidance::Kind guidance :
-       {Guidance::Kind::both_end_nodes, Guidance::Kind::outer_node}) {
+  for (const Guidance::Kind guidance : {Guidance::Kind::both_end_nodes, Guidance::Kind::outer_node}) {
     Figure figure;
     const Setup shown{1, Direction::tension, guidance, {}};
     figure.name = "displacement_" + words(shown)[2];
@@ -501,15 +460,11 @@ namespace {
 Supplement compared(const Case& screw, const Reference& of) {
   using enum ModelOptions::Bodies;
   const std::vector<Curve> reference = read_curves(of.folder / "data" / "curves.csv");
-  const auto curves = [&](ModelOptions::Bodies bodies) {
-    return computed_curves(screw, bodies, reference);
-  };
+  const auto curves = [&](ModelOptions::Bodies bodies) { return computed_curves(screw, bodies, reference); };
   const Fidelities f{reference, curves(bars), curves(refined), curves(influence)};
-  const std::vector<Model> models{
-      {"bars", f.bars}, {"refined", f.refined}, {"influence", f.influence}};
+  const std::vector<Model> models{{"bars", f.bars}, {"refined", f.refined}, {"influence", f.influence}};
   Supplement supplement{compare_statements(f), tables(models, reference),
-                        load_rate_figures(models, reference, kReferenceError),
-                        files(models, reference)};
+                        load_rate_figures(models, reference, kReferenceError), files(models, reference)};
   for (Figure& figure : displacement_figures(models, reference, kReferenceError))
     supplement.figures.push_back(std::move(figure));
   return supplement;

@@ -24,24 +24,21 @@ struct Fidelities {
 std::vector<ComparedStatement> compare_statements(const Fidelities& fidelities);
 
 /// Discrepancies of the models at the largest load, case by case, and over all cases and loads.
-std::vector<ValidationTable> tables(const std::vector<Model>& models,
-                                    const std::vector<Curve>& reference);
+std::vector<ValidationTable> tables(const std::vector<Model>& models, const std::vector<Curve>& reference);
 
 /// `comparison.csv`: every model at every point. `load_rates.csv`: every thread of every point.
 /// `load_rates.md`: every thread at the largest load, one table per case.
-std::vector<OutputFile> files(const std::vector<Model>& models,
-                              const std::vector<Curve>& reference);
+std::vector<OutputFile> files(const std::vector<Model>& models, const std::vector<Curve>& reference);
 
 /// For each curve with opposite contacts one figure at its largest load: load rate over the threads
 /// of both interfaces and, below, the differences from the reference. The reference is drawn as
 /// points with error bars, the models as lines.
-std::vector<Figure> load_rate_figures(const std::vector<Model>& models,
-                                      const std::vector<Curve>& reference, const ErrorBar& error);
+std::vector<Figure> load_rate_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
+                                      const ErrorBar& error);
 
 /// For each guidance the displacement over the load, one row per configuration, one column per
 /// direction. Opposite contacts.
-std::vector<Figure> displacement_figures(const std::vector<Model>& models,
-                                         const std::vector<Curve>& reference,
+std::vector<Figure> displacement_figures(const std::vector<Model>& models, const std::vector<Curve>& reference,
                                          const ErrorBar& error);
 
 }  // namespace prs::reference_fe

@@ -32,8 +32,7 @@ ValidationTable efficiency_fits(const Case& reference) {
       "fitted to computed efficiencies",
       {"tau_0, eta_0", "B_1 in %", "B_2 in %", "worst in points"},
       {}};
-  const auto add = [&](const char* range, const std::vector<double>& stresses,
-                       const std::vector<double>& viscosities) {
+  const auto add = [&](const char* range, const std::vector<double>& stresses, const std::vector<double>& viscosities) {
     std::vector<double> product, efficiency;
     for (const double stress : stresses)
       for (const double viscosity : viscosities) {
@@ -56,17 +55,16 @@ ValidationTable efficiency_fits(const Case& reference) {
 }
 
 ValidationTable patch_convergence(const Case& reference) {
-  ValidationTable table{
-      "Section 3.2.8, fig. 3.8: power at one contact for n x n points, slip ratio from equilibrium",
-      {"n", "W_I in W", "W_J in W", "W_t in W", "efficiency in %", "slip ratio"},
-      {}};
+  ValidationTable table{"Section 3.2.8, fig. 3.8: power at one contact for n x n points, slip ratio from equilibrium",
+                        {"n", "W_I in W", "W_J in W", "W_t in W", "efficiency in %", "slip ratio"},
+                        {}};
   for (const int points : {1, 11, 21, 41, 101, 301}) {
     Case c = reference;
     c.model.patch_points = points;
     const SlipResult s = slip_of(c);
     table.rows.push_back({fmt::format("{}", points),
-                          {s.threads.screw.power.front(), s.threads.nut.power.front(),
-                           s.power.total(), 100 * s.efficiency.value_or(0.0), s.slip_ratio}});
+                          {s.threads.screw.power.front(), s.threads.nut.power.front(), s.power.total(),
+                           100 * s.efficiency.value_or(0.0), s.slip_ratio}});
   }
   return table;
 }
@@ -82,35 +80,29 @@ contact::PrincipalValues curvatures_by_absolute_values(const contact::InterfaceG
   const double body = std::abs(g.body.second) - std::abs(g.body.first);
   const double roller = g.roller.second - g.roller.first;
   const double phi_1 =
-      0.5 *
-      std::asin(roller * std::sin(2 * phi) /
-                std::sqrt(body * body + roller * roller + 2 * body * roller * std::cos(2 * phi)));
+      0.5 * std::asin(roller * std::sin(2 * phi) /
+                      std::sqrt(body * body + roller * roller + 2 * body * roller * std::cos(2 * phi)));
   const auto along = [](const contact::PrincipalValues& k, double angle) {
-    return k.first * std::cos(angle) * std::cos(angle) +
-           k.second * std::sin(angle) * std::sin(angle);
+    return k.first * std::cos(angle) * std::cos(angle) + k.second * std::sin(angle) * std::sin(angle);
   };
   contact::PrincipalValues relative;
   relative.first = along(g.body, phi_1) + along(g.roller, phi - phi_1);
   relative.second = g.curvature_sum() - relative.first;
-  if (std::abs(relative.first) > std::abs(relative.second))
-    std::swap(relative.first, relative.second);
+  if (std::abs(relative.first) > std::abs(relative.second)) std::swap(relative.first, relative.second);
   return relative;
 }
 
 /// (1.80) with k = q^(2/pi).
-contact::HertzContact printed_ellipse(const contact::PrincipalValues& relative, double load,
-                                      double contact_modulus) {
+contact::HertzContact printed_ellipse(const contact::PrincipalValues& relative, double load, double contact_modulus) {
   const double k = contact::hamrock_brewe_ellipticity(relative.second / relative.first);
   const double second = contact::complete_elliptic_integrals(1.0 / k).second;
-  const double major =
-      std::cbrt(6 * k * k * second * load /
-                (std::numbers::pi * (relative.first + relative.second) * 2 * contact_modulus));
+  const double major = std::cbrt(6 * k * k * second * load /
+                                 (std::numbers::pi * (relative.first + relative.second) * 2 * contact_modulus));
   return {load, 0.0, major, major / k, 1.5 * load * k / (std::numbers::pi * major * major)};
 }
 
 /// (2.36) as printed, |u| - (u.n)^2/|u|, in place of the length of the tangential part.
-double printed_rolling_speed(const contact::Vector3<double>& u,
-                             const contact::Vector3<double>& normal) {
+double printed_rolling_speed(const contact::Vector3<double>& u, const contact::Vector3<double>& normal) {
   const double u_n = u.dot(normal);
   return u.norm() - u_n * u_n / u.norm();
 }
@@ -132,22 +124,19 @@ ValidationTable printed_ellipses(const Case& reference) {
     const InterfaceContact& contact = result.contacts.interfaces[i];
     const double load = (*loaded.threads)[i].normal_load.front();
     const contact::PrincipalValues relative = curvatures_by_absolute_values(contact.geometry);
-    const double rolling = printed_rolling_speed(
-        contact_motion(model.geometry, balance.motion, i).rolling, contact.geometry.point.normal);
+    const double rolling =
+        printed_rolling_speed(contact_motion(model.geometry, balance.motion, i).rolling, contact.geometry.point.normal);
     const contact::PatchMotion& motion = balance.sliding[i];
-    const auto add = [&](std::vector<double>& row, const contact::HertzContact& ellipse,
-                         double larger_curvature, double rolling_speed) {
-      const contact::Film film = contact::sandu_film(
-          *model.oils.threads[i], {load, larger_curvature, contact.contact_modulus}, rolling_speed);
+    const auto add = [&](std::vector<double>& row, const contact::HertzContact& ellipse, double larger_curvature,
+                         double rolling_speed) {
+      const contact::Film film =
+          contact::sandu_film(*model.oils.threads[i], {load, larger_curvature, contact.contact_modulus}, rolling_speed);
       row.push_back(film.thickness * per_si::nanometre);
-      row.push_back(contact::Patch(grid, ellipse, contact::coulomb_friction(0.0))
-                        .friction(motion)
-                        .max_sliding_speed *
+      row.push_back(contact::Patch(grid, ellipse, contact::coulomb_friction(0.0)).friction(motion).max_sliding_speed *
                     per_si::millimetre);
     };
     add(thesis, printed_ellipse(relative, load, contact.contact_modulus), relative.second, rolling);
-    add(here, contact::at_load(contact.hertz, load), contact.geometry.relative.second,
-        motion.rolling_speed);
+    add(here, contact::at_load(contact.hertz, load), contact.geometry.relative.second, motion.rolling_speed);
   }
   return {
       "Figs. 2.8 and 2.9: film thickness and largest sliding speed; `thesis` takes absolute values "
@@ -173,12 +162,10 @@ double height_on_roller(const Contacts& contacts) {
 Json reciprocating_rig(double contact_modulus) {
   constexpr double kBallRadius = 3e-3, kMass = 0.5, kGravity = 9.81, kStroke = 1e-3;
   constexpr double kFrequency = 20.0, kPressureInScrew = 2.5e9;
-  const contact::HertzConstants ball =
-      contact::hertz_constants(1.0 / kBallRadius, 1.0 / kBallRadius, contact_modulus);
+  const contact::HertzConstants ball = contact::hertz_constants(1.0 / kBallRadius, 1.0 / kBallRadius, contact_modulus);
   const double pressure = contact::at_load(ball, kMass * kGravity).peak_pressure;
-  return {{"peak_pressure_GPa", pressure * per_si::gigapascal},  // (2.41)
-          {"max_speed_mm_per_s",
-           std::numbers::pi * kStroke * kFrequency * per_si::millimetre},  // (2.42)
+  return {{"peak_pressure_GPa", pressure * per_si::gigapascal},                                  // (2.41)
+          {"max_speed_mm_per_s", std::numbers::pi * kStroke * kFrequency * per_si::millimetre},  // (2.42)
           {"mass_for_2_5_GPa_kg", kMass * std::pow(kPressureInScrew / pressure, 3.0)}};
 }
 
@@ -204,19 +191,16 @@ Json derived(const Result& result) {
 
 /// Table 1.5 against the exact a/b, for ratios of the relative curvatures.
 ValidationTable ellipticity_approximations() {
-  ValidationTable table{
-      "Table 1.5: error of a/b by each approximation against the exact one, in %",
-      {"q = kappa_2/kappa_1", "exact a/b", "1.03 q^0.64", "q^(2/pi)", "q^(2/3)", "Antoine et al."},
-      {}};
-  for (const double q :
-       {1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+  ValidationTable table{"Table 1.5: error of a/b by each approximation against the exact one, in %",
+                        {"q = kappa_2/kappa_1", "exact a/b", "1.03 q^0.64", "q^(2/pi)", "q^(2/3)", "Antoine et al."},
+                        {}};
+  for (const double q : {1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
     const double exact = 1.0 / contact::ellipticity(1.0 / q);
     const auto error = [&](double approximation) { return 100.0 * (approximation / exact - 1.0); };
     table.rows.push_back(
         {fmt::format("{:g}", q),
-         {exact, error(contact::hamrock_dowson_ellipticity(q)),
-          error(contact::hamrock_brewe_ellipticity(q)), error(contact::johnson_ellipticity(q)),
-          error(contact::antoine_ellipticity(q))}});
+         {exact, error(contact::hamrock_dowson_ellipticity(q)), error(contact::hamrock_brewe_ellipticity(q)),
+          error(contact::johnson_ellipticity(q)), error(contact::antoine_ellipticity(q))}});
   }
   return table;
 }
@@ -231,8 +215,7 @@ SourceExtension extension() {
               [](const Case& reference, const Reference& thesis) {
                 return Supplement{
                     .statements = compare_statements(reference, thesis),
-                    .tables = {printed_ellipses(reference), patch_convergence(reference),
-                               efficiency_fits(reference)}};
+                    .tables = {printed_ellipses(reference), patch_convergence(reference), efficiency_fits(reference)}};
               },
           .subject = "reference_example.yaml"};
 }

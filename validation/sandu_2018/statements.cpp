@@ -34,8 +34,7 @@ void flank_angle(Case& c, double deg) {
 }
 void roller_profile(Case& c, double mm) { c.mechanism.profile.roller.radius = mm * 1e-3; }
 void screw_profile(Case& c, double mm) {
-  c.mechanism.profile.screw = {mm > 0.0 ? Profile::Shape::convex : Profile::Shape::concave,
-                               std::abs(mm) * 1e-3};
+  c.mechanism.profile.screw = {mm > 0.0 ? Profile::Shape::convex : Profile::Shape::concave, std::abs(mm) * 1e-3};
 }
 void rollers(Case& c, double n) { c.mechanism.rollers = static_cast<int>(n); }
 void clearance(Case& c, double mm) { c.carrier.bearing->radial_clearance = mm * 1e-3; }
@@ -76,17 +75,13 @@ double efficiency(const SlipResult& s) { return s.efficiency.value_or(0.0); }
 double loss(const SlipResult& s) { return s.power.total(); }
 double optimality_of(const SlipResult& s) { return s.optimality; }
 double screw_share(const SlipResult& s) { return s.power.screw / s.power.total(); }
-double friction_at_screw(const SlipResult& s) {
-  return s.threads.screw.friction_coefficient.front();
-}
+double friction_at_screw(const SlipResult& s) { return s.threads.screw.friction_coefficient.front(); }
 double friction_at_nut(const SlipResult& s) { return s.threads.nut.friction_coefficient.front(); }
 
 double least(const Values& v) { return *std::min_element(v.begin(), v.end()); }
 double greatest(const Values& v) { return *std::max_element(v.begin(), v.end()); }
 double spread(const Values& v) { return greatest(v) - least(v); }
-bool rises(const Values& v) {
-  return std::ranges::adjacent_find(v, std::greater_equal{}) == v.end();
-}
+bool rises(const Values& v) { return std::ranges::adjacent_find(v, std::greater_equal{}) == v.end(); }
 bool falls(const Values& v) { return std::ranges::adjacent_find(v, std::less_equal{}) == v.end(); }
 
 std::string listed(const Values& v, double factor = 1.0, int decimals = 2) {
@@ -106,9 +101,7 @@ struct Mechanics {
   SlipModel model;
 
   explicit Mechanics(const Case& c)
-      : result(analyze_slip(c)),
-        models(c, result.contacts),
-        model(models.of(result.load_cases.front())) {}
+      : result(analyze_slip(c)), models(c, result.contacts), model(models.of(result.load_cases.front())) {}
   Mechanics(const Mechanics&) = delete;
   Mechanics& operator=(const Mechanics&) = delete;
 
@@ -118,9 +111,7 @@ struct Mechanics {
     balance_at(model, slip().slip_ratio, b);
     return b;
   }
-  double static_load(Interface i) const {
-    return (*result.load_cases.front().threads)[i].normal_load.front();
-  }
+  double static_load(Interface i) const { return (*result.load_cases.front().threads)[i].normal_load.front(); }
 };
 
 // Chapter 2 ---------------------------------------------------------------------------------------
@@ -153,16 +144,15 @@ Finding more_friction_raises_the_slip_ratio(const Case& c) {
   const auto ratio = [](const SlipResult& s) { return s.slip_ratio; };
   if (coulomb(c)) {
     const Values coefficients{0.03, 0.05, 0.08, 0.111, 0.16};
-    const Values ratios = of(
-        sweep(c, coefficients, [](Case& varied, double mu) { varied.friction->coefficient = mu; }),
-        ratio);
+    const Values ratios =
+        of(sweep(c, coefficients, [](Case& varied, double mu) { varied.friction->coefficient = mu; }), ratio);
     return {rises(ratios), "mu = " + listed(coefficients, 1, 3) + ": " + listed(ratios, 1, 5)};
   }
   const Values by_stress = of(sweep(c, kStresses, eyring_stress), ratio);
   const Values by_viscosity = of(sweep(c, kViscosities, viscosity), ratio);
-  return {rises(by_stress) && rises(by_viscosity),
-          range(kStresses, "MPa Eyring stress: ") + listed(by_stress, 1, 5) + "; " +
-              range(kViscosities, "mPa s: ") + listed(by_viscosity, 1, 5)};
+  return {rises(by_stress) && rises(by_viscosity), range(kStresses, "MPa Eyring stress: ") + listed(by_stress, 1, 5) +
+                                                       "; " + range(kViscosities, "mPa s: ") +
+                                                       listed(by_viscosity, 1, 5)};
 }
 
 Finding nut_contact_spins(const Case& c) {
@@ -184,8 +174,7 @@ double newtonian_friction(const Case& c, double viscosity_pa_s) {
   const Mechanics m(at(c, slip_ratio, kMeasuredSlipRatio));
   const InterfaceLoads& loads = m.result.load_cases.front().threads->screw;
   const double area = std::numbers::pi * loads.semi_major.front() * loads.semi_minor.front();
-  return viscosity_pa_s * m.slip().threads.screw.sliding_speed.front() / 300e-9 * area /
-         loads.normal_load.front();
+  return viscosity_pa_s * m.slip().threads.screw.sliding_speed.front() / 300e-9 * area / loads.normal_load.front();
 }
 
 Finding newtonian_friction_is_tiny(const Case& c) {
@@ -197,8 +186,7 @@ Finding newtonian_friction_under_pressure_exceeds_one(const Case& c) {
   const Mechanics m(at(c, slip_ratio, kMeasuredSlipRatio));
   const double mean = 2.0 / 3.0 * m.result.load_cases.front().threads->screw.peak_pressure.front();
   const double mu = newtonian_friction(
-      c, c.lubricant->viscosity.value() *
-             contact::roelands_viscosity_ratio(c.lubricant->viscosity.value(), mean));
+      c, c.lubricant->viscosity.value() * contact::roelands_viscosity_ratio(c.lubricant->viscosity.value(), mean));
   return {mu > 10.0, fmt::format("mu = {:.1g} with Roelands' viscosity at the mean pressure", mu)};
 }
 
@@ -225,9 +213,8 @@ Finding coulomb_would_do(const Case& c) {
 struct TabulatedLubricant {
   double pressure_viscosity, viscosity, eyring_stress;
 };
-constexpr TabulatedLubricant kLubricants[] = {{28.7, 28.4, 8},   {16.5, 4.6, 8},
-                                              {35.0, 266.0, 8},  {30.0, 166.5, 8},
-                                              {30.0, 166.5, 10}, {30.0, 166.5, 12}};
+constexpr TabulatedLubricant kLubricants[] = {{28.7, 28.4, 8},  {16.5, 4.6, 8},    {35.0, 266.0, 8},
+                                              {30.0, 166.5, 8}, {30.0, 166.5, 10}, {30.0, 166.5, 12}};
 
 /// mu_a of every lubricant of table 2.2 along the slip ratio.
 std::vector<Values> friction_along_slip(const Case& c, double (*quantity)(const SlipResult&)) {
@@ -245,8 +232,7 @@ std::vector<Values> friction_along_slip(const Case& c, double (*quantity)(const 
 Finding friction_at_screw_falls_with_the_slip_ratio(const Case& c) {
   const std::vector<Values> friction = friction_along_slip(c, friction_at_screw);
   return {std::ranges::all_of(friction, falls),
-          "slip ratio 0.05 to 0.37, lubricants of table 2.2; SKF LGWA2: " +
-              listed(friction.back(), 1, 4)};
+          "slip ratio 0.05 to 0.37, lubricants of table 2.2; SKF LGWA2: " + listed(friction.back(), 1, 4)};
 }
 
 Finding friction_at_nut_rises_less(const Case& c) {
@@ -262,8 +248,7 @@ Finding friction_falls_with_viscosity_and_stress(const Case& c) {
   const Results weaker = sweep(c, kStresses, eyring_stress);
   const bool holds = rises(of(thinner, friction_at_screw)) && rises(of(thinner, friction_at_nut)) &&
                      rises(of(weaker, friction_at_screw)) && rises(of(weaker, friction_at_nut));
-  return {holds, "at I, " + range(kViscosities, "mPa s: ") +
-                     listed(of(thinner, friction_at_screw), 1, 4) + "; " +
+  return {holds, "at I, " + range(kViscosities, "mPa s: ") + listed(of(thinner, friction_at_screw), 1, 4) + "; " +
                      range(kStresses, "MPa: ") + listed(of(weaker, friction_at_screw), 1, 4)};
 }
 
@@ -285,8 +270,8 @@ double uniform_sliding_share(const Case& c) {
 
 Finding sliding_friction_dominates(const Case& c) {
   const double share = uniform_sliding_share(c);
-  return {share > 0.9, fmt::format("{:.1f} %, without any part of the spin; inverted: {:.1f} %",
-                                   100 * share, 100 * uniform_sliding_share(inverted(c)))};
+  return {share > 0.9, fmt::format("{:.1f} %, without any part of the spin; inverted: {:.1f} %", 100 * share,
+                                   100 * uniform_sliding_share(inverted(c)))};
 }
 
 Finding spin_torques_oppose_the_roller(const Case& c) {
@@ -303,34 +288,29 @@ Finding spin_torques_oppose_the_roller(const Case& c) {
                        b.motion.roller_to_carrier);
   };
   const std::string standard = in_equilibrium(c), other = in_equilibrium(inverted(c));
-  return {oppose,
-          fmt::format("in equilibrium: standard {}, inverted {}; an inverted roller-nut contact "
-                      "spins the other way, and helps, beyond epsilon = 1/(1 + Gamma) = {:.3f}",
-                      standard, other, 1.0 / (1.0 + slip_of(inverted(c)).gear_ratio))};
+  return {oppose, fmt::format("in equilibrium: standard {}, inverted {}; an inverted roller-nut contact "
+                              "spins the other way, and helps, beyond epsilon = 1/(1 + Gamma) = {:.3f}",
+                              standard, other, 1.0 / (1.0 + slip_of(inverted(c)).gear_ratio))};
 }
 
 Finding static_torques_are_those_of_the_lead(const Case& c) {
-  const double torque =
-      c.load_cases.front().axial_force * c.mechanism.lead / (2.0 * std::numbers::pi);
+  const double torque = c.load_cases.front().axial_force * c.mechanism.lead / (2.0 * std::numbers::pi);
   const SlipResult s = slip_of(without_friction(c));
-  const double error =
-      std::max(std::abs(s.torque_screw / torque - 1.0), std::abs(s.torque_nut / torque + 1.0));
-  return {error < 1e-10, fmt::format("F_N l/(2 pi) = {:.4f} N m, C_S = {:.4f}, C_N = {:.4f} N m",
-                                     torque, s.torque_screw, s.torque_nut)};
+  const double error = std::max(std::abs(s.torque_screw / torque - 1.0), std::abs(s.torque_nut / torque + 1.0));
+  return {error < 1e-10, fmt::format("F_N l/(2 pi) = {:.4f} N m, C_S = {:.4f}, C_N = {:.4f} N m", torque,
+                                     s.torque_screw, s.torque_nut)};
 }
 
 Finding static_force_along_the_orbit_vanishes(const Case& c) {
   const RollerForces f = slip_of(without_friction(c)).forces;
   return {std::abs(f.contacts_y) < 1e-9 * std::abs(f.contacts_x) && f.contacts_x > 0.0,
-          fmt::format("{:.1e} N along the orbit, {:.2f} N radially on each roller", f.contacts_y,
-                      f.contacts_x)};
+          fmt::format("{:.1e} N along the orbit, {:.2f} N radially on each roller", f.contacts_y, f.contacts_x)};
 }
 
 Finding carrier_is_loaded_radially(const Case& c) {
   const RollerForces f = slip_of(c).forces;
   return {std::abs(f.carrier_x) > 100.0 * std::abs(f.carrier_y),
-          fmt::format("{:.1f} N radially, {:.2f} N along the orbit on each roller", f.carrier_x,
-                      f.carrier_y)};
+          fmt::format("{:.1f} N radially, {:.2f} N along the orbit on each roller", f.carrier_x, f.carrier_y)};
 }
 
 Finding rollers_are_pushed_to_the_geared_part(const Case& c) {
@@ -352,8 +332,8 @@ Finding dynamic_loads_rise_slightly(const Case& c) {
     return std::abs(m.slip().threads[i].dynamic_normal_load.front() / m.static_load(i) - 1.0);
   };
   return {std::max(rise(Interface::screw), rise(Interface::nut)) < 0.05,
-          fmt::format("by {:.1f} % at I and {:.2f} % at J (judged against 5 %)",
-                      100 * rise(Interface::screw), 100 * rise(Interface::nut))};
+          fmt::format("by {:.1f} % at I and {:.2f} % at J (judged against 5 %)", 100 * rise(Interface::screw),
+                      100 * rise(Interface::nut))};
 }
 
 /// Power where ellipse, pressure and film follow from the dynamic loads.
@@ -369,13 +349,11 @@ Finding dynamic_ellipses_change_little(const Case& c) {
       std::vector<contact::Patch>& patches = model.threads[i].patches;
       patches.clear();
       if (coulomb(c))
-        patches.emplace_back(m.models.grid(), ellipse,
-                             contact::coulomb_friction(c.friction->coefficient));
+        patches.emplace_back(m.models.grid(), ellipse, contact::coulomb_friction(c.friction->coefficient));
       else
-        patches.emplace_back(
-            m.models.grid(), ellipse,
-            contact::film_friction(*model.oils.threads[i], {load, contact.geometry.relative.second,
-                                                            contact.contact_modulus}));
+        patches.emplace_back(m.models.grid(), ellipse,
+                             contact::film_friction(*model.oils.threads[i],
+                                                    {load, contact.geometry.relative.second, contact.contact_modulus}));
     }
     e = find_slip_equilibrium(model);
   }
@@ -388,8 +366,7 @@ Finding residue_is_monotonous(const Case& c) {
   for (const Case& type : {c, inverted(c)}) {
     const Result result = analyze_slip(type);
     Values residue;
-    for (const RollerMoments& m : slip_pictures(type, result, 0).residue.moments)
-      residue.push_back(m.residue());
+    for (const RollerMoments& m : slip_pictures(type, result, 0).residue.moments) residue.push_back(m.residue());
     holds = holds && (rises(residue) || falls(residue)) && residue.front() * residue.back() < 0.0;
   }
   return {holds,
@@ -400,26 +377,24 @@ Finding residue_is_monotonous(const Case& c) {
 Finding solution_lies_between_measurement_and_ideal(const Case& c) {
   const SlipResult s = slip_of(c);
   return {s.slip_ratio > kMeasuredSlipRatio && s.slip_ratio < s.ideal_slip_ratio,
-          fmt::format("{:.4f} < {:.6f} < {:.6f}", kMeasuredSlipRatio, s.slip_ratio,
-                      s.ideal_slip_ratio)};
+          fmt::format("{:.4f} < {:.6f} < {:.6f}", kMeasuredSlipRatio, s.slip_ratio, s.ideal_slip_ratio)};
 }
 
 Finding only_gears_drive_the_roller(const Case& c) {
   const Mechanics m(c);
   const RollerMoments r = m.slip().moments;
   const double turns = m.balance().motion.roller_to_carrier;
-  const bool holds = r.gears * turns > 0.0 && r.contacts * turns < 0.0 && r.spin * turns < 0.0 &&
-                     r.carrier * turns < 0.0;
+  const bool holds =
+      r.gears * turns > 0.0 && r.contacts * turns < 0.0 && r.spin * turns < 0.0 && r.carrier * turns < 0.0;
   const double mm = per_si::newton_millimetre;
-  return {holds, fmt::format("gears {:.1f}, contacts {:.1f}, spin {:.1f}, carrier {:.1f} N mm",
-                             r.gears * mm, r.contacts * mm, r.spin * mm, r.carrier * mm)};
+  return {holds, fmt::format("gears {:.1f}, contacts {:.1f}, spin {:.1f}, carrier {:.1f} N mm", r.gears * mm,
+                             r.contacts * mm, r.spin * mm, r.carrier * mm)};
 }
 
 Finding bearing_moment_is_small(const Case& c) {
   const RollerMoments r = slip_of(c).moments;
   return {r.carrier < 0.05 * std::abs(r.gears),
-          fmt::format("{:.1f} % of the moment of the gears (judged against 5 %)",
-                      100 * r.carrier / std::abs(r.gears))};
+          fmt::format("{:.1f} % of the moment of the gears (judged against 5 %)", 100 * r.carrier / std::abs(r.gears))};
 }
 
 Finding torques_are_equal_and_opposite(const Case& c) {
@@ -435,15 +410,12 @@ Finding dynamic_torque_exceeds_the_static_one(const Case& c) {
 }
 
 Finding both_powers_agree_in_equilibrium(const Case& c) {
-  const auto difference = [](const SlipResult& s) {
-    return s.power_loss_input_output / s.power.total() - 1.0;
-  };
+  const auto difference = [](const SlipResult& s) { return s.power_loss_input_output / s.power.total() - 1.0; };
   const double free = difference(slip_of(c));
   const double imposed = difference(slip_of(at(c, slip_ratio, kMeasuredSlipRatio)));
-  return {
-      std::abs(free) < 1e-10 && std::abs(imposed) > 1e-3,
-      fmt::format("they differ by {:.0e} in equilibrium, by {:.1f} % at the measured slip ratio",
-                  std::abs(free), 100 * imposed)};
+  return {std::abs(free) < 1e-10 && std::abs(imposed) > 1e-3,
+          fmt::format("they differ by {:.0e} in equilibrium, by {:.1f} % at the measured slip ratio", std::abs(free),
+                      100 * imposed)};
 }
 
 /// Error of the power against 301 x 301 points.
@@ -476,25 +448,24 @@ Finding screw_contacts_take_most(const Case& c) {
 Finding nut_spin_counts(const Case& c) {
   const PowerBySource p = slip_of(c).power;
   const double share = p.nut / p.total();
-  return {share > 0.01 && share < 0.1,
-          fmt::format("{:.1f} % (judged against 1 and 10 %)", 100 * share)};
+  return {share > 0.01 && share < 0.1, fmt::format("{:.1f} % (judged against 1 and 10 %)", 100 * share)};
 }
 
 Finding bearing_power_is_very_small(const Case& c) {
   const PowerBySource p = slip_of(c).power;
   Case without = c;
   without.carrier.bearing.reset();
-  return {p.carrier_roller < 0.02 * p.total(),
-          fmt::format("{:.2f} % of the power (judged against 2 %), {:.2f} points of efficiency",
-                      100 * p.carrier_roller / p.total(),
-                      100 * (efficiency(slip_of(without)) - efficiency(slip_of(c))))};
+  return {
+      p.carrier_roller < 0.02 * p.total(),
+      fmt::format("{:.2f} % of the power (judged against 2 %), {:.2f} points of efficiency",
+                  100 * p.carrier_roller / p.total(), 100 * (efficiency(slip_of(without)) - efficiency(slip_of(c))))};
 }
 
 Finding power_falls_with_the_diameter(const Case& c) {
   const Results results = sweep(c, kDiameters, diameter);
   const Values power = of(results, loss), eff = of(results, efficiency);
-  return {falls(power) && spread(eff) < 0.02, range(kDiameters, "mm: ") + listed(power, 1, 1) +
-                                                  " W; efficiency " + listed(eff, 100) + " %"};
+  return {falls(power) && spread(eff) < 0.02,
+          range(kDiameters, "mm: ") + listed(power, 1, 1) + " W; efficiency " + listed(eff, 100) + " %"};
 }
 
 Finding efficiency_is_constant(const Case& c) {
@@ -523,9 +494,7 @@ Finding efficiency_is_constant(const Case& c) {
 }
 
 /// How well a line fits: its largest error over the range of the values.
-double nonlinearity(const Values& x, const Values& y) {
-  return line_through(x, y).worst / spread(y);
-}
+double nonlinearity(const Values& x, const Values& y) { return line_through(x, y).worst / spread(y); }
 
 Values logarithms(Values v) {
   for (double& x : v) x = std::log(x);
@@ -540,8 +509,7 @@ Finding efficiency_falls_linearly(const Case& c) {
   return {falls(by_stress) && falls(by_viscosity) && std::max(stress, viscosities) < 0.05,
           fmt::format("a line misses by {:.1f} % of the change over {} and {:.1f} % over {} "
                       "(judged against 5 %)",
-                      100 * stress, range(kStresses, "MPa"), 100 * viscosities,
-                      range(kViscosities, "mPa s"))};
+                      100 * stress, range(kStresses, "MPa"), 100 * viscosities, range(kViscosities, "mPa s"))};
 }
 
 Finding efficiency_tends_to_one(const Case& c) {
@@ -588,13 +556,11 @@ Finding power_is_proportional_to_stress_and_viscosity(const Case& c) {
     return Values{least(ratio), greatest(ratio)};
   };
   const Values stress = ratios(of(sweep(c, kStresses, eyring_stress), loss), kStresses);
-  const Values thick =
-      ratios(of(sweep(c, kViscosities, viscosity), loss), logarithms(kViscosities));
+  const Values thick = ratios(of(sweep(c, kViscosities, viscosity), loss), logarithms(kViscosities));
   return {stress[1] < 1.1 * stress[0] && thick[1] < 1.1 * thick[0],
           fmt::format("{:.1f} to {:.1f} W/MPa over {}; {:.1f} to {:.1f} W per unit of ln(eta_0/mPa "
                       "s) over {} (judged against 10 %)",
-                      stress[0], stress[1], range(kStresses, "MPa"), thick[0], thick[1],
-                      range(kViscosities, "mPa s"))};
+                      stress[0], stress[1], range(kStresses, "MPa"), thick[0], thick[1], range(kViscosities, "mPa s"))};
 }
 
 Finding nut_torque_adds_linearly(const Case& c) {
@@ -615,8 +581,8 @@ Finding precise_bearings_cost(const Case& c) {
   for (const double mm : values) ratios.push_back(ratio(mm));
   return {ratios.front() > 0.5 && least({ratio(0.1), ratio(0.15), ratio(0.25)}) < 0.5 &&
               greatest({ratio(0.1), ratio(0.15), ratio(0.25)}) < 0.5,
-          "bearing over roller-nut power for e_b = " + listed(values, 1, 4) +
-              " mm: " + listed(ratios) + " (judged: below 0.5 from 0.1 mm on)"};
+          "bearing over roller-nut power for e_b = " + listed(values, 1, 4) + " mm: " + listed(ratios) +
+              " (judged: below 0.5 from 0.1 mm on)"};
 }
 
 Finding profiles_and_rollers_hardly_matter(const Case& c) {
@@ -645,9 +611,8 @@ Finding forty_five_degrees_is_good(const Case& c) {
 Finding lead_raises_the_power(const Case& c) {
   const Results results = sweep(c, kLeads, lead);
   const Values power = of(results, loss), eff = of(results, efficiency);
-  return {
-      rises(power) && power.back() > 2.0 * power.front() && spread(eff) < 0.02,
-      range(kLeads, "mm: ") + listed(power, 1, 0) + " W; efficiency " + listed(eff, 100) + " %"};
+  return {rises(power) && power.back() > 2.0 * power.front() && spread(eff) < 0.02,
+          range(kLeads, "mm: ") + listed(power, 1, 0) + " W; efficiency " + listed(eff, 100) + " %"};
 }
 
 Finding efficiency_is_around_80_percent(const Case& c) {
@@ -664,8 +629,7 @@ const Checks<Case> kChecks{
     {"nut_contact_spins", nut_contact_spins},
     {"screw_contact_mostly_slides", screw_contact_mostly_slides},
     {"newtonian_friction_is_tiny", newtonian_friction_is_tiny},
-    {"newtonian_friction_under_pressure_exceeds_one",
-     newtonian_friction_under_pressure_exceeds_one},
+    {"newtonian_friction_under_pressure_exceeds_one", newtonian_friction_under_pressure_exceeds_one},
     {"friction_is_higher_at_the_screw", friction_is_higher_at_the_screw},
     {"coulomb_would_do", coulomb_would_do},
     {"friction_at_screw_falls_with_the_slip_ratio", friction_at_screw_falls_with_the_slip_ratio},
@@ -698,8 +662,7 @@ const Checks<Case> kChecks{
     {"efficiency_tends_to_one", efficiency_tends_to_one},
     {"printed_fit_is_near", printed_fit_is_near},
     {"power_is_linear_in_speed_and_force", power_is_linear_in_speed_and_force},
-    {"power_is_proportional_to_stress_and_viscosity",
-     power_is_proportional_to_stress_and_viscosity},
+    {"power_is_proportional_to_stress_and_viscosity", power_is_proportional_to_stress_and_viscosity},
     {"nut_torque_adds_linearly", nut_torque_adds_linearly},
     {"precise_bearings_cost", precise_bearings_cost},
     {"profiles_and_rollers_hardly_matter", profiles_and_rollers_hardly_matter},
@@ -711,8 +674,8 @@ const Checks<Case> kChecks{
 }  // namespace
 
 std::vector<ComparedStatement> compare_statements(const Case& reference, const Reference& thesis) {
-  const std::vector<Variant<Case>> variants{
-      {"table 3.2", reference}, {"Coulomb friction of 0.111", with_coulomb(reference, 0.111)}};
+  const std::vector<Variant<Case>> variants{{"table 3.2", reference},
+                                            {"Coulomb friction of 0.111", with_coulomb(reference, 0.111)}};
   return compare(thesis.statements, kChecks, variants);
 }
 

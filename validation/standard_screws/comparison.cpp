@@ -12,14 +12,10 @@ constexpr double kMillimetre = 1e-3, kKilonewton = 1e3, kKilogramSquareMillimetr
 /// What is equal where only the lead differs.
 using Envelope = std::tuple<double, int, double, double>;
 
-Envelope envelope(const ScrewData& s) {
-  return {s.screw_diameter, *s.starts, *s.nut_diameter, *s.nut_length};
-}
+Envelope envelope(const ScrewData& s) { return {s.screw_diameter, *s.starts, *s.nut_diameter, *s.nut_length}; }
 
 /// Radius of an arc about the roller's axis [m].
-double centred_radius(const ScrewData& s) {
-  return 0.5 * s.screw_diameter / (*s.starts - 2) / std::sin(s.flank_angle);
-}
+double centred_radius(const ScrewData& s) { return 0.5 * s.screw_diameter / (*s.starts - 2) / std::sin(s.flank_angle); }
 
 Ratios ratios(const CatalogueScrew& printed, Flanks flanks, int most_rollers) {
   ScrewData screw = printed.screw;
@@ -68,9 +64,7 @@ std::vector<CatalogueScrew> read_catalogue(const std::filesystem::path& file) {
   const CsvTable table(file);
   std::vector<CatalogueScrew> screws;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto number = [&](const char* key, double unit) {
-      return table.number(row, table.column(key)) * unit;
-    };
+    const auto number = [&](const char* key, double unit) { return table.number(row, table.column(key)) * unit; };
     CatalogueScrew s;
     s.name = table.text(row, table.column("screw"));
     s.screw.screw_diameter = number("screw_diameter_mm", kMillimetre);
@@ -90,8 +84,7 @@ std::vector<CatalogueScrew> read_catalogue(const std::filesystem::path& file) {
   return screws;
 }
 
-std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, Flanks flanks,
-                            Rollers rollers) {
+std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, Flanks flanks, Rollers rollers) {
   std::map<Envelope, int> fewest;
   for (const CatalogueScrew& s : catalogue) {
     const int fit = complete_screw(s.screw).c.mechanism.rollers;
@@ -100,14 +93,12 @@ std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, Flanks
   }
   std::vector<Ratios> rows;
   for (const CatalogueScrew& s : catalogue)
-    rows.push_back(ratios(s, flanks,
-                          rollers == Rollers::as_fit ? std::numeric_limits<int>::max()
-                                                     : fewest.at(envelope(s.screw))));
+    rows.push_back(
+        ratios(s, flanks, rollers == Rollers::as_fit ? std::numeric_limits<int>::max() : fewest.at(envelope(s.screw))));
   return rows;
 }
 
-Interval range(const std::vector<Ratios>& rows, double Ratios::*ratio,
-               bool (*counts)(const Ratios&)) {
+Interval range(const std::vector<Ratios>& rows, double Ratios::*ratio, bool (*counts)(const Ratios&)) {
   Interval range{std::numeric_limits<double>::infinity(), 0.0};
   for (const Ratios& r : rows)
     if (counts(r)) range = {std::min(range.least, r.*ratio), std::max(range.greatest, r.*ratio)};
@@ -144,15 +135,11 @@ bool weight_is_known(const Ratios& r) { return r.printed.weight_digit <= 0.1 * r
 
 std::string text(const Interval& i) { return fmt::format("{:.2f} to {:.2f}", i.least, i.greatest); }
 
-bool within(const Interval& i, double least, double greatest) {
-  return i.least >= least && i.greatest <= greatest;
-}
+bool within(const Interval& i, double least, double greatest) { return i.least >= least && i.greatest <= greatest; }
 
-Finding exponent(const Rows& rows, double (*printed)(const Ratios&),
-                 double (*computed)(const Ratios&), double margin) {
+Finding exponent(const Rows& rows, double (*printed)(const Ratios&), double (*computed)(const Ratios&), double margin) {
   const double of_maker = lead_exponent(rows, printed), ours = lead_exponent(rows, computed);
-  return {std::abs(ours - of_maker) <= margin,
-          fmt::format("exponent {:.2f} printed, {:.2f} computed", of_maker, ours)};
+  return {std::abs(ours - of_maker) <= margin, fmt::format("exponent {:.2f} printed, {:.2f} computed", of_maker, ours)};
 }
 
 Finding ratio(const Rows& rows, double Ratios::*of, double least, double greatest) {
@@ -164,12 +151,10 @@ Finding ratio(const Rows& rows, double Ratios::*of, double least, double greates
 const Checks<Rows> kChecks{
     {"dynamic_capacity_and_lead",
      [](const Rows& rows) { return exponent(rows, printed_dynamic, computed_dynamic, 0.05); }},
-    {"dynamic_capacity",
-     [](const Rows& rows) { return ratio(rows, &Ratios::dynamic_capacity, 0.6, 1.6); }},
+    {"dynamic_capacity", [](const Rows& rows) { return ratio(rows, &Ratios::dynamic_capacity, 0.6, 1.6); }},
     {"static_capacity_and_lead",
      [](const Rows& rows) { return exponent(rows, printed_static, computed_static, 0.05); }},
-    {"static_capacity",
-     [](const Rows& rows) { return ratio(rows, &Ratios::static_capacity, 0.5, 1.8); }},
+    {"static_capacity", [](const Rows& rows) { return ratio(rows, &Ratios::static_capacity, 0.5, 1.8); }},
     {"flank_edge",
      [](const Rows& rows) -> Finding {
        const Interval i = range(rows, &Ratios::flank_edge);
@@ -178,26 +163,23 @@ const Checks<Rows> kChecks{
     {"weight",
      [](const Rows& rows) -> Finding {
        const Interval i = range(rows, &Ratios::weight, weight_is_known);
-       return {within(i, 0.82, 1.18),
-               "where 0.1 kg is less than a fifth: computed over printed " + text(i)};
+       return {within(i, 0.82, 1.18), "where 0.1 kg is less than a fifth: computed over printed " + text(i)};
      }},
     {"nut_inertia", [](const Rows& rows) { return ratio(rows, &Ratios::nut_inertia, 0.82, 1.18); }},
-    {"roller_inertia",
-     [](const Rows& rows) { return ratio(rows, &Ratios::roller_inertia, 0.82, 1.18); }},
+    {"roller_inertia", [](const Rows& rows) { return ratio(rows, &Ratios::roller_inertia, 0.82, 1.18); }},
 };
 
 ValidationTable table(const Rows& rows, std::string of) {
-  ValidationTable table{"Computed over printed, " + std::move(of),
-                        {"screw", "rollers", "contacts", "C_a", "C_0 (4 GPa)", "flank edge",
-                         "weight", "nut inertia", "roller inertia"},
-                        {},
-                        2};
+  ValidationTable table{
+      "Computed over printed, " + std::move(of),
+      {"screw", "rollers", "contacts", "C_a", "C_0 (4 GPa)", "flank edge", "weight", "nut inertia", "roller inertia"},
+      {},
+      2};
   for (const Ratios& r : rows)
     table.rows.push_back(
         {r.printed.name,
-         {static_cast<double>(r.rollers), static_cast<double>(r.contacts_per_roller),
-          r.dynamic_capacity, r.static_capacity, r.flank_edge, r.weight, r.nut_inertia,
-          r.roller_inertia}});
+         {static_cast<double>(r.rollers), static_cast<double>(r.contacts_per_roller), r.dynamic_capacity,
+          r.static_capacity, r.flank_edge, r.weight, r.nut_inertia, r.roller_inertia}});
   return table;
 }
 
@@ -205,8 +187,7 @@ Supplement supplement(const Case&, const Reference& maker) {
   const std::vector<CatalogueScrew> catalogue = read_catalogue(maker.folder / "screws.csv");
   const std::vector<Variant<Rows>> variants{
       {"profile radii of 5 pitches", compare(catalogue, Flanks::by_rule)},
-      {"the same and as many rollers at every lead",
-       compare(catalogue, Flanks::by_rule, Rollers::as_at_coarsest_lead)},
+      {"the same and as many rollers at every lead", compare(catalogue, Flanks::by_rule, Rollers::as_at_coarsest_lead)},
       {"arcs about the rollers' axes", compare(catalogue, Flanks::centred)}};
   Supplement s;
   s.statements = compare(maker.statements, kChecks, variants);
@@ -216,8 +197,6 @@ Supplement supplement(const Case&, const Reference& maker) {
 
 }  // namespace
 
-SourceExtension extension() {
-  return {.folder = "standard_screws", .formulas = cylinders, .supplement = supplement};
-}
+SourceExtension extension() { return {.folder = "standard_screws", .formulas = cylinders, .supplement = supplement}; }
 
 }  // namespace prs::standard_screws

@@ -71,10 +71,9 @@ enum Response : std::size_t {
 
 /// Normal load over axial load by (27) and (28), from the roller's nominal angle and radius.
 double printed_load_ratio(const Mechanism& m) {
-  const double helix = std::atan(m.pitch.roller.value_or(axial_pitch(m)) /
-                                 (std::numbers::pi * *m.pitch_diameter.roller));
-  return 1.0 /
-         (std::cos(std::atan(std::tan(m.flank_angle.roller) * std::cos(helix))) * std::cos(helix));
+  const double helix =
+      std::atan(m.pitch.roller.value_or(axial_pitch(m)) / (std::numbers::pi * *m.pitch_diameter.roller));
+  return 1.0 / (std::cos(std::atan(std::tan(m.flank_angle.roller) * std::cos(helix))) * std::cos(helix));
 }
 
 /// The peak pressure, which grows with the cube root of the normal load.
@@ -85,8 +84,7 @@ double stress(const Case& c, const Result& result, Interface i, bool printed_loa
   return peak * std::cbrt(printed_load_ratio(c.mechanism) / right);
 }
 
-std::array<double, kResponseCount> responses(const Case& c, const Result& result,
-                                             bool printed_load) {
+std::array<double, kResponseCount> responses(const Case& c, const Result& result, bool printed_load) {
   const auto& screw = result.contacts.interfaces.screw.geometry;
   const auto& nut = result.contacts.interfaces.nut.geometry;
   return {stress(c, result, Interface::screw, printed_load),
@@ -111,8 +109,7 @@ class Ranking {
   /// [%], with the sign of the effect.
   double of(std::string_view input, Response response) const {
     const auto found = std::ranges::find(kInputs, input, &Input::name);
-    const FactorEffect& e =
-        fits_[response]->effects[static_cast<std::size_t>(found - std::begin(kInputs))];
+    const FactorEffect& e = fits_[response]->effects[static_cast<std::size_t>(found - std::begin(kInputs))];
     return std::copysign(e.contribution_percent, e.coefficient);
   }
   std::vector<std::string> ranked(Response response) const {
@@ -126,8 +123,7 @@ class Ranking {
   std::string listed(Response response, std::size_t count) const {
     std::vector<std::string> texts;
     for (const std::string& name : ranked(response))
-      if (texts.size() < count)
-        texts.push_back(fmt::format("{} {:+.2f}", name, of(name, response)));
+      if (texts.size() < count) texts.push_back(fmt::format("{} {:+.2f}", name, of(name, response)));
     return fmt::format("{} %", fmt::join(texts, ", "));
   }
 
@@ -205,8 +201,7 @@ Finding screw_radii(const Ranking& r) {
   const double screw = together(r, kScrewRadius, three);
   const double roller = together(r, kRollerRadiusAtScrew, three);
   return {std::min(screw, roller) > 100.0 - kLittle,
-          fmt::format("{:.1f} % on the screw, {:.1f} % on the roller (judged against 95)", screw,
-                      roller)};
+          fmt::format("{:.1f} % on the screw, {:.1f} % on the roller (judged against 95)", screw, roller)};
 }
 
 Finding screw_radii_signs(const Ranking& r) {
@@ -233,8 +228,7 @@ Finding nut_curvature(const Ranking& r) {
 
 Finding screw_stress_leaders(const Ranking& r) {
   const Names first = r.ranked(kScrewStress);
-  return {first[0] == "beta_R" && first[1] == "d_R0" &&
-              have_signs(r, kScrewStress, {"beta_R"}, {"d_R0"}),
+  return {first[0] == "beta_R" && first[1] == "d_R0" && have_signs(r, kScrewStress, {"beta_R"}, {"d_R0"}),
           r.listed(kScrewStress, 3)};
 }
 
@@ -243,18 +237,16 @@ Finding load_as_moduli(const Ranking& r) {
   double difference = 0.0;
   for (const char* modulus : {"E_S", "E_R"})
     difference = std::max(difference, std::abs(r.of(modulus, kScrewStress) - f));
-  return {f > 0.0 && difference < 0.02 * f,
-          fmt::format("F {:+.2f}, E_S {:+.2f}, E_R {:+.2f} % (judged to 2 % of them)", f,
-                      r.of("E_S", kScrewStress), r.of("E_R", kScrewStress))};
+  return {f > 0.0 && difference < 0.02 * f, fmt::format("F {:+.2f}, E_S {:+.2f}, E_R {:+.2f} % (judged to 2 % of them)",
+                                                        f, r.of("E_S", kScrewStress), r.of("E_R", kScrewStress))};
 }
 
 Finding ratios_after_flank_angle(const Ranking& r) {
   const Names order = r.ranked(kScrewStress);
   const auto at = std::ranges::find(order, "beta_S") - order.begin();
   const Names ratios{"nu_S", "nu_R"};
-  const bool follow =
-      std::ranges::find(ratios, order.at(static_cast<std::size_t>(at) + 1)) != ratios.end() &&
-      std::ranges::find(ratios, order.at(static_cast<std::size_t>(at) + 2)) != ratios.end();
+  const bool follow = std::ranges::find(ratios, order.at(static_cast<std::size_t>(at) + 1)) != ratios.end() &&
+                      std::ranges::find(ratios, order.at(static_cast<std::size_t>(at) + 2)) != ratios.end();
   return {follow && have_signs(r, kScrewStress, ratios, {}), r.listed(kScrewStress, 8)};
 }
 
@@ -262,11 +254,10 @@ Finding nut_angles(const Ranking& r) {
   const Names sequence{"P_N", "P_R", "d_R0", "beta_R", "beta_N"};
   bool holds = true;
   for (const Response response : {kNutAngle, kRollerAngleAtNut}) {
-    holds = holds && leads(r, response, sequence) &&
-            have_signs(r, response, {"P_N", "d_R0", "beta_N"}, {"P_R", "beta_R"});
+    holds =
+        holds && leads(r, response, sequence) && have_signs(r, response, {"P_N", "d_R0", "beta_N"}, {"P_R", "beta_R"});
     for (std::size_t k = 1; k < sequence.size(); ++k)
-      holds = holds && std::abs(r.of(sequence[k], response)) <
-                           std::abs(r.of(sequence[k - 1], response)) + 0.5;
+      holds = holds && std::abs(r.of(sequence[k], response)) < std::abs(r.of(sequence[k - 1], response)) + 0.5;
   }
   return {holds, "nut: " + r.listed(kNutAngle, 5) + "; roller: " + r.listed(kRollerAngleAtNut, 5) +
                      " (judged to half a point)"};
@@ -277,8 +268,7 @@ Finding nut_radii(const Ranking& r) {
   for (const Response response : {kNutRadius, kRollerRadiusAtNut})
     holds = holds && leads(r, response, {"d_R0", "beta_N", "beta_R"}) &&
             have_signs(r, response, {"d_R0", "beta_N", "P_N"}, {"beta_R", "P_R"});
-  return {holds,
-          "nut: " + r.listed(kNutRadius, 5) + "; roller: " + r.listed(kRollerRadiusAtNut, 5)};
+  return {holds, "nut: " + r.listed(kNutRadius, 5) + "; roller: " + r.listed(kRollerRadiusAtNut, 5)};
 }
 
 Finding stresses_alike(const Ranking& r) {
@@ -309,11 +299,11 @@ ValidationTable curvature_table(const Ranking& r) {
                         {"input", "screw, printed", "screw", "nut, printed", "nut"},
                         {},
                         2};
-  const auto row = [&](std::string label, std::string_view screw, std::string_view nut,
-                       double printed_screw, double printed_nut) {
-    table.rows.push_back({std::move(label),
-                          {printed_screw, std::abs(r.of(screw, kScrewCurvature)), printed_nut,
-                           std::abs(r.of(nut, kNutCurvature))}});
+  const auto row = [&](std::string label, std::string_view screw, std::string_view nut, double printed_screw,
+                       double printed_nut) {
+    table.rows.push_back(
+        {std::move(label),
+         {printed_screw, std::abs(r.of(screw, kScrewCurvature)), printed_nut, std::abs(r.of(nut, kNutCurvature))}});
   };
   row("d_R0", "d_R0", "d_R0", 50.08, 53.13);
   row("beta_R", "beta_R", "beta_R", 39.23, 41.72);
@@ -360,8 +350,7 @@ Json derived(const Result& result) {
   const PerInterface<InterfaceContact>& interfaces = result.contacts.interfaces;
   return {{"screw", ellipse(interfaces.screw)},
           {"nut", ellipse(interfaces.nut)},
-          {"roller_deflection_at_screw_deg",
-           deflection_at_screw(interfaces.screw.geometry.point) * per_si::degree}};
+          {"roller_deflection_at_screw_deg", deflection_at_screw(interfaces.screw.geometry.point) * per_si::degree}};
 }
 
 /// A contact point as table 2 prints it: radius [mm] and deflection [deg] on body and roller.
@@ -374,24 +363,21 @@ struct PrintedPoint {
 /// Components of the gap between the two printed points, (25) and (26), lines 3 and 4 [mm].
 ValidationTable::Row closure(const PrintedPoint& p) {
   constexpr double kCentreDistance = 32.0;
-  const double across = p.body_radius * std::sin(p.body_angle * kDegree) -
-                        p.roller_radius * std::sin(p.roller_angle * kDegree);
+  const double across =
+      p.body_radius * std::sin(p.body_angle * kDegree) - p.roller_radius * std::sin(p.roller_angle * kDegree);
   const double along = p.body_radius * std::cos(p.body_angle * kDegree) -
-                       p.side * p.roller_radius * std::cos(p.roller_angle * kDegree) -
-                       kCentreDistance;
+                       p.side * p.roller_radius * std::cos(p.roller_angle * kDegree) - kCentreDistance;
   return {p.label, {across, along, std::hypot(across, along)}};
 }
 
 ValidationTable closure_of_printed_points() {
-  ValidationTable table{
-      "Tables 1 and 2: gap between the two printed contact points, which should be one, in mm",
-      {"point", "across centres", "along centres", "distance"},
-      {}};
-  for (const PrintedPoint& p :
-       {PrintedPoint{"initial, screw-roller", -1, 24.1710, -3.6995, 8.0336, -11.2727},
-        PrintedPoint{"initial, nut-roller", 1, 40, 0, 8, 0},
-        PrintedPoint{"optimum, screw-roller", -1, 23.8722, -4.1559, 8.3843, -11.8005},
-        PrintedPoint{"optimum, nut-roller", 1, 39.9948, -0.0090, 7.9434, -0.0242}})
+  ValidationTable table{"Tables 1 and 2: gap between the two printed contact points, which should be one, in mm",
+                        {"point", "across centres", "along centres", "distance"},
+                        {}};
+  for (const PrintedPoint& p : {PrintedPoint{"initial, screw-roller", -1, 24.1710, -3.6995, 8.0336, -11.2727},
+                                PrintedPoint{"initial, nut-roller", 1, 40, 0, 8, 0},
+                                PrintedPoint{"optimum, screw-roller", -1, 23.8722, -4.1559, 8.3843, -11.8005},
+                                PrintedPoint{"optimum, nut-roller", 1, 39.9948, -0.0090, 7.9434, -0.0242}})
     table.rows.push_back(closure(p));
   return table;
 }
@@ -400,8 +386,7 @@ ValidationTable closure_of_printed_points() {
 
 Supplement sensitivity(const Case& initial, const Reference& paper) {
   const Rankings r = rankings(initial);
-  const std::vector<Variant<Ranking>> variants{{"Q = F/|n_z|", r.equilibrium},
-                                               {"Q of (27)", r.printed}};
+  const std::vector<Variant<Ranking>> variants{{"Q = F/|n_z|", r.equilibrium}, {"Q of (27)", r.printed}};
   return {.statements = compare(paper.statements, kChecks, variants),
           .tables = {curvature_table(r.equilibrium), stress_table(r)}};
 }

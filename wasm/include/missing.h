@@ -31,12 +31,8 @@ constexpr To bit_cast(const From& value) noexcept {
   return __builtin_bit_cast(To, value);
 }
 
-constexpr strong_ordering operator<=>(string_view a, string_view b) noexcept {
-  return a.compare(b) <=> 0;
-}
-inline strong_ordering operator<=>(const string& a, const string& b) noexcept {
-  return a.compare(b) <=> 0;
-}
+constexpr strong_ordering operator<=>(string_view a, string_view b) noexcept { return a.compare(b) <=> 0; }
+inline strong_ordering operator<=>(const string& a, const string& b) noexcept { return a.compare(b) <=> 0; }
 
 namespace ranges {
 
@@ -101,8 +97,7 @@ PRS_OF_ORDER(stable_sort)
 struct minmax_element_fn {
   template <class R, class C = ranges::less, class P = std::identity>
   constexpr auto operator()(R&& r, C c = {}, P p = {}) const {
-    const auto [least, largest] =
-        std::minmax_element(ranges::begin(r), ranges::end(r), compared_by(c, p));
+    const auto [least, largest] = std::minmax_element(ranges::begin(r), ranges::end(r), compared_by(c, p));
     struct result {
       decltype(ranges::begin(r)) min, max;
     };
@@ -168,18 +163,16 @@ struct adjacent_find_fn {
 struct lower_bound_fn {
   template <class R, class T, class C = ranges::less, class P = std::identity>
   constexpr auto operator()(R&& r, const T& value, C c = {}, P p = {}) const {
-    return std::lower_bound(
-        ranges::begin(r), ranges::end(r), value,
-        [&](const auto& a, const T& b) -> bool { return std::invoke(c, std::invoke(p, a), b); });
+    return std::lower_bound(ranges::begin(r), ranges::end(r), value,
+                            [&](const auto& a, const T& b) -> bool { return std::invoke(c, std::invoke(p, a), b); });
   }
 };
 
 struct upper_bound_fn {
   template <class R, class T, class C = ranges::less, class P = std::identity>
   constexpr auto operator()(R&& r, const T& value, C c = {}, P p = {}) const {
-    return std::upper_bound(
-        ranges::begin(r), ranges::end(r), value,
-        [&](const T& a, const auto& b) -> bool { return std::invoke(c, a, std::invoke(p, b)); });
+    return std::upper_bound(ranges::begin(r), ranges::end(r), value,
+                            [&](const T& a, const auto& b) -> bool { return std::invoke(c, a, std::invoke(p, b)); });
   }
 };
 

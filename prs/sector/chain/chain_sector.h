@@ -45,8 +45,7 @@ struct LaneRange {
   [[gnu::always_inline]] Real load(std::span<const double> values, std::size_t stride = 1,
                                    std::size_t offset = 0) const {
     if (values.empty()) return Real(0.0);
-    if (stride == 1 && first + kLanes<Real> <= size)
-      return from_lanes<Real>(values.data() + first + offset);
+    if (stride == 1 && first + kLanes<Real> <= size) return from_lanes<Real>(values.data() + first + offset);
     double lanes[kLanes<Real>];
     for (std::size_t l = 0; l < kLanes<Real>; ++l)
       lanes[l] = values[(first + l < size ? first + l : size - 1) * stride + offset];
@@ -164,15 +163,14 @@ struct RollerEnd {
 /// by.
 template <class Real>
 [[gnu::always_inline]] inline RollerEnd<Real> roller_end(const RollerLength<Real>& run_out,
-                                                         const RollerLength<Real>& end,
-                                                         const Real& outer_guide,
+                                                         const RollerLength<Real>& end, const Real& outer_guide,
                                                          const Real& inner_guide, const Real& side,
                                                          const Real& radius) {
   const Real &l1 = run_out.length, &l2 = end.length;
   const Real ii = l1 * l1 * l1 * run_out.bending * (1.0 / 3.0) + l1 * run_out.shear;
   const Real io = ii + 0.5 * l1 * l1 * l2 * run_out.bending;
-  const Real oo = io + l1 * l2 * (0.5 * l1 + l2) * run_out.bending +
-                  l2 * l2 * l2 * end.bending * (1.0 / 3.0) + l2 * end.shear;
+  const Real oo =
+      io + l1 * l2 * (0.5 * l1 + l2) * run_out.bending + l2 * l2 * l2 * end.bending * (1.0 / 3.0) + l2 * end.shear;
   const Real inner = 1.0 / (1.0 / inner_guide + ii);
   const Real share = io * inner;
   const Real outer = 1.0 / (1.0 / outer_guide + (oo - io * share));
@@ -193,8 +191,8 @@ struct RollerChain {
 };
 
 template <class Real>
-[[gnu::always_inline]] inline RollerBeam<Real> roller_beam(const RollerSection<Real>& section,
-                                                           const Real& length, const Real& radius) {
+[[gnu::always_inline]] inline RollerBeam<Real> roller_beam(const RollerSection<Real>& section, const Real& length,
+                                                           const Real& radius) {
   const Real shear = section.shear * length * length;
   const Real phi = select(shear <= 0.0, Real(0.0), 12.0 * section.bending / shear);
   const Real b = section.bending / (length * (1.0 + phi) * radius * radius);
@@ -202,18 +200,16 @@ template <class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline RollerLength<Real> roller_length(const RollerSection<Real>& section,
-                                                               const Real& length) {
-  return {length, 1.0 / section.bending,
-          select(section.shear <= 0.0, Real(0.0), 1.0 / section.shear)};
+[[gnu::always_inline]] inline RollerLength<Real> roller_length(const RollerSection<Real>& section, const Real& length) {
+  return {length, 1.0 / section.bending, select(section.shear <= 0.0, Real(0.0), 1.0 / section.shear)};
 }
 
 template <class Real>
 [[gnu::always_inline]] inline RollerChain<Real> roller_chain(const SectorNumbers<Real>& n) {
   const Real half = n.contact_half_distance;
-  const RollerEnd<Real> first = roller_end(roller_length(n.thread, Real(0.5 * n.pitch - half)),
-                                           roller_length(n.end, n.end_length), n.outer_guide,
-                                           n.inner_guide, Real(-1.0), n.roller_radius);
+  const RollerEnd<Real> first =
+      roller_end(roller_length(n.thread, Real(0.5 * n.pitch - half)), roller_length(n.end, n.end_length), n.outer_guide,
+                 n.inner_guide, Real(-1.0), n.roller_radius);
   return {roller_beam(n.thread, Real(n.pitch - 2.0 * half), n.roller_radius),
           {Real(0.0), Real(0.0), Real(0.0), Real(0.0)},
           {first, {first.vv, -first.vt, first.tt}},

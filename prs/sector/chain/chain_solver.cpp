@@ -58,8 +58,7 @@ void set_bars(const SectorModel& s, ChainSector& c) {
   c.nut.resize(s.gaps.nut.size());
   c.ground.resize(s.gaps.nut.size());
   const auto flange = [&](std::size_t i) -> const SectorModel::Flange& { return s.flanges[i]; };
-  NutOfBars<double, decltype(flange)>(s, s.flanges.size(), flange)
-      .set(c.contacts, c.nut.data(), c.ground.data());
+  NutOfBars<double, decltype(flange)>(s, s.flanges.size(), flange).set(c.contacts, c.nut.data(), c.ground.data());
 }
 
 }  // namespace
@@ -71,8 +70,8 @@ ChainSolver::ChainSolver(const SectorModel& model) : sector_(condense(model)) {
 }
 
 void ChainSolver::solve(double axial_force, LoadDistribution& result) {
-  simd::run_kernel(instructions_for(sector_.kind), SectorKernel{}, false, sector_, axial_force,
-                   options, loads_, workspace_.reserve(0));
+  simd::run_kernel(instructions_for(sector_.kind), SectorKernel{}, false, sector_, axial_force, options, loads_,
+                   workspace_.reserve(0));
   loads_.copy(0, options.residual_tolerance, result);
 }
 
@@ -92,19 +91,15 @@ ChainSector condense(const SectorModel& s) {
   const bool bars = !s.contacts_apart() && !s.nut_shell;
   if (!bars || s.has_compliance())
     for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < s.gaps[i].size(); ++k)
-        c.compliance[i].push_back(s.contact_compliance(i, k));
+      for (std::size_t k = 0; k < s.gaps[i].size(); ++k) c.compliance[i].push_back(s.contact_compliance(i, k));
   if (bars) {
     set_bars(s, c);
     return c;
   }
-  c.kind = !s.contacts_apart() ? Kind::shell
-           : s.sense < 0.0     ? Kind::apart_nut_first
-                               : Kind::apart_screw_first;
+  c.kind = !s.contacts_apart() ? Kind::shell : s.sense < 0.0 ? Kind::apart_nut_first : Kind::apart_screw_first;
   if (s.contacts_apart())
     c.roller.tooth = roller_beam<double>(s.thread, 2.0 * s.contact_half_distance, s.roller_radius);
-  if (s.nut_shell)
-    c.nut_rotation_part = s.sense * s.cosine.nut * s.nut_shell->contact_arm / s.roller_radius;
+  if (s.nut_shell) c.nut_rotation_part = s.sense * s.cosine.nut * s.nut_shell->contact_arm / s.roller_radius;
   set_nut(s, c);
   return c;
 }

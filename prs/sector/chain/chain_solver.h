@@ -73,8 +73,8 @@ class FallbackSolver {
   /// Whether a chain's result needs no other solver. Without a tangent stiffness, which some chains
   /// are not asked for, the displacement must make sense.
   static bool complete(const LoadDistribution& chain, bool with_tangent = true) {
-    return chain.solve.converged() && (chain.tangent_stiffness.has_value() ||
-                                       (!with_tangent && chain.axial_displacement > 0.0));
+    return chain.solve.converged() &&
+           (chain.tangent_stiffness.has_value() || (!with_tangent && chain.axial_displacement > 0.0));
   }
 
  private:

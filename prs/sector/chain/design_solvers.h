@@ -49,9 +49,7 @@ class RefinedDesignSolver {
 
   /// Whether a sector has a place here: one with a nut of shells whose roller's contacts stand
   /// opposite each other.
-  static bool takes(const SectorModel& s) {
-    return s.is_refined && s.bodies.has_shell() && !s.contacts_apart();
-  }
+  static bool takes(const SectorModel& s) { return s.is_refined && s.bodies.has_shell() && !s.contacts_apart(); }
 
   /// Those of the designs that it takes; the results of others stay.
   void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,

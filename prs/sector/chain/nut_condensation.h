@@ -27,8 +27,7 @@ inline void set_segments_of(const NutShape& shape, std::vector<int>& segment_of)
   segment_of.clear();
   const auto shell_of = [&](std::size_t interval) {
     const int node = shape.contacts[interval];
-    return shape.contacts[interval + 1] == node + 1 ? shape.same[static_cast<std::size_t>(node)]
-                                                    : -1;
+    return shape.contacts[interval + 1] == node + 1 ? shape.same[static_cast<std::size_t>(node)] : -1;
   };
   int segments = 0;
   for (std::size_t k = 0; k + 1 < shape.contacts.size(); ++k) {
@@ -43,18 +42,15 @@ template <class Real>
 class NutCondensation {
  public:
   /// `radius`: that rotations are scaled by.
-  NutCondensation(const NutShape& shape, const NutHolds& holds, const fe::ShellBlocks<Real>* shells,
-                  const Real& radius)
+  NutCondensation(const NutShape& shape, const NutHolds& holds, const fe::ShellBlocks<Real>* shells, const Real& radius)
       : shape_(shape), holds_(holds), shells_(shells), inverse_radius_(1.0 / radius) {}
 
   /// Supports of all contacts, and the segments that `set_segments_of` has counted.
-  void set(std::span<const int> segment_of, NutSegment<Real>* segments,
-           NutSupport<Real>* supports) const {
+  void set(std::span<const int> segment_of, NutSegment<Real>* segments, NutSupport<Real>* supports) const {
     const std::span<const int> contacts = shape_.contacts;
     for (std::size_t k = 0; k < contacts.size(); ++k) supports[k] = {};
     add(from_end(0, contacts.front(), 1), supports[0]);
-    add(from_end(static_cast<int>(shape_.same.size()), contacts.back(), -1),
-        supports[contacts.size() - 1]);
+    add(from_end(static_cast<int>(shape_.same.size()), contacts.back(), -1), supports[contacts.size() - 1]);
     for (std::size_t k = 0; k < contacts.size(); ++k)
       for (int i = 0, diagonal = 0; i < 3; diagonal += 3 - i, ++i)
         if (holds_(contacts[k], i)) supports[k].stiffness[diagonal] = Real(__builtin_inf());
@@ -79,8 +75,7 @@ class NutCondensation {
   };
 
   fe::ShellBlocks<Real> element(int node) const {
-    fe::ShellBlocks<Real> b =
-        shells_[static_cast<std::size_t>(shape_.same[static_cast<std::size_t>(node)])];
+    fe::ShellBlocks<Real> b = shells_[static_cast<std::size_t>(shape_.same[static_cast<std::size_t>(node)])];
     const Real square = inverse_radius_ * inverse_radius_;
     b.ut *= inverse_radius_;
     b.tt *= square;
@@ -94,10 +89,8 @@ class NutCondensation {
   template <int N>
   static void add_nodal(const fe::ShellBlocks<Real>& b, int first, Symmetric<N>& k) {
     // Over differences d and means m: stiffness of d, d with m, and m.
-    const Wide d[3][3] = {
-        {b.uu, Real(0.0), b.ut}, {Real(0.0), b.dd, Real(0.0)}, {b.ut, Real(0.0), b.tt}};
-    const Wide both[3][3] = {
-        {Real(0.0), b.uv, Real(0.0)}, {Real(0.0), Real(0.0), b.dm}, {Real(0.0), b.tv, Real(0.0)}};
+    const Wide d[3][3] = {{b.uu, Real(0.0), b.ut}, {Real(0.0), b.dd, Real(0.0)}, {b.ut, Real(0.0), b.tt}};
+    const Wide both[3][3] = {{Real(0.0), b.uv, Real(0.0)}, {Real(0.0), Real(0.0), b.dm}, {Real(0.0), b.tv, Real(0.0)}};
     const Wide m[3] = {Real(0.0), b.vv, b.mm};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -199,8 +192,8 @@ class NutCondensation {
 
   /// That of one shell.
   static void set_segment(const fe::ShellBlocks<Real>& b, NutSegment<Real>& s) {
-    const Real none(0.0), v = 0.25 * b.vv, t = 0.25 * b.mm, uv = 0.5 * b.uv,
-                          vt = 0.5 * (b.dm + b.tv), skew = 0.5 * (b.dm - b.tv);
+    const Real none(0.0), v = 0.25 * b.vv, t = 0.25 * b.mm, uv = 0.5 * b.uv, vt = 0.5 * (b.dm + b.tv),
+                          skew = 0.5 * (b.dm - b.tv);
     const Real dd = b.dd + v, tt = b.tt + t;
     const Real first[] = {b.uu, -uv, b.ut, dd, -vt, tt}, second[] = {b.uu, uv, b.ut, dd, vt, tt};
     const Real coupling[] = {-b.uu, -uv, -b.ut, uv, v - b.dd, -skew, -b.ut, skew, t - b.tt};

@@ -21,8 +21,7 @@ struct RefinedBatch {
   SectorNumbers<Real> numbers;
   RefinedNumbers<Real> bodies;
 
-  RefinedBatch(double* memory, std::size_t of_contacts, std::size_t of_nodes)
-      : contacts(of_contacts), nodes(of_nodes) {
+  RefinedBatch(double* memory, std::size_t of_contacts, std::size_t of_nodes) : contacts(of_contacts), nodes(of_nodes) {
     const auto take = [&]<class T>(T*& part, std::size_t count) {
       part = reinterpret_cast<T*>(memory);
       memory += count * (sizeof(T) / sizeof(double));
@@ -63,15 +62,12 @@ struct RefinedBatch {
     column(gap[1], contacts, [](const RefinedSector& s) { return s.gaps.nut; });
   }
 
-  void solve(const RefinedDesigns& designs, const LaneRange& range,
-             const fe::NewtonOptions& options, ThreadLoads& results) {
+  void solve(const RefinedDesigns& designs, const LaneRange& range, const fe::NewtonOptions& options,
+             ThreadLoads& results) {
     const NutShape& shape = designs.shape;
-    const Real arm =
-        set_nut_shells(shape, nut_numbers(numbers, bodies, sections, outer_radius, root), shells);
-    const NutHolds holds{shape.thrust, shape.held_radially(), false,
-                         shape.effects.flange && !shape.has_ring};
-    NutCondensation<Real>(shape, holds, shells, numbers.roller_radius)
-        .set(designs.segment_of, segments, supports);
+    const Real arm = set_nut_shells(shape, nut_numbers(numbers, bodies, sections, outer_radius, root), shells);
+    const NutHolds holds{shape.thrust, shape.held_radially(), false, shape.effects.flange && !shape.has_ring};
+    NutCondensation<Real>(shape, holds, shells, numbers.roller_radius).set(designs.segment_of, segments, supports);
     for (std::size_t k = 0; k < contacts; ++k) {
       compliance[0][k] = numbers.compliance.screw;
       compliance[1][k] = numbers.compliance.nut;
@@ -81,26 +77,24 @@ struct RefinedBatch {
     const auto count = static_cast<int>(contacts);
     Station station;
     station.stations = count;
-    station.set_parts(numbers,
-                      Real(numbers.sense * numbers.cosine.nut * arm / numbers.roller_radius));
+    station.set_parts(numbers, Real(numbers.sense * numbers.cosine.nut * arm / numbers.roller_radius));
     station.roller = roller_chain<Real>(numbers);
     station.segments = segments;
     station.segment_of = designs.segment_of.data();
     station.supports = supports;
-    const fe::ChainHertzInSeries<Real> law{
-        {numbers.hertz_constant.screw, numbers.hertz_constant.nut}, {compliance[0], compliance[1]}};
+    const fe::ChainHertzInSeries<Real> law{{numbers.hertz_constant.screw, numbers.hertz_constant.nut},
+                                           {compliance[0], compliance[1]}};
     const auto gap_at = [&](int i, int k) { return gap[i][k]; };
-    solve_sectors<Real>(numbers, count, station, law, records,
-                        range.load<Real>(designs.axial_forces), gap_at, options, range, results);
+    solve_sectors<Real>(numbers, count, station, law, records, range.load<Real>(designs.axial_forces), gap_at, options,
+                        range, results);
   }
 };
 
 }  // namespace
 
 template <class Arch>
-void RefinedKernel::operator()(Arch, const RefinedDesigns& designs,
-                               const fe::NewtonOptions& options, ThreadLoads& results,
-                               double* workspace) const {
+void RefinedKernel::operator()(Arch, const RefinedDesigns& designs, const fe::NewtonOptions& options,
+                               ThreadLoads& results, double* workspace) const {
   using Real = xsimd::batch<double, Arch>;
   RefinedBatch<Real> batch(workspace, designs.shape.contacts.size(), designs.shape.nodes());
   for (std::size_t from = 0; from < designs.sectors.size(); from += kLanes<Real>) {
@@ -110,7 +104,7 @@ void RefinedKernel::operator()(Arch, const RefinedDesigns& designs,
   }
 }
 
-template void RefinedKernel::operator()(PRS_SIMD_ARCHITECTURE, const RefinedDesigns&,
-                                        const fe::NewtonOptions&, ThreadLoads&, double*) const;
+template void RefinedKernel::operator()(PRS_SIMD_ARCHITECTURE, const RefinedDesigns&, const fe::NewtonOptions&,
+                                        ThreadLoads&, double*) const;
 
 }  // namespace prs

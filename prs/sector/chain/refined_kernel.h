@@ -29,17 +29,15 @@ struct RefinedKernel {
   using Station = ShellStation<double, ChainSector::Kind::shell>;
   /// Record, segment, support, compliance and gap at screw and nut.
   static constexpr std::size_t kNumbersOfContact =
-      (sizeof(fe::ChainRecord<double, Station>) + sizeof(NutSegment<double>) +
-       sizeof(NutSupport<double>)) /
+      (sizeof(fe::ChainRecord<double, Station>) + sizeof(NutSegment<double>) + sizeof(NutSupport<double>)) /
           sizeof(double) +
       4;
   /// Section, outer and root radius, shell.
-  static constexpr std::size_t kNumbersOfNode =
-      3 + sizeof(fe::ShellBlocks<double>) / sizeof(double);
+  static constexpr std::size_t kNumbersOfNode = 3 + sizeof(fe::ShellBlocks<double>) / sizeof(double);
 
   template <class Arch>
-  void operator()(Arch, const RefinedDesigns& designs, const fe::NewtonOptions& options,
-                  ThreadLoads& results, double* workspace) const;
+  void operator()(Arch, const RefinedDesigns& designs, const fe::NewtonOptions& options, ThreadLoads& results,
+                  double* workspace) const;
 };
 
 }  // namespace prs

@@ -85,8 +85,7 @@ struct Batch {
     const Real force = range.load<Real>(forces);
     const Real stiffness[2] = {numbers.hertz_constant.screw, numbers.hertz_constant.nut};
     const auto under = [&](const auto& law) {
-      solve_sectors<Real>(numbers, contacts, station, law, records, force, gap, options, range,
-                          results);
+      solve_sectors<Real>(numbers, contacts, station, law, records, force, gap, options, range, results);
     };
     if constexpr (Station::kFreedoms == Bars<Real>::kFreedoms)
       if (!compliant) return under(Hertz<Real>{{{stiffness[0], stiffness[1]}}});
@@ -96,8 +95,8 @@ struct Batch {
 };
 
 template <class Real>
-void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options,
-                   ThreadLoads& results, double* workspace) {
+void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options, ThreadLoads& results,
+                   double* workspace) {
   const int n = designs.contacts;
   Batch<Real, Bars<Real>> batch(workspace, n);
   for (std::size_t first = 0; first < designs.size(); first += kLanes<Real>) {
@@ -113,19 +112,15 @@ void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options,
         Real from, to, axial_rigidity;
       };
       const BarDesigns::Flange& f = designs.flanges[i];
-      return Flange{range.load<Real>(f.from), range.load<Real>(f.to),
-                    range.load<Real>(f.axial_rigidity)};
+      return Flange{range.load<Real>(f.from), range.load<Real>(f.to), range.load<Real>(f.axial_rigidity)};
     };
-    NutOfBars<Real, decltype(flange)>(batch.numbers, designs.flange_count, flange)
-        .set(n, batch.nut, batch.ground);
+    NutOfBars<Real, decltype(flange)>(batch.numbers, designs.flange_count, flange).set(n, batch.nut, batch.ground);
     batch.compliant = !designs.compliance.screw.empty() || !designs.compliance.nut.empty();
     if (batch.compliant)
       for (const Interface i : kInterfaces)
-        for (int k = 0; k < n; ++k)
-          batch.compliance[static_cast<int>(i)][k] = batch.numbers.compliance[i];
+        for (int k = 0; k < n; ++k) batch.compliance[static_cast<int>(i)][k] = batch.numbers.compliance[i];
     const auto gap = [&](int i, int k) {
-      return range.load<Real>(designs.gaps[kInterfaces[i]], static_cast<std::size_t>(n),
-                              static_cast<std::size_t>(k));
+      return range.load<Real>(designs.gaps[kInterfaces[i]], static_cast<std::size_t>(n), static_cast<std::size_t>(k));
     };
     batch.solve(n, gap, designs.axial_force, range, options, results);
   }
@@ -144,8 +139,8 @@ RollerEnd<Real> to_all(const RollerEnd<double>& e) {
 /// A sector's chain with the same numbers in all lanes.
 template <class Real, class Station>
 void set_all(Batch<Real, Station>& batch, const ChainSector& sector) {
-  for_each_number([](Real& number, const double& of_sector) { number = Real(of_sector); },
-                  batch.numbers, sector.numbers);
+  for_each_number([](Real& number, const double& of_sector) { number = Real(of_sector); }, batch.numbers,
+                  sector.numbers);
   const RollerChain<double>& roller = sector.roller;
   batch.station.roller = {to_all<Real>(roller.thread),
                           to_all<Real>(roller.tooth),
@@ -171,23 +166,20 @@ void set_station(Batch<double, Shell<double, kKind>>& batch, const ChainSector& 
 }
 
 template <class Station>
-void solve_one(const ChainSector& sector, std::span<const double> axial_force,
-               const fe::NewtonOptions& options, ThreadLoads& results, double* workspace) {
+void solve_one(const ChainSector& sector, std::span<const double> axial_force, const fe::NewtonOptions& options,
+               ThreadLoads& results, double* workspace) {
   Batch<double, Station> batch(workspace, sector.contacts);
   set_all(batch, sector);
   set_station(batch, sector);
   for (std::size_t k = 0; k < sector.compliance.screw.size(); ++k)
     for (int i = 0; i < 2; ++i) batch.compliance[i][k] = sector.compliance[kInterfaces[i]][k];
-  const auto gap = [&](int i, int k) {
-    return sector.gaps[kInterfaces[i]][static_cast<std::size_t>(k)];
-  };
+  const auto gap = [&](int i, int k) { return sector.gaps[kInterfaces[i]][static_cast<std::size_t>(k)]; };
   batch.solve(sector.contacts, gap, axial_force, {0, 1}, options, results);
 }
 
 /// One load on a sector of bars with an even number of threads.
 [[maybe_unused]] void solve_folded(const ChainSector& sector, std::span<const double> axial_force,
-                                   const fe::NewtonOptions& options, ThreadLoads& results,
-                                   double* workspace) {
+                                   const fe::NewtonOptions& options, ThreadLoads& results, double* workspace) {
   const int n = sector.contacts;
   const auto at = [](const std::vector<double>& values, int first, int second) {
     return both(values[static_cast<std::size_t>(first)], values[static_cast<std::size_t>(second)]);
@@ -210,9 +202,8 @@ void solve_one(const ChainSector& sector, std::span<const double> axial_force,
 }  // namespace
 
 template <class Arch>
-void SectorKernel::operator()(Arch, bool scalar, const BarDesigns& designs,
-                              const fe::NewtonOptions& options, ThreadLoads& results,
-                              double* workspace) const {
+void SectorKernel::operator()(Arch, bool scalar, const BarDesigns& designs, const fe::NewtonOptions& options,
+                              ThreadLoads& results, double* workspace) const {
   if (scalar)
     solve_designs<double>(designs, options, results, workspace);
   else
@@ -222,15 +213,11 @@ void SectorKernel::operator()(Arch, bool scalar, const BarDesigns& designs,
 /// Stations with two roller nodes a tooth are compiled once, which takes long.
 template <class Arch>
 void SectorKernel::operator()(Arch, bool, const ChainSector& sector, double axial_force,
-                              const fe::NewtonOptions& options, ThreadLoads& results,
-                              double* workspace) const {
+                              const fe::NewtonOptions& options, ThreadLoads& results, double* workspace) const {
   using enum ChainSector::Kind;
-  const auto solve = [&](auto function) {
-    function(sector, {&axial_force, 1}, options, results, workspace);
-  };
+  const auto solve = [&](auto function) { function(sector, {&axial_force, 1}, options, results, workspace); };
   if constexpr (!std::is_same_v<Arch, simd::Baseline>)
-    if (sector.kind == bars && sector.compliance.screw.empty() && sector.contacts % 2 == 0)
-      return solve(solve_folded);
+    if (sector.kind == bars && sector.compliance.screw.empty() && sector.contacts % 2 == 0) return solve(solve_folded);
   if (sector.kind == bars) return solve(solve_one<Bars<double>>);
   if (sector.kind == shell) return solve(solve_one<Shell<double, shell>>);
   if constexpr (std::is_same_v<Arch, simd::Baseline>) {
@@ -239,8 +226,8 @@ void SectorKernel::operator()(Arch, bool, const ChainSector& sector, double axia
   }
 }
 
-template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const BarDesigns&,
-                                       const fe::NewtonOptions&, ThreadLoads&, double*) const;
+template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const BarDesigns&, const fe::NewtonOptions&,
+                                       ThreadLoads&, double*) const;
 template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const ChainSector&, double,
                                        const fe::NewtonOptions&, ThreadLoads&, double*) const;
 

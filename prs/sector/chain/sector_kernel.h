@@ -26,13 +26,13 @@ struct BarDesigns : SectorNumbers<std::vector<double>> {
 struct SectorKernel {
   /// One design a lane; with `scalar` one design after the other.
   template <class Arch>
-  void operator()(Arch, bool scalar, const BarDesigns& designs, const fe::NewtonOptions& options,
-                  ThreadLoads& results, double* workspace) const;
+  void operator()(Arch, bool scalar, const BarDesigns& designs, const fe::NewtonOptions& options, ThreadLoads& results,
+                  double* workspace) const;
 
   /// One load on one sector.
   template <class Arch>
-  void operator()(Arch, bool, const ChainSector& sector, double axial_force,
-                  const fe::NewtonOptions& options, ThreadLoads& results, double* workspace) const;
+  void operator()(Arch, bool, const ChainSector& sector, double axial_force, const fe::NewtonOptions& options,
+                  ThreadLoads& results, double* workspace) const;
 };
 
 }  // namespace prs

@@ -17,8 +17,7 @@ Real status_of(const fe::ChainSummary<Real>& s) {
 
 /// Thread by thread of one lane after the other: records are read in order.
 template <class Real, class Record>
-void deliver_normal_loads(int contacts, const Record* records, const LaneRange& range,
-                          ThreadLoads& results) {
+void deliver_normal_loads(int contacts, const Record* records, const LaneRange& range, ThreadLoads& results) {
   auto& [screw, nut] = results.normal_load;
   for (std::size_t l = 0; l < kLanes<Real> && range.first + l < range.size; ++l) {
     double* const at_screw = screw.data() + (range.first + l) * results.stride;
@@ -33,8 +32,8 @@ void deliver_normal_loads(int contacts, const Record* records, const LaneRange& 
 /// What the last solve left in the records, into the results. kFolded: one solve, whose second lane
 /// holds the second half of the threads, the last one first.
 template <bool kFolded, class Real, class Law, class Record>
-void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts,
-             const Record* records, const LaneRange& range, ThreadLoads& results) {
+void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts, const Record* records,
+             const LaneRange& range, ThreadLoads& results) {
   if constexpr (!kFolded) deliver_normal_loads<Real>(contacts, records, range, results);
   for (const Interface i : kInterfaces) {
     const auto c = static_cast<int>(i);
@@ -61,9 +60,7 @@ void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts
 
 /// Of a contact and lane in a kernel's workspace: record, nut, ground, two compliances.
 template <class Station>
-inline constexpr std::size_t kStationNumbers = sizeof(fe::ChainRecord<double, Station>) /
-                                                   sizeof(double) +
-                                               4;
+inline constexpr std::size_t kStationNumbers = sizeof(fe::ChainRecord<double, Station>) / sizeof(double) + 4;
 
 /// Rigid bodies that share the load equally, every thread closed. gap(i, k) are the initial gaps.
 template <class Real, class Station, class Gap>
@@ -71,14 +68,12 @@ void start_from_rest(const SectorNumbers<Real>& sector, int contacts, int statio
                      fe::ChainRecord<Real, Station>* records, const Real& force, const Gap& gap) {
   Real shift[2];
   for (int i = 0; i < 2; ++i) {
-    const Real &cosine = sector.cosine[kInterfaces[i]],
-               &constant = sector.hertz_constant[kInterfaces[i]];
+    const Real &cosine = sector.cosine[kInterfaces[i]], &constant = sector.hertz_constant[kInterfaces[i]];
     const Real root = cbrt(force / (static_cast<double>(contacts) * cosine * constant));
     Real widest = gap(i, 0);
     for (int k = 1; k < stations; ++k) widest = fe::largest(widest, Real(gap(i, k)));
     if constexpr (fe::kFolded<Station>) widest = fe::largest(widest, mirrored(widest));
-    for (int k = 0; k < stations; ++k)
-      records[k].contact[i].net_approach = root * root + (widest - gap(i, k));
+    for (int k = 0; k < stations; ++k) records[k].contact[i].net_approach = root * root + (widest - gap(i, k));
     shift[i] = sector.sense * (root * root + widest) / cosine;
   }
   for (int k = 0; k < stations; ++k) {
@@ -91,23 +86,20 @@ void start_from_rest(const SectorNumbers<Real>& sector, int contacts, int statio
 
 /// Equilibrium of one sector a lane under the axial force on its mechanism.
 template <class Real, class Station, class Law, class Gap>
-void solve_sectors(const SectorNumbers<Real>& sector, int contacts, const Station& station,
-                   const Law& law, fe::ChainRecord<Real, Station>* records, const Real& axial_force,
-                   const Gap& gap, const fe::NewtonOptions& options, const LaneRange& range,
-                   ThreadLoads& results) {
+void solve_sectors(const SectorNumbers<Real>& sector, int contacts, const Station& station, const Law& law,
+                   fe::ChainRecord<Real, Station>* records, const Real& axial_force, const Gap& gap,
+                   const fe::NewtonOptions& options, const LaneRange& range, ThreadLoads& results) {
   const Real force = axial_force / sector.rollers;
   start_from_rest(sector, contacts, station.stations, records, force, gap);
   fe::Chain<Real, Station, Law> chain(station, law, station.stations, records);
   Real load = sector.sense * force;
   if constexpr (fe::kFolded<Station>) load = first_lane(load);
   fe::ChainSummary<Real> summary = chain.solve(load, force, options);
-  const Real compliance =
-      sector.free_length / sector.plain_screw_rigidity + sector.offset_compliance;
+  const Real compliance = sector.free_length / sector.plain_screw_rigidity + sector.offset_compliance;
   summary.energy -= 0.5 * compliance * force * force;
   deliver<fe::kFolded<Station>>(summary, law, contacts, records, range, results);
   const auto& loaded = records[0].state;
-  range.store(sector.sense * (loaded.head[0] + loaded.tail[0]) + compliance * force,
-              results.axial_displacement);
+  range.store(sector.sense * (loaded.head[0] + loaded.tail[0]) + compliance * force, results.axial_displacement);
   if (!results.tangent_stiffness.empty())
     range.store(sector.rollers / (chain.flexibility() + compliance), results.tangent_stiffness);
 }

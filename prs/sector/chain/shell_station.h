@@ -55,9 +55,7 @@ struct ShellStation {
     }
   }
 
-  [[gnu::always_inline]] const Real& coefficient(int contact, int kind) const {
-    return part[contact][kind];
-  }
+  [[gnu::always_inline]] const Real& coefficient(int contact, int kind) const { return part[contact][kind]; }
 
   template <int I>
   [[gnu::always_inline]] fe::Lanes<Real> held(int k, fe::Index<I>) const {
@@ -70,9 +68,7 @@ struct ShellStation {
   template <class Add>
   [[gnu::always_inline]] void add_station(int k, Add add) const {
     add_triangle<N>(supports[k].stiffness, add);
-    const auto hold = [&](auto i) __attribute__((always_inline)) {
-      add(i, i, roller.bending_support);
-    };
+    const auto hold = [&](auto i) __attribute__((always_inline)) { add(i, i, roller.bending_support); };
     hold(fe::Index<U + 1>{});
     hold(fe::Index<U + 2>{});
     if constexpr (kApart) {
@@ -133,8 +129,7 @@ struct ShellStation {
     Real deformation[6], f[6];
     for (int i = 0; i < 3; ++i) {
       deformation[i] = next.difference(N + i, here);
-      deformation[3 + i] =
-          0.5 * (here.head[N + i] + next.head[N + i]) + 0.5 * (here.tail[N + i] + next.tail[N + i]);
+      deformation[3 + i] = 0.5 * (here.head[N + i] + next.head[N + i]) + 0.5 * (here.tail[N + i] + next.tail[N + i]);
       f[i] = f[3 + i] = Real(0.0);
     }
     const Real* stiffness = segments[segment_of[k]].deformation;

@@ -10,8 +10,7 @@ void ThreadLoads::resize(std::size_t solves, std::size_t threads, bool with_tang
     normal_load[i].resize(solves * stride);
     approach[i].resize(solves * stride);
   }
-  for (auto* values :
-       {&axial_displacement, &initial_relative_residual, &relative_residual, &energy})
+  for (auto* values : {&axial_displacement, &initial_relative_residual, &relative_residual, &energy})
     values->resize(solves);
   tangent_stiffness.resize(with_tangent ? solves : 0);
   status.resize(solves);
@@ -29,8 +28,7 @@ void ThreadLoads::copy(std::size_t k, double residual_tolerance, LoadDistributio
   }
   r.axial_displacement = axial_displacement[k];
   r.tangent_stiffness.reset();
-  if (!tangent_stiffness.empty() && tangent_stiffness[k] > 0.0)
-    r.tangent_stiffness = tangent_stiffness[k];
+  if (!tangent_stiffness.empty() && tangent_stiffness[k] > 0.0) r.tangent_stiffness = tangent_stiffness[k];
   fe::NewtonSummary& s = r.solve;
   s.status = status[k];
   s.initial_relative_residual = initial_relative_residual[k];
@@ -38,8 +36,7 @@ void ThreadLoads::copy(std::size_t k, double residual_tolerance, LoadDistributio
   s.energy = energy[k];
   s.at_rounding = s.converged() && s.relative_residual > residual_tolerance;
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  s.history.assign(static_cast<std::size_t>(iterations[k]),
-                   {kUnknown, kUnknown, kUnknown, kUnknown});
+  s.history.assign(static_cast<std::size_t>(iterations[k]), {kUnknown, kUnknown, kUnknown, kUnknown});
   if (!s.history.empty()) s.history.back() = {s.energy, s.relative_residual, kUnknown, kUnknown};
 }
 

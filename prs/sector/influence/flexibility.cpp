@@ -43,29 +43,26 @@ ThrustFace::Touching ThrustFace::all() const {
 Eigen::MatrixXd ThrustFace::flexibility(const Touching& touching) const {
   const Eigen::MatrixXd s = reactions(nodes, touching, coupling, resultants.transpose());
   const auto count = static_cast<Index>(touching.size());
-  Eigen::MatrixXd c = loads + coupling(touching, Eigen::all).transpose() * s.topRows(count) +
-                      resultants * s.bottomRows(1);
+  Eigen::MatrixXd c =
+      loads + coupling(touching, Eigen::all).transpose() * s.topRows(count) + resultants * s.bottomRows(1);
   return 0.5 * (c + c.transpose());
 }
 
-std::optional<ThrustFace::Touching> ThrustFace::touching_under(const Eigen::VectorXd& p,
-                                                               Touching guess) const {
+std::optional<ThrustFace::Touching> ThrustFace::touching_under(const Eigen::VectorXd& p, Touching guess) const {
   const Eigen::VectorXd without = coupling * p;
   const double sense = resultants.dot(p) > 0.0 ? 1.0 : -1.0;  // the body is pushed that way
   Touching touching = std::move(guess);
   for (int change = 0; change < kMostChanges; ++change) {
-    const Eigen::VectorXd s =
-        reactions(nodes, touching, without, Eigen::RowVectorXd::Constant(1, resultants.dot(p)));
+    const Eigen::VectorXd s = reactions(nodes, touching, without, Eigen::RowVectorXd::Constant(1, resultants.dot(p)));
     const auto count = static_cast<Index>(touching.size());
     const Eigen::VectorXd push = -sense * s.head(count);
-    const Eigen::VectorXd u = nodes(Eigen::all, touching) * s.head(count) + without +
-                              Eigen::VectorXd::Constant(nodes.rows(), s[count]);
+    const Eigen::VectorXd u =
+        nodes(Eigen::all, touching) * s.head(count) + without + Eigen::VectorXd::Constant(nodes.rows(), s[count]);
     const double depth = u.cwiseAbs().maxCoeff();
     Touching next;
     for (Index n = 0, k = 0; n < nodes.rows(); ++n) {
       const bool touches = k < count && touching[static_cast<std::size_t>(k)] == n;
-      if (touches ? push[k] > -kRounding * push.cwiseAbs().maxCoeff()
-                  : sense * u[n] > kRounding * depth)
+      if (touches ? push[k] > -kRounding * push.cwiseAbs().maxCoeff() : sense * u[n] > kRounding * depth)
         next.push_back(n);
       if (touches) ++k;
     }
@@ -82,12 +79,8 @@ using fe::Component;
 
 /// The flank of each part that is loaded: the screw pushes the roller along the load, the roller
 /// the nut.
-FlankSide pushing_flank(Direction d) {
-  return d == Direction::tension ? FlankSide::backward : FlankSide::forward;
-}
-FlankSide pushed_flank(Direction d) {
-  return d == Direction::tension ? FlankSide::forward : FlankSide::backward;
-}
+FlankSide pushing_flank(Direction d) { return d == Direction::tension ? FlankSide::backward : FlankSide::forward; }
+FlankSide pushed_flank(Direction d) { return d == Direction::tension ? FlankSide::forward : FlankSide::backward; }
 
 /// Loaded flanks whose pitch points lie at `first`, `first` + pitch, ..
 std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contacts, FlankSide side,
@@ -101,8 +94,7 @@ std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contac
 /// With friction the same flanks once more, loaded along them.
 std::vector<LoadedFlank> with_friction(const BodyGeometry& b, std::vector<LoadedFlank> flanks) {
   const std::size_t normal = flanks.size();
-  for (std::size_t k = 0; b.friction && k < normal; ++k)
-    flanks.emplace_back(flanks[k]).tangential = true;
+  for (std::size_t k = 0; b.friction && k < normal; ++k) flanks.emplace_back(flanks[k]).tangential = true;
   return flanks;
 }
 
@@ -131,23 +123,21 @@ Eigen::RowVectorXd axial_resultants(const Eigen::MatrixXd& loads) {
 }
 
 /// A body, harmonic 0, that rests with `nodes` on a shoulder.
-ThrustFace thrust_face(const GroovedBody& body, const Material& material,
-                       const std::vector<int>& nodes) {
+ThrustFace thrust_face(const GroovedBody& body, const Material& material, const std::vector<int>& nodes) {
   fe::HarmonicBody solver(body.mesh, isotropic(material), 0, axial_supports({nodes.front()}));
   const Eigen::MatrixXd loads = patch_loads(body, 0);
   const auto count = static_cast<Index>(nodes.size()), ends = loads.cols();
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(loads.rows(), count + ends);
-  for (Index k = 1; k < count; ++k)
-    all(fe::row_of(nodes[static_cast<std::size_t>(k)], Component::axial), k) = 1.0;
+  for (Index k = 1; k < count; ++k) all(fe::row_of(nodes[static_cast<std::size_t>(k)], Component::axial), k) = 1.0;
   all.rightCols(ends) = loads;
   const Eigen::MatrixXd g = flexibility_of(solver, 0, all);
-  return {g.topLeftCorner(count, count), g.topRightCorner(count, ends),
-          g.bottomRightCorner(ends, ends), axial_resultants(loads).transpose()};
+  return {g.topLeftCorner(count, count), g.topRightCorner(count, ends), g.bottomRightCorner(ends, ends),
+          axial_resultants(loads).transpose()};
 }
 
 /// Edges of a section up to a radius.
-std::vector<fe::MeridianEdge> within(const GroovedBody& body,
-                                     const std::vector<fe::MeridianEdge>& edges, double radius) {
+std::vector<fe::MeridianEdge> within(const GroovedBody& body, const std::vector<fe::MeridianEdge>& edges,
+                                     double radius) {
   std::vector<fe::MeridianEdge> inner;
   for (const fe::MeridianEdge& e : edges)
     if (body.mesh.nodes[static_cast<std::size_t>(e[2])].x() < radius) inner.push_back(e);
@@ -155,8 +145,8 @@ std::vector<fe::MeridianEdge> within(const GroovedBody& body,
 }
 
 /// A spring on the mean sideways displacement of a section.
-fe::HarmonicSpring sideways_spring(const GroovedBody& body,
-                                   const std::vector<fe::MeridianEdge>& section, double stiffness) {
+fe::HarmonicSpring sideways_spring(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section,
+                                   double stiffness) {
   const Eigen::VectorXd weight = transverse_force(body, section);
   fe::HarmonicSpring spring;
   spring.stiffness = stiffness;
@@ -167,8 +157,7 @@ fe::HarmonicSpring sideways_spring(const GroovedBody& body,
 }
 
 /// What holds the roller sideways, on whole sections that stay round.
-void add_guidance(const GroovedBody& body, const Guidance& guidance,
-                  std::vector<fe::HarmonicSupport>& supports,
+void add_guidance(const GroovedBody& body, const Guidance& guidance, std::vector<fe::HarmonicSupport>& supports,
                   std::vector<fe::HarmonicSpring>& springs) {
   const GroovedShape& s = body.shape;
   const double l = s.plain_end->length;
@@ -199,17 +188,15 @@ bool is_square(const LoadedBody& b, const MatrixCache::Matrices& m) {
 /// Held where it starts.
 MatrixCache::Matrices held_at_start(const LoadedBody& b) {
   const GroovedBody body = b.meshed();
-  fe::HarmonicBody solver(body.mesh, isotropic(b.material), 0,
-                          axial_supports(nodes_of(body.section(b.shape.start))));
+  fe::HarmonicBody solver(body.mesh, isotropic(b.material), 0, axial_supports(nodes_of(body.section(b.shape.start))));
   return {flexibility_of(solver, 0, patch_loads(body, 0))};
 }
 
 }  // namespace
 
-BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
-                           const Materials& materials, const PerInterface<ContactLaw>& laws,
-                           const PerInterface<HertzPatch>& patches, Direction direction,
-                           const ModelOptions& model) {
+BodyGeometry body_geometry(const Mechanism& m, const Structure& structure, const Materials& materials,
+                           const PerInterface<ContactLaw>& laws, const PerInterface<HertzPatch>& patches,
+                           Direction direction, const ModelOptions& model) {
   BodyGeometry b;
   b.roller_contacts = roller_contacts(model, m.starts.roller);
   b.endless_screw = m.type == Mechanism::Type::standard;
@@ -242,8 +229,7 @@ std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges) {
   return nodes;
 }
 
-Eigen::VectorXd transverse_force(const GroovedBody& body,
-                                 const std::vector<fe::MeridianEdge>& section) {
+Eigen::VectorXd transverse_force(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
   for (const fe::MeridianEdge& e : section)
     fe::add_edge_load(
@@ -251,8 +237,7 @@ Eigen::VectorXd transverse_force(const GroovedBody& body,
   return load / load.cwiseAbs().sum();
 }
 
-Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction,
-               const FlexibilityOptions& options) {
+Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction, const FlexibilityOptions& options) {
   const bool screw = part == Part::screw;
   const LoadedFlank flank{0.0, screw ? pushing_flank(direction) : pushed_flank(direction),
                           screw ? b.patches.screw : b.patches.nut, options.mesh.patch_cells};
@@ -268,8 +253,7 @@ Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction,
           options};
 }
 
-LoadedBody loaded_screw(const BodyGeometry& b, Direction direction,
-                        const FlexibilityOptions& options) {
+LoadedBody loaded_screw(const BodyGeometry& b, Direction direction, const FlexibilityOptions& options) {
   const Groove& g = b.grooves.screw;
   const Structure::Screw& screw = b.structure.screw;
   const FlankSide side = pushing_flank(direction);
@@ -287,18 +271,14 @@ LoadedBody loaded_screw(const BodyGeometry& b, Direction direction,
     shape.end = last + 0.5 * g.pitch;
   }
   shape.far_radius = 0.5 * screw.bore;
-  return {shape,
-          with_friction(b, loaded_flanks(g, first, b.contacts, side, b.patches.screw,
-                                         options.mesh.patch_cells)),
+  return {shape, with_friction(b, loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells)),
           elastic(b.materials.screw), options.mesh};
 }
 
-Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
-                              const FlexibilityOptions& options, MatrixCache& cache) {
+Flexibility screw_flexibility(const BodyGeometry& b, Direction direction, const FlexibilityOptions& options,
+                              MatrixCache& cache) {
   Flexibility f;
-  f.matrix = b.rollers *
-             cached(cache, "screw", loaded_screw(b, direction, options), held_at_start, is_square)
-                 ->front();
+  f.matrix = b.rollers * cached(cache, "screw", loaded_screw(b, direction, options), held_at_start, is_square)->front();
   add_teeth(f, teeth_of(b, Part::screw, direction, options), false, cache);
   return f;
 }
@@ -333,19 +313,16 @@ MatrixCache::Matrices on_shoulder(const HeldNut& nut) {
 bool is_on_shoulder(const HeldNut& nut, const MatrixCache::Matrices& m) {
   const auto flanks = static_cast<Index>(nut.body.flanks.size());
   const Index nodes = m.empty() ? 0 : m.front().rows();
-  return nodes > 0 &&
-         have_sizes(m, {{nodes, nodes}, {nodes, flanks}, {flanks, flanks}, {flanks, 1}, {1, 1}});
+  return nodes > 0 && have_sizes(m, {{nodes, nodes}, {nodes, flanks}, {flanks, flanks}, {flanks, 1}, {1, 1}});
 }
 
 }  // namespace
 
-HeldNut held_nut(const BodyGeometry& b, Direction direction, double position,
-                 const FlexibilityOptions& options) {
+HeldNut held_nut(const BodyGeometry& b, Direction direction, double position, const FlexibilityOptions& options) {
   const Groove& g = b.grooves.nut;
   const Structure::Nut& nut = b.structure.nut;
   const FlankSide side = pushed_flank(direction);
-  const double thrust =
-      direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
+  const double thrust = direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
   GroovedShape shape;
   shape.groove = g;
   shape.ridge = position - g.position(side, 0.0);
@@ -356,14 +333,12 @@ HeldNut held_nut(const BodyGeometry& b, Direction direction, double position,
   for (const Structure::Flange& flange : nut.flanges)
     shape.collars.push_back({flange.from, flange.to, 0.5 * flange.outer_diameter});
   shape.sections.push_back(thrust);
-  if (nut.shoulder)
-    shape.radii = {0.5 * nut.shoulder->inner_diameter, 0.5 * nut.shoulder->outer_diameter};
-  return {{shape,
-           with_friction(b, loaded_flanks(g, position, b.contacts, side, b.patches.nut,
-                                          options.mesh.patch_cells)),
-           elastic(b.materials.nut), options.mesh},
-          thrust,
-          nut.shoulder.has_value()};
+  if (nut.shoulder) shape.radii = {0.5 * nut.shoulder->inner_diameter, 0.5 * nut.shoulder->outer_diameter};
+  return {
+      {shape, with_friction(b, loaded_flanks(g, position, b.contacts, side, b.patches.nut, options.mesh.patch_cells)),
+       elastic(b.materials.nut), options.mesh},
+      thrust,
+      nut.shoulder.has_value()};
 }
 
 Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
@@ -373,9 +348,7 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   const ThrustFace face{(*whole)[0], (*whole)[1], (*whole)[2], (*whole)[3]};
   const bool unilateral = options.unilateral_thrust && (*whole)[4](0) != 0.0;
   const ThrustFace::Touching touching =
-      unilateral
-          ? face.touching_under(face.equal_loads(b.contacts), face.all()).value_or(face.all())
-          : face.all();
+      unilateral ? face.touching_under(face.equal_loads(b.contacts), face.all()).value_or(face.all()) : face.all();
 
   Flexibility f;
   f.matrix = b.rollers * face.flexibility(touching);
@@ -390,10 +363,8 @@ namespace {
 /// of a pitch, by pairs of transverse forces on the sections in the grooves on both sides: contacts
 /// on both flanks of a ridge bend the roller less than opposite ones. Near the contacts nothing
 /// changes.
-void move_to_middle(Eigen::MatrixXd& loads, const GroovedBody& body,
-                    const std::vector<LoadedFlank>& flanks) {
-  const auto radial =
-      Eigen::seq(static_cast<Index>(Component::radial), Eigen::last, Index{fe::kComponents});
+void move_to_middle(Eigen::MatrixXd& loads, const GroovedBody& body, const std::vector<LoadedFlank>& flanks) {
+  const auto radial = Eigen::seq(static_cast<Index>(Component::radial), Eigen::last, Index{fe::kComponents});
   const double half = 0.5 * body.shape.groove.pitch;
   for (Index k = 0; k < loads.cols(); ++k) {
     const LoadedFlank& flank = flanks[static_cast<std::size_t>(k)];
@@ -417,9 +388,7 @@ struct GuidedRoller {
 };
 PRS_MEMBERS(GuidedRoller, body, guidance, centred)
 
-bool is_square_of(const GuidedRoller& roller, const MatrixCache::Matrices& m) {
-  return is_square(roller.body, m);
-}
+bool is_square_of(const GuidedRoller& roller, const MatrixCache::Matrices& m) { return is_square(roller.body, m); }
 
 MatrixCache::Matrices bent(const GuidedRoller& roller) {
   const GroovedBody body = roller.body.meshed();
@@ -435,8 +404,8 @@ MatrixCache::Matrices bent(const GuidedRoller& roller) {
 
 }  // namespace
 
-Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
-                               const FlexibilityOptions& options, MatrixCache& cache) {
+Flexibility roller_flexibility(const BodyGeometry& b, Direction direction, const FlexibilityOptions& options,
+                               MatrixCache& cache) {
   const Groove& g = b.grooves.roller;
   const Structure::Roller& roller = b.structure.roller;
   const FlankSide screw_side = pushed_flank(direction), nut_side = pushing_flank(direction);
@@ -444,8 +413,8 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
   LoadedBody body{{}, {}, elastic(b.materials.roller), options.mesh};
   // Of a ridge at 0; those of the screw first.
   const auto types_at = [&](Interface i) {
-    return with_friction(b, {{0.0, i == Interface::screw ? screw_side : nut_side, b.patches[i],
-                              options.mesh.patch_cells}});
+    return with_friction(
+        b, {{0.0, i == Interface::screw ? screw_side : nut_side, b.patches[i], options.mesh.patch_cells}});
   };
   std::vector<LoadedFlank> types = types_at(Interface::screw);
   std::vector<bool> opposite(types.size(), true);
@@ -466,9 +435,7 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
   for (int k = 1; k < b.contacts; ++k) shape.sections.push_back((k - 0.5) * g.pitch);
 
   Flexibility f;
-  f.bent =
-      cached(cache, "bent roller", GuidedRoller{body, roller.guidance, centred}, bent, is_square_of)
-          ->front();
+  f.bent = cached(cache, "bent roller", GuidedRoller{body, roller.guidance, centred}, bent, is_square_of)->front();
   f.matrix = cached(cache, "stretched roller", body, stretched, is_square)->front() + f.bent;
   const Teeth teeth{g, 0.0, body.material, types, opposite, 2, 1, b.contacts, options};
   add_teeth(f, teeth, centred, cache);
@@ -499,17 +466,14 @@ PRS_MEMBERS(ClampedBody, body, sections)
 class Modes {
  public:
   Modes(int rollers, int threads)
-      : rollers_(rollers),
-        sums_(static_cast<std::size_t>(rollers / 2 + 1), Eigen::MatrixXd::Zero(threads, threads)) {}
+      : rollers_(rollers), sums_(static_cast<std::size_t>(rollers / 2 + 1), Eigen::MatrixXd::Zero(threads, threads)) {}
 
   int of(int harmonic) const {
     const int n = harmonic % rollers_;
     return std::min(n, rollers_ - n);
   }
   double weight(int mode) const { return 2 * mode % rollers_ == 0 ? rollers_ : 0.5 * rollers_; }
-  void add(int harmonic, const Eigen::MatrixXd& g) {
-    sum(of(harmonic)) += weight(of(harmonic)) * g;
-  }
+  void add(int harmonic, const Eigen::MatrixXd& g) { sum(of(harmonic)) += weight(of(harmonic)) * g; }
   Eigen::MatrixXd& sum(int mode) { return sums_[static_cast<std::size_t>(mode)]; }
   int count() const { return static_cast<int>(sums_.size()); }
 
@@ -528,8 +492,7 @@ Eigen::MatrixXd along_threads(const BlockResponse& r, int threads) {
 }
 
 /// What is left of a mode beyond the harmonic `last`, two combs of period N.
-double left_out(const HertzPatch& patch, const Material& material, double radius, int mode,
-                int rollers, int last) {
+double left_out(const HertzPatch& patch, const Material& material, double radius, int mode, int rollers, int last) {
   double sum = 0.0;
   for (const int first : {mode, rollers - mode}) {
     int n = first;
@@ -541,16 +504,14 @@ double left_out(const HertzPatch& patch, const Material& material, double radius
 
 /// A moment of 1 N m on a section, in harmonic 1, which turns its slope; also the weights of its
 /// mean slope, by axial displacements -r y'.
-Eigen::VectorXd turning_moment(const GroovedBody& body,
-                               const std::vector<fe::MeridianEdge>& section) {
+Eigen::VectorXd turning_moment(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
   for (const fe::MeridianEdge& e : section)
     fe::add_edge_load(
         body.mesh, e, 1, [](double r, double) { return Eigen::Vector3d(0.0, 0.0, -r); }, load);
   double turned = 0.0;
   for (const int node : nodes_of(section))
-    turned -= load[fe::row_of(node, Component::axial)] *
-              body.mesh.nodes[static_cast<std::size_t>(node)].x();
+    turned -= load[fe::row_of(node, Component::axial)] * body.mesh.nodes[static_cast<std::size_t>(node)].x();
   return load / turned;
 }
 
@@ -574,8 +535,7 @@ MatrixCache::Matrices bent_around(const ClampedBody& given) {
   }
   fe::HarmonicBody solver(body.mesh, isotropic(loaded.material), 1, clamped);
   const Eigen::MatrixXd g = flexibility_of(solver, 1, loads);
-  return {g.topLeftCorner(threads, threads), g.topRightCorner(threads, ends),
-          g.bottomRightCorner(ends, ends)};
+  return {g.topLeftCorner(threads, threads), g.topRightCorner(threads, ends), g.bottomRightCorner(ends, ends)};
 }
 
 bool is_bent_around(const ClampedBody& given, const MatrixCache::Matrices& m) {
@@ -587,8 +547,7 @@ bool is_bent_around(const ClampedBody& given, const MatrixCache::Matrices& m) {
 MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
   const Teeth& t = given.teeth;
   const HertzPatch& patch = t.types.front().patch;
-  const int last =
-      static_cast<int>(t.options.largest_wave * t.groove.pitch_radius / patch.along_circumference);
+  const int last = static_cast<int>(t.options.largest_wave * t.groove.pitch_radius / patch.along_circumference);
   Modes modes(t.first, t.contacts);
   const int whole = std::min(given.whole, last);
   if (whole >= 2) {
@@ -604,8 +563,7 @@ MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
   const double own = half_space_compliance(patch, t.material);
   MatrixCache::Matrices matrices;
   for (int m = 1; m < modes.count(); ++m) {
-    modes.sum(m).diagonal().array() +=
-        left_out(patch, t.material, t.groove.pitch_radius, m, t.first, last) - own;
+    modes.sum(m).diagonal().array() += left_out(patch, t.material, t.groove.pitch_radius, m, t.first, last) - own;
     matrices.push_back(std::move(modes.sum(m)));
   }
   return matrices;
@@ -615,13 +573,12 @@ MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
 bool are_modes(const UnlikeLoads& given, const MatrixCache::Matrices& m) {
   const Index threads = given.teeth.contacts;
   return m.size() == static_cast<std::size_t>(given.teeth.first / 2) &&
-         std::ranges::all_of(m, [&](const Eigen::MatrixXd& mode) {
-           return mode.rows() == threads && mode.cols() == threads;
-         });
+         std::ranges::all_of(
+             m, [&](const Eigen::MatrixXd& mode) { return mode.rows() == threads && mode.cols() == threads; });
 }
 
-FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& sections,
-                         const Flexibility& alike, MatrixCache& cache) {
+FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& sections, const Flexibility& alike,
+                         MatrixCache& cache) {
   ClampedBody clamped{given.body, sections};
   std::vector<double>& columns = clamped.body.body.shape.sections;
   columns.insert(columns.end(), sections.begin(), sections.end());
@@ -630,8 +587,7 @@ FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& se
   FlexibilityAround f;
   f.modes.push_back(alike.matrix);
   f.modes.insert(f.modes.end(), kept->begin(), kept->end());
-  if (f.modes.size() > 1)
-    f.modes[1] += Modes(given.teeth.first, given.teeth.contacts).weight(1) * (*first)[0];
+  if (f.modes.size() > 1) f.modes[1] += Modes(given.teeth.first, given.teeth.contacts).weight(1) * (*first)[0];
   f.coupling = (*first)[1];
   f.sections = (*first)[2];
   return f;
@@ -642,32 +598,28 @@ FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& se
 Eigen::Matrix2d cantilever(const RollerSection<double>& beam, double at, double from) {
   const double s = std::min(at, from);
   Eigen::Matrix2d f;
-  f << at * from * s - 0.5 * (at + from) * s * s + s * s * s / 3.0, at * s - 0.5 * s * s,
-      from * s - 0.5 * s * s, s;
+  f << at * from * s - 0.5 * (at + from) * s * s + s * s * s / 3.0, at * s - 0.5 * s * s, from * s - 0.5 * s * s, s;
   f /= beam.bending;
   f(0, 0) += s / beam.shear;
   return f;
 }
 
 /// Moves loads on the last section of a body to where they act, so far behind it on a beam.
-void lengthen(FlexibilityAround& f, const RollerSection<double>& beam,
-              const std::vector<double>& behind) {
+void lengthen(FlexibilityAround& f, const RollerSection<double>& beam, const std::vector<double>& behind) {
   const auto sections = static_cast<Index>(behind.size());
   Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(2 * sections, 2 * sections);
-  for (Index k = 0; k < sections; ++k)
-    moved(2 * k + 1, 2 * k) = behind[static_cast<std::size_t>(k)];
+  for (Index k = 0; k < sections; ++k) moved(2 * k + 1, 2 * k) = behind[static_cast<std::size_t>(k)];
   f.coupling *= moved;
   f.sections = moved.transpose() * f.sections * moved;
   for (Index i = 0; i < sections; ++i)
     for (Index j = 0; j < sections; ++j)
-      f.sections.block<2, 2>(2 * i, 2 * j) += cantilever(beam, behind[static_cast<std::size_t>(i)],
-                                                         behind[static_cast<std::size_t>(j)]);
+      f.sections.block<2, 2>(2 * i, 2 * j) +=
+          cantilever(beam, behind[static_cast<std::size_t>(i)], behind[static_cast<std::size_t>(j)]);
 }
 
 }  // namespace
 
-FlexibilityAround screw_around(const BodyGeometry& b, Direction direction,
-                               const std::vector<double>& sections,
+FlexibilityAround screw_around(const BodyGeometry& b, Direction direction, const std::vector<double>& sections,
                                const FlexibilityOptions& options, MatrixCache& cache) {
   const LoadedBody body = loaded_screw(b, direction, options);
   std::vector<double> within, behind;
@@ -675,21 +627,16 @@ FlexibilityAround screw_around(const BodyGeometry& b, Direction direction,
     within.push_back(std::clamp(section, body.shape.start, body.shape.end));
     behind.push_back(std::max(section - body.shape.end, 0.0));
   }
-  FlexibilityAround f =
-      around({{body, body.shape.start, false}, teeth_of(b, Part::screw, direction, options), 1},
-             within, screw_flexibility(b, direction, options, cache), cache);
-  lengthen(f,
-           ring_rigidity(body.material, 2.0 * b.grooves.screw.pitch_radius, b.structure.screw.bore,
-                         true),
-           behind);
+  FlexibilityAround f = around({{body, body.shape.start, false}, teeth_of(b, Part::screw, direction, options), 1},
+                               within, screw_flexibility(b, direction, options, cache), cache);
+  lengthen(f, ring_rigidity(body.material, 2.0 * b.grooves.screw.pitch_radius, b.structure.screw.bore, true), behind);
   return f;
 }
 
 FlexibilityAround nut_around(const BodyGeometry& b, Direction direction, double position,
                              const std::vector<double>& sections, const FlexibilityOptions& options,
                              MatrixCache& cache) {
-  return around({held_nut(b, direction, position, options),
-                 teeth_of(b, Part::nut, direction, options), kWholeNut},
+  return around({held_nut(b, direction, position, options), teeth_of(b, Part::nut, direction, options), kWholeNut},
                 sections, nut_flexibility(b, direction, position, options, cache), cache);
 }
 

@@ -113,25 +113,22 @@ struct BodyGeometry {
 
 /// The ridges of the three bodies: flanks at the angles of the contact laws, heights as the
 /// mechanism gives them or by default. The mechanism must have its pitch diameters.
-BodyGeometry body_geometry(const Mechanism& mechanism, const Structure& structure,
-                           const Materials& materials, const PerInterface<ContactLaw>& laws,
-                           const PerInterface<HertzPatch>& patches, Direction direction,
-                           const ModelOptions& model = {});
+BodyGeometry body_geometry(const Mechanism& mechanism, const Structure& structure, const Materials& materials,
+                           const PerInterface<ContactLaw>& laws, const PerInterface<HertzPatch>& patches,
+                           Direction direction, const ModelOptions& model = {});
 
 /// Screw: harmonics 0, N, 2 N, .. of N rollers, all of which push alike. Displacements against the
 /// loaded section, `free_length` before the first contact, which stays plane and slides radially.
 /// It ends half a pitch behind its last ridge, an endless one three pitches behind its last
 /// contact.
-Flexibility screw_flexibility(const BodyGeometry& body, Direction direction,
-                              const FlexibilityOptions& options,
+Flexibility screw_flexibility(const BodyGeometry& body, Direction direction, const FlexibilityOptions& options,
                               MatrixCache& cache = shared_matrix_cache());
 
 /// Nut: the same harmonics. Displacements against the thrust face, on which it is held axially: the
 /// shoulder on the face of a flange that ends at the thrust section, else the section. `face` lets
 /// go of what does not push under given loads.
 Flexibility nut_flexibility(const BodyGeometry& body, Direction direction, double position,
-                            const FlexibilityOptions& options,
-                            MatrixCache& cache = shared_matrix_cache());
+                            const FlexibilityOptions& options, MatrixCache& cache = shared_matrix_cache());
 
 /// Roller: all harmonics; contacts at the screw (theta = pi) come first, then those at the nut
 /// (theta = 0), on the other flank of the same ridge. Those of a ring-shaped ridge lie half a pitch
@@ -139,8 +136,7 @@ Flexibility nut_flexibility(const BodyGeometry& body, Direction direction, doubl
 /// feels of the other side's higher harmonics is the mean of half a pitch before and behind. Its
 /// guidance holds it sideways. Axially a point of the axis is held, so that single entries depend
 /// on that point, but not the displacements under loads in balance.
-Flexibility roller_flexibility(const BodyGeometry& body, Direction direction,
-                               const FlexibilityOptions& options,
+Flexibility roller_flexibility(const BodyGeometry& body, Direction direction, const FlexibilityOptions& options,
                                MatrixCache& cache = shared_matrix_cache());
 
 /// Screw or nut under unlike loads of N rollers. With g_n(i, k) the displacement of harmonic n at
@@ -164,10 +160,8 @@ struct FlexibilityAround {
 /// Screw: n = 1 on the whole body, its loaded section clamped; higher harmonics on a block of equal
 /// ridges up to n a_t/r = `largest_wave`, then those of the half-space. `sections` are axial places
 /// from the loaded section [m]. Behind the body a beam of its pitch diameter goes on to them.
-FlexibilityAround screw_around(const BodyGeometry& body, Direction direction,
-                               const std::vector<double>& sections,
-                               const FlexibilityOptions& options,
-                               MatrixCache& cache = shared_matrix_cache());
+FlexibilityAround screw_around(const BodyGeometry& body, Direction direction, const std::vector<double>& sections,
+                               const FlexibilityOptions& options, MatrixCache& cache = shared_matrix_cache());
 
 /// Nut: n = 1 on the whole body, its thrust face clamped; 2 to 6 on the whole body, free; higher
 /// harmonics as the screw's.
@@ -188,8 +182,7 @@ PRS_MEMBERS(LoadedFlank, ridge, side, patch, cells, tangential)
 PRS_MEMBERS(PlainEnd, length, radius)
 PRS_MEMBERS(Collar, from, to, radius)
 inline auto members(const std::pair<double, double>& p) { return std::tie(p.first, p.second); }
-PRS_MEMBERS(GroovedShape, groove, start, end, ridge, ridges, far, plain_end, collars, sections,
-            radii)
+PRS_MEMBERS(GroovedShape, groove, start, end, ridge, ridges, far, plain_end, collars, sections, radii)
 PRS_MEMBERS(MeshDensity, patch, growth, largest, step, plain_flank, split, depth)
 PRS_MEMBERS(FlexibilityOptions, mesh, largest_wave, tolerance, neighbour_cells, unilateral)
 /// Without what matrices do not depend on and flash temperatures do.
@@ -228,11 +221,9 @@ void append_bytes(std::string& bytes, const std::optional<T>& value) {
 /// else. `fits` says which matrices it can be. The number in the key grows when the same numbers
 /// give other matrices.
 template <class Given>
-std::shared_ptr<const MatrixCache::Matrices> cached(MatrixCache& cache, std::string_view what,
-                                                    const Given& given,
+std::shared_ptr<const MatrixCache::Matrices> cached(MatrixCache& cache, std::string_view what, const Given& given,
                                                     MatrixCache::Matrices (*compute)(const Given&),
-                                                    bool (*fits)(const Given&,
-                                                                 const MatrixCache::Matrices&)) {
+                                                    bool (*fits)(const Given&, const MatrixCache::Matrices&)) {
   std::string key = "flexibility 3 ";
   key += what;
   append_bytes(key, given);
@@ -261,13 +252,10 @@ struct HeldNut {
 };
 PRS_MEMBERS(HeldNut, body, thrust, shoulder)
 
-LoadedBody loaded_screw(const BodyGeometry& b, Direction direction,
-                        const FlexibilityOptions& options);
-HeldNut held_nut(const BodyGeometry& b, Direction direction, double position,
-                 const FlexibilityOptions& options);
+LoadedBody loaded_screw(const BodyGeometry& b, Direction direction, const FlexibilityOptions& options);
+HeldNut held_nut(const BodyGeometry& b, Direction direction, double position, const FlexibilityOptions& options);
 /// Teeth of screw or nut, which all rollers touch alike.
-Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction,
-               const FlexibilityOptions& options);
+Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction, const FlexibilityOptions& options);
 
 /// Nodes of some edges, each once.
 std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges);
@@ -276,7 +264,6 @@ std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut);
 
 /// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights
 /// of its mean sideways displacement, 1/2 (U - V).
-Eigen::VectorXd transverse_force(const GroovedBody& body,
-                                 const std::vector<fe::MeridianEdge>& section);
+Eigen::VectorXd transverse_force(const GroovedBody& body, const std::vector<fe::MeridianEdge>& section);
 
 }  // namespace prs

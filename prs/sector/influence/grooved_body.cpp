@@ -52,8 +52,7 @@ double half_space_remainder(const HertzPatch& patch, const Material& material, d
   // In polar coordinates a_t k = q cos(phi), a_s l = q sin(phi), of which |cos(phi)| > start/q.
   const auto over_angle = [&](double q) {
     return integral(0.0, std::acos(std::min(1.0, start / q)), 10, [&](double phi) {
-      return 1.0 / std::hypot(patch.along_profile * std::cos(phi),
-                              patch.along_circumference * std::sin(phi));
+      return 1.0 / std::hypot(patch.along_profile * std::cos(phi), patch.along_circumference * std::sin(phi));
     });
   };
   const double last = std::max(kLargestSpectralRadius, 4.0 * start);
@@ -70,8 +69,7 @@ namespace {
 std::vector<double> graded(double from, double to, double first, double growth, double largest) {
   const double length = std::abs(to - from);
   std::vector<double> ends{0.0};
-  for (double size = first; ends.back() < length * (1.0 - 1e-9);
-       size = std::min(size * growth, largest))
+  for (double size = first; ends.back() < length * (1.0 - 1e-9); size = std::min(size * growth, largest))
     ends.push_back(ends.back() + size);
   // The last cell is dropped where more than half of it is beyond the end; all then fit exactly.
   const std::size_t n = ends.size();
@@ -86,8 +84,7 @@ std::vector<double> graded(double from, double to, double first, double growth, 
 std::vector<double> split(const std::vector<double>& ends, int parts) {
   std::vector<double> finer{ends.front()};
   for (std::size_t i = 1; i < ends.size(); ++i) {
-    for (int k = 1; k < parts; ++k)
-      finer.push_back(ends[i - 1] + (ends[i] - ends[i - 1]) * k / parts);
+    for (int k = 1; k < parts; ++k) finer.push_back(ends[i - 1] + (ends[i] - ends[i - 1]) * k / parts);
     finer.push_back(ends[i]);
   }
   return finer;
@@ -103,8 +100,8 @@ double patch_height(const HertzPatch& patch, const Groove& g, FlankSide side) {
   return patch.along_profile * std::cos(g.angle(side));
 }
 
-void add_flank(std::vector<Cut>& cuts, const Groove& g, double ridge, FlankSide side,
-               const LoadedFlank* loaded, const MeshDensity& density) {
+void add_flank(std::vector<Cut>& cuts, const Groove& g, double ridge, FlankSide side, const LoadedFlank* loaded,
+               const MeshDensity& density) {
   const auto add = [&](double height, bool essential) {
     cuts.push_back({ridge + g.position(side, height), essential});
   };
@@ -123,8 +120,7 @@ void add_flank(std::vector<Cut>& cuts, const Groove& g, double ridge, FlankSide 
   for (const double h : graded(-half, -g.dedendum, cell, density.growth, largest)) add(h, true);
 }
 
-const LoadedFlank* find(const std::vector<LoadedFlank>& flanks, double ridge, FlankSide side,
-                        double tolerance) {
+const LoadedFlank* find(const std::vector<LoadedFlank>& flanks, double ridge, FlankSide side, double tolerance) {
   for (const LoadedFlank& f : flanks)
     if (f.side == side && std::abs(f.ridge - ridge) < tolerance) return &f;
   return nullptr;
@@ -161,8 +157,7 @@ std::vector<double> columns_of(const GroovedShape& s, const std::vector<LoadedFl
     const int crest_cells = is_loaded ? std::max(1, density.patch_cells / 2) : 1;
     const double left = g.position(FlankSide::backward, g.addendum);
     const double right = g.position(FlankSide::forward, g.addendum);
-    for (int i = 1; i < crest_cells; ++i)
-      cuts.push_back({ridge + left + (right - left) * i / crest_cells, false});
+    for (int i = 1; i < crest_cells; ++i) cuts.push_back({ridge + left + (right - left) * i / crest_cells, false});
     cuts.push_back({ridge + 0.5 * g.pitch, false});
   }
   const double low = s.start - (s.plain_end ? s.plain_end->length : 0.0);
@@ -184,11 +179,9 @@ std::vector<double> columns_of(const GroovedShape& s, const std::vector<LoadedFl
   std::vector<double> z;
   for (std::size_t i = 0; i < distinct.size(); ++i) {
     const auto gives_way_to = [&](std::size_t k) {
-      return k < distinct.size() && distinct[k].essential &&
-             std::abs(distinct[k].z - distinct[i].z) < close - same;
+      return k < distinct.size() && distinct[k].essential && std::abs(distinct[k].z - distinct[i].z) < close - same;
     };
-    if (distinct[i].essential || !(gives_way_to(i + 1) || gives_way_to(i - 1)))
-      z.push_back(distinct[i].z);
+    if (distinct[i].essential || !(gives_way_to(i + 1) || gives_way_to(i - 1))) z.push_back(distinct[i].z);
   }
   return z;
 }
@@ -204,25 +197,21 @@ double base_radius(const GroovedShape& s, const MeshDensity& density) {
 }
 
 /// Shares of the depth between profile and the first cylinder, 0 at the profile.
-std::vector<double> ridge_layers(const Groove& g, const std::vector<LoadedFlank>& flanks,
-                                 const MeshDensity& density, double base) {
+std::vector<double> ridge_layers(const Groove& g, const std::vector<LoadedFlank>& flanks, const MeshDensity& density,
+                                 double base) {
   const double depth = std::abs(base - g.radius(0.0));
   double cell = 0.2 * depth;
-  for (const LoadedFlank& f : flanks)
-    cell = std::min(cell, 2.0 * f.patch.along_profile / f.patch_cells);
+  for (const LoadedFlank& f : flanks) cell = std::min(cell, 2.0 * f.patch.along_profile / f.patch_cells);
   std::vector<double> share = graded(0.0, depth, cell, density.growth, depth);
   for (double& d : share) d /= depth;
   return share;
 }
 
 /// Whether a body's plain ends are thinner than its cylinder of radius `base`: a step.
-bool has_step(const GroovedShape& s, double base) {
-  return s.plain_end && s.plain_end->radius < base * (1.0 + 1e-9);
-}
+bool has_step(const GroovedShape& s, double base) { return s.plain_end && s.plain_end->radius < base * (1.0 + 1e-9); }
 
 /// Ends of cells from `from` to `to`, fine at both.
-std::vector<double> graded_to_middle(double from, double to, double first, double last,
-                                     double growth, double largest) {
+std::vector<double> graded_to_middle(double from, double to, double first, double last, double growth, double largest) {
   const double middle = from + (to - from) * (first >= last ? 0.4 : 0.6);
   std::vector<double> ends = graded(from, middle, first, growth, largest);
   std::vector<double> back = graded(to, middle, last, growth, largest);
@@ -233,8 +222,7 @@ std::vector<double> graded_to_middle(double from, double to, double first, doubl
 
 /// Radii of the cylinders from the first one, which is included, to the far surface and beyond it
 /// to the collars. Cells are small where the surface steps, since a thrust face ends there.
-std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density, double first,
-                               double cell) {
+std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density, double first, double cell) {
   const double thickness = std::abs(s.far_radius - first);
   const double largest = density.largest_cell * thickness;
   if (!s.groove.internal) {
@@ -242,8 +230,7 @@ std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density
     if (has_step(s, first) && s.plain_end->radius < first * (1.0 - 1e-6))
       radii = graded(first, s.plain_end->radius, cell, density.growth, largest);
     if (radii.size() > 1) cell = radii[radii.size() - 2] - radii.back();
-    const std::vector<double> rest =
-        graded(radii.back(), s.far_radius, cell, density.growth, largest);
+    const std::vector<double> rest = graded(radii.back(), s.far_radius, cell, density.growth, largest);
     radii.insert(radii.end(), rest.begin() + 1, rest.end());
     return radii;
   }
@@ -252,9 +239,7 @@ std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density
   for (const double r : s.radii)
     if (r > first) stops.push_back(r);
   std::sort(stops.begin(), stops.end());
-  stops.erase(
-      std::unique(stops.begin(), stops.end(), [](double a, double b) { return b - a < 1e-9; }),
-      stops.end());
+  stops.erase(std::unique(stops.begin(), stops.end(), [](double a, double b) { return b - a < 1e-9; }), stops.end());
   const double small = density.step_cell * thickness;
   std::vector<double> radii{first};
   for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -274,10 +259,8 @@ void require_proper(const GroovedShape& s, const MeshDensity& density) {
   for (const FlankSide side : {FlankSide::backward, FlankSide::forward}) {
     const double angle = g.angle(side);
     if (angle < 10.0 / 180.0 * std::numbers::pi || angle > 75.0 / 180.0 * std::numbers::pi)
-      throw std::invalid_argument(
-          "flank normals must make 10 to 75 deg with the axis for the meridian mesh");
-    if (sign(side) * g.position(side, g.addendum) <= 0.0 ||
-        sign(side) * g.position(side, -g.dedendum) >= 0.5 * g.pitch)
+      throw std::invalid_argument("flank normals must make 10 to 75 deg with the axis for the meridian mesh");
+    if (sign(side) * g.position(side, g.addendum) <= 0.0 || sign(side) * g.position(side, -g.dedendum) >= 0.5 * g.pitch)
       throw std::invalid_argument("the flanks of a thread meet below its crest or above its root");
   }
   const double base = base_radius(s, density), least = 0.05 * g.pitch;
@@ -317,29 +300,23 @@ struct Layers {
   }
   /// Radius of a line between layers below a surface.
   double radius(int line, double surface) const {
-    return line <= ridge_cells()
-               ? surface + (base - surface) * share[static_cast<std::size_t>(line)]
-               : core[static_cast<std::size_t>(line - ridge_cells())];
+    return line <= ridge_cells() ? surface + (base - surface) * share[static_cast<std::size_t>(line)]
+                                 : core[static_cast<std::size_t>(line - ridge_cells())];
   }
   /// In the grid layers run outwards.
   int line_in_grid(int line) const { return outwards ? line : count() - line; }
   int cell_in_grid(int layer) const { return outwards ? layer : count() - 1 - layer; }
 };
 
-Layers layers_of(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks,
-                 const MeshDensity& density) {
+Layers layers_of(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks, const MeshDensity& density) {
   const Groove& g = shape.groove;
-  Layers layers{split(columns_of(shape, flanks, density), density.split),
-                {},
-                {},
-                base_radius(shape, density),
-                g.internal};
+  Layers layers{
+      split(columns_of(shape, flanks, density), density.split), {}, {}, base_radius(shape, density), g.internal};
   const std::vector<double> share = ridge_layers(g, flanks, density, layers.base);
-  const double last_cell = (share[share.size() - 1] - share[share.size() - 2]) *
-                           std::abs(g.radius(-g.dedendum) - layers.base);
-  layers.core = split(
-      core_radii(shape, density, layers.base, density.growth * std::max(last_cell, 0.05 * g.pitch)),
-      density.split);
+  const double last_cell =
+      (share[share.size() - 1] - share[share.size() - 2]) * std::abs(g.radius(-g.dedendum) - layers.base);
+  layers.core = split(core_radii(shape, density, layers.base, density.growth * std::max(last_cell, 0.05 * g.pitch)),
+                      density.split);
   layers.share = split(share, density.split);
   return layers;
 }
@@ -359,12 +336,9 @@ double surface_radius(const GroovedShape& shape, double base, double z) {
 
 /// Whether a cell between two columns, in the middle of which z lies, belongs to the body.
 bool is_filled(const GroovedShape& shape, const Layers& layers, double z, int layer) {
-  const auto core = [&](int line) {
-    return layers.core[static_cast<std::size_t>(line - layers.ridge_cells())];
-  };
+  const auto core = [&](int line) { return layers.core[static_cast<std::size_t>(line - layers.ridge_cells())]; };
   const bool in_core = layer >= layers.ridge_cells();
-  if (shape.groove.internal && in_core)
-    return core(layer + 1) < outer_radius(shape, z) * (1.0 + 1e-9);
+  if (shape.groove.internal && in_core) return core(layer + 1) < outer_radius(shape, z) * (1.0 + 1e-9);
   if (!is_threaded(shape, z) && has_step(shape, layers.base))
     return in_core && core(layer) < shape.plain_end->radius * (1.0 + 1e-9);
   return true;
@@ -375,8 +349,7 @@ fe::MeridianGrid grid_of(const GroovedShape& shape, const Layers& layers) {
   for (int c = 0; c <= layers.columns(); ++c) {
     const double z = layers.z[static_cast<std::size_t>(c)];
     const double surface = surface_radius(shape, layers.base, z);
-    for (int l = 0; l <= layers.count(); ++l)
-      grid.point(c, layers.line_in_grid(l)) = {layers.radius(l, surface), z};
+    for (int l = 0; l <= layers.count(); ++l) grid.point(c, layers.line_in_grid(l)) = {layers.radius(l, surface), z};
   }
   for (int c = 0; c < layers.columns(); ++c)
     for (int l = 0; l < layers.count(); ++l)
@@ -385,8 +358,7 @@ fe::MeridianGrid grid_of(const GroovedShape& shape, const Layers& layers) {
 }
 
 /// The edges of the profile that a loaded flank's patch lies on.
-GroovedBody::Patch patch_on(const fe::MeshedGrid& meshed, const Layers& layers, const Groove& g,
-                            const LoadedFlank& f) {
+GroovedBody::Patch patch_on(const fe::MeshedGrid& meshed, const Layers& layers, const Groove& g, const LoadedFlank& f) {
   GroovedBody::Patch p;
   p.patch = f.patch;
   p.normal = g.normal(f.side);
@@ -408,9 +380,9 @@ GroovedBody::Patch patch_on(const fe::MeshedGrid& meshed, const Layers& layers, 
 }  // namespace
 
 const GroovedBody::Column& GroovedBody::column(double z) const {
-  const auto found = std::min_element(
-      columns_.begin(), columns_.end(),
-      [&](const Column& a, const Column& b) { return std::abs(a.z - z) < std::abs(b.z - z); });
+  const auto found = std::min_element(columns_.begin(), columns_.end(), [&](const Column& a, const Column& b) {
+    return std::abs(a.z - z) < std::abs(b.z - z);
+  });
   if (found == columns_.end() || std::abs(found->z - z) > 1e-3 * shape.groove.pitch)
     throw std::invalid_argument("the body has no column of nodes at that section");
   return *found;
@@ -451,14 +423,13 @@ HertzPatch fitted(HertzPatch patch, const Groove& g) {
 }
 
 Eigen::MatrixXd patch_loads(const GroovedBody& body, int harmonic) {
-  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(fe::kComponents * body.mesh.size(),
-                                                static_cast<Eigen::Index>(body.patches.size()));
+  Eigen::MatrixXd loads =
+      Eigen::MatrixXd::Zero(fe::kComponents * body.mesh.size(), static_cast<Eigen::Index>(body.patches.size()));
   Eigen::Index column = 0;
   for (const GroovedBody::Patch& p : body.patches) {
     const double turn = std::copysign(1.0, p.normal.x() * p.normal.y());
-    const Eigen::Vector2d along = p.tangential
-                                      ? Eigen::Vector2d(turn * p.normal.y(), -turn * p.normal.x())
-                                      : Eigen::Vector2d(-p.normal);
+    const Eigen::Vector2d along =
+        p.tangential ? Eigen::Vector2d(turn * p.normal.y(), -turn * p.normal.x()) : Eigen::Vector2d(-p.normal);
     const auto traction = [&](double r, double z) -> Eigen::Vector3d {
       const double s = (Eigen::Vector2d(r, z) - p.centre).norm();
       const double pressure = pressure_amplitude(p.patch, harmonic, s, r);

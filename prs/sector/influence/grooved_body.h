@@ -77,11 +77,11 @@ struct GroovedShape {
   double ridge = 0.0;  ///< Middle of any ridge [m].
   /// First and last ridge [m]; plain at the pitch radius beyond their grooves. Absent: endless.
   std::optional<std::pair<double, double>> ridges;
-  double far_radius = 0.0;  ///< Bore of a screw, 0 of a solid roller; outer radius of a nut [m].
+  double far_radius = 0.0;            ///< Bore of a screw, 0 of a solid roller; outer radius of a nut [m].
   std::optional<PlainEnd> plain_end;  ///< On both sides of an external thread.
   std::vector<Collar> collars;        ///< Collars of a nut.
   std::vector<double> sections;       ///< Further axial positions with a column of nodes [m].
-  std::vector<double> radii;  ///< Further radii with a layer of nodes beyond the core of a nut [m].
+  std::vector<double> radii;          ///< Further radii with a layer of nodes beyond the core of a nut [m].
 };
 
 /// The mesh of a grooved body and where its flanks and sections are.
@@ -106,8 +106,7 @@ struct GroovedBody {
   const std::vector<fe::MeridianEdge>& free_face(double z) const { return column(z).free_face; }
 
  private:
-  friend GroovedBody mesh_grooved_body(const GroovedShape&, const std::vector<LoadedFlank>&,
-                                       const MeshDensity&);
+  friend GroovedBody mesh_grooved_body(const GroovedShape&, const std::vector<LoadedFlank>&, const MeshDensity&);
   struct Column {
     double z = 0.0;
     std::vector<fe::MeridianEdge> edges;
@@ -145,8 +144,7 @@ inline void factorize(fe::HarmonicBody& body, int harmonic) {
 }
 
 /// Displacements by and at the loads, each weighted like its load: L' K^-1 L.
-inline Eigen::MatrixXd flexibility_of(fe::HarmonicBody& body, int harmonic,
-                                      const Eigen::MatrixXd& loads) {
+inline Eigen::MatrixXd flexibility_of(fe::HarmonicBody& body, int harmonic, const Eigen::MatrixXd& loads) {
   factorize(body, harmonic);
   return loads.transpose() * body.solve(loads);
 }

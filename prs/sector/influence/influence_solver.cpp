@@ -26,8 +26,7 @@ struct Loads {
 
 Loads loads_at(const ContactProblem& p, const Eigen::VectorXd& y) {
   const Eigen::ArrayXd closed = y.array().max(0.0), root = closed.sqrt();
-  return {(p.hertz_constant.array() * closed * root).matrix(),
-          (1.5 * p.hertz_constant.array() * root).matrix()};
+  return {(p.hertz_constant.array() * closed * root).matrix(), (1.5 * p.hertz_constant.array() * root).matrix()};
 }
 
 /// Unknowns and what the conditions lack there.
@@ -86,10 +85,8 @@ class Equilibrium {
   void evaluate(Trial& t) const {
     t.loads = loads_at(p_, t.y);
     t.residual.resize(n_ + 2);
-    t.residual.head(n_) =
-        (t.y + p_.gap - p_.rigid * t.motion + p_.flexibility * t.loads.value) / length_;
-    t.residual.tail<2>() =
-        (p_.balance.transpose() * t.loads.value - Eigen::Vector2d(force_, 0.0)) / force_;
+    t.residual.head(n_) = (t.y + p_.gap - p_.rigid * t.motion + p_.flexibility * t.loads.value) / length_;
+    t.residual.tail<2>() = (p_.balance.transpose() * t.loads.value - Eigen::Vector2d(force_, 0.0)) / force_;
   }
 
   void factorize(const Trial& at) {
@@ -97,8 +94,7 @@ class Equilibrium {
     jacobian_.topLeftCorner(n_, n_).diagonal().array() += 1.0;
     jacobian_.topLeftCorner(n_, n_) /= length_;
     jacobian_.topRightCorner(n_, 2) = -p_.rigid / length_;
-    jacobian_.bottomLeftCorner(2, n_) =
-        p_.balance.transpose() * at.loads.slope.asDiagonal() / force_;
+    jacobian_.bottomLeftCorner(2, n_) = p_.balance.transpose() * at.loads.slope.asDiagonal() / force_;
     jacobian_.bottomRightCorner<2, 2>().setZero();
     lu_.compute(jacobian_);
   }
@@ -113,8 +109,7 @@ class Equilibrium {
 
 }  // namespace
 
-InfluenceSolver::InfluenceSolver(const BodyFlexibilities& bodies, int rollers,
-                                 const PerInterface<ContactLaw>& laws,
+InfluenceSolver::InfluenceSolver(const BodyFlexibilities& bodies, int rollers, const PerInterface<ContactLaw>& laws,
                                  const PerInterface<std::vector<double>>& gaps)
     : joined_(bodies.joined()),
       bent_(bodies.roller.bent),
@@ -123,13 +118,11 @@ InfluenceSolver::InfluenceSolver(const BodyFlexibilities& bodies, int rollers,
       rollers_(rollers),
       face_(bodies.nut.face) {
   if (face_)
-    touching_ =
-        face_->touching_under(face_->equal_loads(static_cast<int>(gaps.nut.size())), face_->all())
-            .value_or(face_->all());
+    touching_ = face_->touching_under(face_->equal_loads(static_cast<int>(gaps.nut.size())), face_->all())
+                    .value_or(face_->all());
 }
 
-InfluenceSolver::Turned InfluenceSolver::turned(const RollerPush& push, double sense,
-                                                double pitch) const {
+InfluenceSolver::Turned InfluenceSolver::turned(const RollerPush& push, double sense, double pitch) const {
   const auto contacts = static_cast<Eigen::Index>(gaps_.screw.size());
   Turned t{Eigen::VectorXd(2 * contacts), Eigen::VectorXd(2 * contacts), {}};
   Eigen::VectorXd radial = Eigen::VectorXd::Zero(joined_.rows());
@@ -163,9 +156,9 @@ ContactProblem InfluenceSolver::problem(const Eigen::MatrixXd& joined, const Tur
       tangential.push_back(first + of_one - contacts + k);
     }
   if (turned.along.size() == 0) return contact_problem(joined(normal, normal), laws_, gaps_);
-  ContactProblem p = contact_problem(joined(normal, normal) * turned.along.asDiagonal() +
-                                         joined(normal, tangential) * turned.across.asDiagonal(),
-                                     laws_, gaps_);
+  ContactProblem p = contact_problem(
+      joined(normal, normal) * turned.along.asDiagonal() + joined(normal, tangential) * turned.across.asDiagonal(),
+      laws_, gaps_);
   Eigen::VectorXd axial = turned.along;
   axial.head(contacts) += std::tan(laws_.screw.normal_angle) * turned.across.head(contacts);
   axial.tail(contacts) += std::tan(laws_.nut.normal_angle) * turned.across.tail(contacts);
@@ -219,39 +212,34 @@ LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned
   return d;
 }
 
-BodyGeometry influence_geometry(const Conditions& c, const Contacts& contacts,
-                                const PerInterface<ContactLaw>& laws, Direction direction) {
+BodyGeometry influence_geometry(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                Direction direction) {
   const Materials& materials = *c.materials;
   PerInterface<HertzPatch> patches;
   for (const Interface i : kInterfaces)
-    patches[i] = nominal_patch(contacts.interfaces[i], laws[i], materials[body_of(i)],
-                               materials[Part::roller]);
-  return body_geometry(contacts.mechanism, *c.structure, materials, laws, patches, direction,
-                       c.model);
+    patches[i] = nominal_patch(contacts.interfaces[i], laws[i], materials[body_of(i)], materials[Part::roller]);
+  return body_geometry(contacts.mechanism, *c.structure, materials, laws, patches, direction, c.model);
 }
 
-InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
-                                 const PerInterface<ContactLaw>& laws, Direction direction,
-                                 double position, MatrixCache& cache, bool friction) {
+InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                 Direction direction, double position, MatrixCache& cache, bool friction) {
   BodyGeometry geometry = influence_geometry(c, contacts, laws, direction);
   geometry.friction = friction;
   try {
-    const BodyFlexibilities bodies = body_flexibilities(
-        geometry, direction, position, flexibility_options(c.model.accuracy), cache);
+    const BodyFlexibilities bodies =
+        body_flexibilities(geometry, direction, position, flexibility_options(c.model.accuracy), cache);
     return {bodies, contacts.mechanism.rollers, laws,
             initial_gaps(contacts.mechanism, c.deviations, *c.materials,
                          {laws.screw.normal_angle, laws.nut.normal_angle}, direction)};
   } catch (const std::invalid_argument& reason) {
-    throw CaseError("model.bodies",
-                    fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or fix "
-                                "the geometry",
-                                reason.what()));
+    throw CaseError("model.bodies", fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or fix "
+                                                "the geometry",
+                                                reason.what()));
   }
 }
 
-bool influence_is_kept(const Conditions& c, const Contacts& contacts,
-                       const PerInterface<ContactLaw>& laws, Direction direction,
-                       double position) try {
+bool influence_is_kept(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                       Direction direction, double position) try {
   MatrixCache kept(shared_matrix_cache(), MatrixCache::KeptOnly{});
   influence_solver(c, contacts, laws, direction, position, kept);
   return true;
@@ -264,12 +252,11 @@ HertzPatch patch_at_load(const InterfaceContact& contact, double normal_load) {
   const contact::InterfaceGeometry& g = contact.geometry;
   const double along_helix = std::abs(g.major_axis.dot(g.helix_tangent));
   const bool major_around_axis = along_helix > 0.5 * std::numbers::sqrt2;
-  return major_around_axis ? HertzPatch{at.semi_minor, at.semi_major}
-                           : HertzPatch{at.semi_major, at.semi_minor};
+  return major_around_axis ? HertzPatch{at.semi_minor, at.semi_major} : HertzPatch{at.semi_major, at.semi_minor};
 }
 
-HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law,
-                         const Material& body, const Material& roller) {
+HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law, const Material& body,
+                         const Material& roller) {
   const double modulus = contact::contact_modulus(body, roller);
   if (contact.has_hertz()) {
     const double at_one_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
@@ -280,23 +267,20 @@ HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law,
   return {radius, radius};
 }
 
-BodyFlexibilities body_flexibilities(const BodyGeometry& geometry, Direction direction,
-                                     double position, const FlexibilityOptions& options,
-                                     MatrixCache& cache) {
+BodyFlexibilities body_flexibilities(const BodyGeometry& geometry, Direction direction, double position,
+                                     const FlexibilityOptions& options, MatrixCache& cache) {
 #ifdef __EMSCRIPTEN__
   constexpr auto when = std::launch::deferred;  // It has no threads.
 #else
   constexpr auto when = std::launch::async | std::launch::deferred;
 #endif
-  auto roller =
-      std::async(when, [&] { return roller_flexibility(geometry, direction, options, cache); });
+  auto roller = std::async(when, [&] { return roller_flexibility(geometry, direction, options, cache); });
   Flexibility screw = screw_flexibility(geometry, direction, options, cache);
   Flexibility nut = nut_flexibility(geometry, direction, position, options, cache);
   return {std::move(screw), std::move(nut), roller.get()};
 }
 
-ContactProblem contact_problem(const Eigen::MatrixXd& flexibility,
-                               const PerInterface<ContactLaw>& laws,
+ContactProblem contact_problem(const Eigen::MatrixXd& flexibility, const PerInterface<ContactLaw>& laws,
                                const PerInterface<std::vector<double>>& gaps) {
   const auto n = static_cast<Index>(gaps.screw.size());
   ContactProblem p;
@@ -346,8 +330,7 @@ ContactSolution solve(const ContactProblem& p, double force) {
     double share = 1.0;
     Trial trial = equilibrium.moved(at, step, share);
     int halvings = 0;
-    while (!(trial.residual.squaredNorm() <= (1.0 - 1e-4 * share) * before) &&
-           halvings++ < kMostHalvings)
+    while (!(trial.residual.squaredNorm() <= (1.0 - 1e-4 * share) * before) && halvings++ < kMostHalvings)
       trial = equilibrium.moved(at, step, share *= 0.5);
     if (halvings > kMostHalvings) {
       s.status = fe::NewtonStatus::line_search_failed;

@@ -25,8 +25,7 @@ struct ContactProblem {
 
 /// The contact problem of a sector: its laws, the compliance of teeth included, its gaps, and the
 /// flexibility of its bodies.
-ContactProblem contact_problem(const Eigen::MatrixXd& flexibility,
-                               const PerInterface<ContactLaw>& laws,
+ContactProblem contact_problem(const Eigen::MatrixXd& flexibility, const PerInterface<ContactLaw>& laws,
                                const PerInterface<std::vector<double>>& gaps);
 
 /// The contact problem is not solved by its energy, and nothing is shifted: relative residual and
@@ -64,8 +63,8 @@ HertzPatch patch_at_load(const InterfaceContact& contact, double normal_load);
 /// with the half-space part. Peak pressure is 2 % of E*, 1/E* = (1 - nu^2)/E of both bodies, that
 /// is 2.3 GPa for steel; a circle where the geometry gives no contact, of the sphere that
 /// k_0 = 4/3 E* sqrt(R) asks for.
-HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law,
-                         const Material& body, const Material& roller);
+HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law, const Material& body,
+                         const Material& roller);
 
 /// Flexibility of the three bodies of a roller screw for one direction of the load and one position
 /// of the first contact on the nut.
@@ -79,16 +78,14 @@ struct BodyFlexibilities {
 };
 
 /// The bodies are worked out at the same time where the cache does not hold them.
-BodyFlexibilities body_flexibilities(const BodyGeometry& geometry, Direction direction,
-                                     double position, const FlexibilityOptions& options,
-                                     MatrixCache& cache = shared_matrix_cache());
+BodyFlexibilities body_flexibilities(const BodyGeometry& geometry, Direction direction, double position,
+                                     const FlexibilityOptions& options, MatrixCache& cache = shared_matrix_cache());
 
 /// Solves load after load on elastic bodies given by their flexibilities: the influence model. The
 /// nut's shoulder only pushes; which part of it does is found for each load.
 class InfluenceSolver {
  public:
-  InfluenceSolver(const BodyFlexibilities& bodies, int rollers,
-                  const PerInterface<ContactLaw>& laws,
+  InfluenceSolver(const BodyFlexibilities& bodies, int rollers, const PerInterface<ContactLaw>& laws,
                   const PerInterface<std::vector<double>>& gaps);
 
   /// Equilibrium under the axial force on the whole mechanism [N], > 0. A few 10 us, a few 100
@@ -99,8 +96,7 @@ class InfluenceSolver {
   /// centrifugal force of the threads; heads lie between guides. `sense` of the sector. Newton's
   /// method takes the friction of all contacts along, which makes C unsymmetric. The tangent
   /// stiffness is that with friction held. Needs `BodyGeometry::friction`.
-  LoadDistribution solve(double axial_force, const RollerPush& per_normal_load, double sense,
-                         double pitch) const {
+  LoadDistribution solve(double axial_force, const RollerPush& per_normal_load, double sense, double pitch) const {
     return solve(axial_force, turned(per_normal_load, sense, pitch));
   }
 
@@ -123,18 +119,17 @@ class InfluenceSolver {
 };
 
 /// What the bodies of a case are worked out from.
-BodyGeometry influence_geometry(const Conditions& c, const Contacts& contacts,
-                                const PerInterface<ContactLaw>& laws, Direction direction);
+BodyGeometry influence_geometry(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                Direction direction);
 
 /// The influence model of a case for one direction of the load and one position of the first
 /// contact on the nut. Throws CaseError where a body cannot be meshed.
-InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
-                                 const PerInterface<ContactLaw>& laws, Direction direction,
-                                 double position, MatrixCache& cache = shared_matrix_cache(),
+InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                 Direction direction, double position, MatrixCache& cache = shared_matrix_cache(),
                                  bool friction = false);
 
 /// Whether all that it takes is kept by the cache that the program's commands share.
-bool influence_is_kept(const Conditions& c, const Contacts& contacts,
-                       const PerInterface<ContactLaw>& laws, Direction direction, double position);
+bool influence_is_kept(const Conditions& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                       Direction direction, double position);
 
 }  // namespace prs

@@ -30,10 +30,8 @@ std::string encoded(const std::string& key, const MatrixCache::Matrices& matrice
   put(bytes, key);
   put(bytes, matrices.size());
   for (const Eigen::MatrixXd& m : matrices) {
-    for (const Eigen::Index side : {m.rows(), m.cols()})
-      put(bytes, static_cast<std::uint64_t>(side));
-    bytes.append(reinterpret_cast<const char*>(m.data()),
-                 static_cast<std::size_t>(m.size()) * sizeof(double));
+    for (const Eigen::Index side : {m.rows(), m.cols()}) put(bytes, static_cast<std::uint64_t>(side));
+    bytes.append(reinterpret_cast<const char*>(m.data()), static_cast<std::size_t>(m.size()) * sizeof(double));
   }
   return bytes + sha256(bytes);
 }
@@ -67,14 +65,11 @@ constexpr std::time_t kLongestWrite = 3600;
 std::string name_of(const std::string& digest) { return digest + std::string(kExtension); }
 
 bool starts_as_entry(std::string_view name) {
-  return name.size() >= kDigits + kExtension.size() &&
-         name.find_first_not_of("0123456789abcdef") == kDigits &&
+  return name.size() >= kDigits + kExtension.size() && name.find_first_not_of("0123456789abcdef") == kDigits &&
          name.substr(kDigits).starts_with(kExtension);
 }
 
-bool is_entry(std::string_view name) {
-  return starts_as_entry(name) && name.size() == kDigits + kExtension.size();
-}
+bool is_entry(std::string_view name) { return starts_as_entry(name) && name.size() == kDigits + kExtension.size(); }
 
 /// `DIGEST.matrices.RANDOM`.
 bool is_draft(std::string_view name) { return starts_as_entry(name) && !is_entry(name); }
@@ -124,8 +119,7 @@ OpenFolder make_folder(const fs::path& path) {
 std::optional<FileDescriptor> open_own(const FileDescriptor& folder, const std::string& name) {
   RegularFile opened = open_regular(name.c_str(), O_RDONLY, 0, folder.get());
   struct stat status {};
-  if (!opened.file.is_open() || ::fstat(opened.file.get(), &status) != 0 ||
-      status.st_uid != ::geteuid())
+  if (!opened.file.is_open() || ::fstat(opened.file.get(), &status) != 0 || status.st_uid != ::geteuid())
     return std::nullopt;
   return std::move(opened.file);
 }
@@ -135,8 +129,7 @@ bool is_left_behind(const FileDescriptor& draft) {
   if (::flock(draft.get(), LOCK_EX | LOCK_NB) == 0) return true;
   if (errno == EWOULDBLOCK) return false;
   struct stat status {};
-  return ::fstat(draft.get(), &status) == 0 &&
-         std::time(nullptr) - status.st_mtim.tv_sec > kLongestWrite;
+  return ::fstat(draft.get(), &status) == 0 && std::time(nullptr) - status.st_mtim.tv_sec > kLongestWrite;
 }
 
 /// What a file of so many bytes takes, in whole blocks.
@@ -151,15 +144,12 @@ struct Entry {
   auto operator<=>(const Entry&) const = default;
 };
 
-void remove(const FileDescriptor& folder, const std::string& name) {
-  ::unlinkat(folder.get(), name.c_str(), 0);
-}
+void remove(const FileDescriptor& folder, const std::string& name) { ::unlinkat(folder.get(), name.c_str(), 0); }
 
 std::vector<std::string> names_in(const fs::path& path) {
   std::vector<std::string> names;
   std::error_code ended;
-  for (fs::directory_iterator at(path, ended); !ended && at != fs::directory_iterator();
-       at.increment(ended))
+  for (fs::directory_iterator at(path, ended); !ended && at != fs::directory_iterator(); at.increment(ended))
     names.push_back(at->path().filename().string());
   return names;
 }
@@ -174,10 +164,9 @@ void clear_up(const FileDescriptor& folder, const fs::path& path, std::uintmax_t
     if (is_draft(name)) {
       const std::optional<FileDescriptor> draft = open_own(folder, name);
       if (draft && is_left_behind(*draft)) remove(folder, name);
-    } else if (::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
-               S_ISREG(status.st_mode)) {
-      entries.push_back({status.st_mtim.tv_sec, status.st_mtim.tv_nsec, name,
-                         on_disk(static_cast<std::uintmax_t>(status.st_size))});
+    } else if (::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(status.st_mode)) {
+      entries.push_back(
+          {status.st_mtim.tv_sec, status.st_mtim.tv_nsec, name, on_disk(static_cast<std::uintmax_t>(status.st_size))});
       total += entries.back().bytes;
     }
   }
@@ -227,9 +216,9 @@ void MatrixCache::keep_in(fs::path directory) {
   if (!directory.empty()) folder_.emplace(std::move(directory));
 }
 
-std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
-    const std::string& key, const std::function<Matrices()>& compute,
-    const std::function<bool(const Matrices&)>& fits) {
+std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(const std::string& key,
+                                                              const std::function<Matrices()>& compute,
+                                                              const std::function<bool(const Matrices&)>& fits) {
   std::optional<CacheFolder> folder;
   {
     const std::lock_guard lock(mutex_);
@@ -239,8 +228,7 @@ std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
   const std::string digest = folder ? sha256(key) : std::string();
   std::optional<Matrices> matrices;
   if (folder)
-    if (const std::optional<std::string> bytes = folder->read(digest))
-      matrices = decoded(*bytes, key);
+    if (const std::optional<std::string> bytes = folder->read(digest)) matrices = decoded(*bytes, key);
   if (matrices && fits && !fits(*matrices)) matrices.reset();
   const bool found = matrices.has_value();
   if (!found) {
@@ -251,8 +239,7 @@ std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
   }
 
   const std::lock_guard lock(mutex_);
-  const auto [entry, is_new] =
-      kept_.try_emplace(key, std::make_shared<const Matrices>(std::move(*matrices)));
+  const auto [entry, is_new] = kept_.try_emplace(key, std::make_shared<const Matrices>(std::move(*matrices)));
   const std::shared_ptr<const Matrices> result = entry->second;
   if (is_new) oldest_first_.push_back(key);
   if (oldest_first_.size() > kMostKept) {
@@ -283,8 +270,7 @@ std::filesystem::path cache_directory() {
   if (const char* own = std::getenv("PRS_CACHE_DIR")) return own;
   if (const char* user = std::getenv("XDG_CACHE_HOME"); user && *user == '/')
     return std::filesystem::path(user) / "prs";
-  if (const char* home = std::getenv("HOME"); home && *home)
-    return std::filesystem::path(home) / ".cache" / "prs";
+  if (const char* home = std::getenv("HOME"); home && *home) return std::filesystem::path(home) / ".cache" / "prs";
   return {};
 }
 
@@ -293,8 +279,7 @@ MatrixCache& shared_matrix_cache() {
   return cache;
 }
 
-CacheFolder::CacheFolder(fs::path path, std::uintmax_t most_bytes)
-    : path_(std::move(path)), most_bytes_(most_bytes) {
+CacheFolder::CacheFolder(fs::path path, std::uintmax_t most_bytes) : path_(std::move(path)), most_bytes_(most_bytes) {
   // A slash at its end would follow the folder where it is a link.
   if (!path_.empty() && !path_.has_filename()) path_ = path_.parent_path();
 }
@@ -314,12 +299,10 @@ void CacheFolder::write(const std::string& digest, std::string_view bytes) const
   if (!opened.folder.is_open()) return;
   const int folder = opened.folder.get();
   const std::string draft = name_of(digest) + random_suffix();
-  FileDescriptor file(
-      ::openat(folder, draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+  FileDescriptor file(::openat(folder, draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
   if (!file.is_open()) return;
   ::flock(file.get(), LOCK_EX | LOCK_NB);
-  if (write_all(file, bytes) != 0 ||
-      ::renameat(folder, draft.c_str(), folder, name_of(digest).c_str()) != 0)
+  if (write_all(file, bytes) != 0 || ::renameat(folder, draft.c_str(), folder, name_of(digest).c_str()) != 0)
     remove(opened.folder, draft);
   clear_up(opened.folder, path_, most_bytes_);
 }

@@ -80,8 +80,7 @@ class MatrixCache {
 
   /// What is kept under `key`, else the result of `compute`, which is kept from then on. What a
   /// file holds counts only if it `fits`: whatever its key says, anybody may have made it.
-  std::shared_ptr<const Matrices> get(const std::string& key,
-                                      const std::function<Matrices()>& compute,
+  std::shared_ptr<const Matrices> get(const std::string& key, const std::function<Matrices()>& compute,
                                       const std::function<bool(const Matrices&)>& fits = {});
 
   /// Matrices computed so far, found neither in memory nor in a file.

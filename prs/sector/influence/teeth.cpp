@@ -11,9 +11,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// response at the ridges around a loaded one, summed over the harmonics, by types.
 bool are_teeth(const Teeth& t, const MatrixCache::Matrices& m) {
   const auto count = static_cast<Index>(t.types.size());
-  const auto is_kernel = [&](const Eigen::MatrixXd& k) {
-    return k.rows() == count && k.cols() == count;
-  };
+  const auto is_kernel = [&](const Eigen::MatrixXd& k) { return k.rows() == count && k.cols() == count; };
   return m.size() % 2 == 1 && m.size() >= 3 && have_sizes({m[0], m[1]}, {{count, 1}, {count, 1}}) &&
          std::all_of(m.begin() + 2, m.end(), is_kernel);
 }
@@ -22,8 +20,7 @@ MatrixCache::Matrices compute(const Teeth& t) {
   BlockSolver block(t);
   const double radius = t.groove.pitch_radius;
   double widest = 0.0;
-  for (const LoadedFlank& flank : t.types)
-    widest = std::max(widest, flank.patch.along_circumference);
+  for (const LoadedFlank& flank : t.types) widest = std::max(widest, flank.patch.along_circumference);
   const double last = t.options.largest_wave * radius / widest;
   const auto count = static_cast<Index>(t.types.size());
   int n = t.first;
@@ -34,10 +31,8 @@ MatrixCache::Matrices compute(const Teeth& t) {
     for (int d = -r.reach; d <= r.reach; ++d)
       for (Index a = 0; a < count; ++a)
         for (Index b = 0; b < count; ++b) {
-          const bool turned =
-              t.opposite[static_cast<std::size_t>(a)] != t.opposite[static_cast<std::size_t>(b)];
-          m[at(2 + d + reach)](a, b) +=
-              (turned && n % 2 == 1 ? -t.step : t.step) * r.kernel[at(d + r.reach)](a, b);
+          const bool turned = t.opposite[static_cast<std::size_t>(a)] != t.opposite[static_cast<std::size_t>(b)];
+          m[at(2 + d + reach)](a, b) += (turned && n % 2 == 1 ? -t.step : t.step) * r.kernel[at(d + r.reach)](a, b);
         }
   }
   m[0].resize(count, 1);
@@ -56,9 +51,7 @@ void add_teeth(Flexibility& f, const Teeth& t, bool centred, MatrixCache& cache)
   const auto teeth = cached(cache, "teeth", t, compute, are_teeth);
   const MatrixCache::Matrices& m = *teeth;
   const int reach = static_cast<int>(m.size() - 3) / 2, contacts = t.contacts;
-  const auto kernel = [&](int d, Index a, Index b) {
-    return std::abs(d) > reach ? 0.0 : m[at(2 + d + reach)](a, b);
-  };
+  const auto kernel = [&](int d, Index a, Index b) { return std::abs(d) > reach ? 0.0 : m[at(2 + d + reach)](a, b); };
   // Half pitches by which the flank of one type lies before that of another on the same ridge.
   const auto ahead = [&](Index a, Index b) {
     const FlankSide of_a = t.types[static_cast<std::size_t>(a)].side;
@@ -69,13 +62,11 @@ void add_teeth(Flexibility& f, const Teeth& t, bool centred, MatrixCache& cache)
   for (Index a = 0; a < count; ++a)
     for (Index b = 0; b < count; ++b)
       for (int d = -reach - 1; d <= reach + 1; ++d) {
-        const double value =
-            centred ? 0.5 * (kernel(d, a, b) + kernel(d - ahead(a, b), a, b)) : kernel(d, a, b);
+        const double value = centred ? 0.5 * (kernel(d, a, b) + kernel(d - ahead(a, b), a, b)) : kernel(d, a, b);
         for (int j = std::max(0, -d); j < std::min(contacts, contacts - d); ++j)
           f.matrix(a * contacts + j + d, b * contacts + j) += value;
       }
-  for (Index a = 0; a < count; ++a)
-    f.matrix.diagonal().segment(a * contacts, contacts).array() += m[1](a) - m[0](a);
+  for (Index a = 0; a < count; ++a) f.matrix.diagonal().segment(a * contacts, contacts).array() += m[1](a) - m[0](a);
   f.matrix = 0.5 * (f.matrix + f.matrix.transpose()).eval();
   f.half_space = m[0](0);
 }

@@ -43,14 +43,14 @@ LineReachOf<Real> opposite_rows(const Real& radius) {
 /// Negative as a rule: spread loads have a part of the half-space's deflection too. Holds for rows
 /// further apart than p.
 template <class Real>
-Real concentration_compliance(const LineReachOf<Real>& reach, const contact::ElasticityOf<Real>& m,
-                              const Real& pitch, const Real& sine, const Real& cosine) {
+Real concentration_compliance(const LineReachOf<Real>& reach, const contact::ElasticityOf<Real>& m, const Real& pitch,
+                              const Real& sine, const Real& cosine) {
   using simd::log;
   constexpr double kPi = std::numbers::pi, kEulerGamma = std::numbers::egamma;
   const Real shear_modulus = m.youngs_modulus / (2.0 * (1.0 + m.poisson_ratio));
   const auto row = [&](const Real& length) { return log(0.5 * length / pitch) + kEulerGamma; };
-  return sine * sine * 2.0 * (1.0 - m.poisson_ratio * m.poisson_ratio) /
-             (kPi * m.youngs_modulus * pitch) * row(reach.normal) +
+  return sine * sine * 2.0 * (1.0 - m.poisson_ratio * m.poisson_ratio) / (kPi * m.youngs_modulus * pitch) *
+             row(reach.normal) +
          cosine * cosine / (kPi * shear_modulus * pitch) * row(reach.tangential);
 }
 
@@ -62,8 +62,7 @@ Real lame_ratio(const Real& outer, const Real& inner) {
 
 /// Radial pressure times its radius per normal load, projected back on the normal, over E [m/N].
 template <class Real>
-Real pressure_factor(const Real& modulus, const Real& rollers, const Real& pitch,
-                     const Real& sine) {
+Real pressure_factor(const Real& modulus, const Real& rollers, const Real& pitch, const Real& sine) {
   constexpr double kTwoPi = 2.0 * std::numbers::pi;
   return rollers * sine * sine / (kTwoPi * pitch * modulus);
 }
@@ -75,8 +74,7 @@ Real pressure_factor(const Real& modulus, const Real& rollers, const Real& pitch
 template <class Real>
 Real cylinder_compliance(const Real& radius, const Real& bore, const contact::ElasticityOf<Real>& m,
                          const Real& rollers, const Real& pitch, const Real& sine) {
-  return pressure_factor(m.youngs_modulus, rollers, pitch, sine) *
-         (lame_ratio(radius, bore) - m.poisson_ratio);
+  return pressure_factor(m.youngs_modulus, rollers, pitch, sine) * (lame_ratio(radius, bore) - m.poisson_ratio);
 }
 
 /// artanh(x)/x - 1 for 0 < x < 1, exact also where x is small: ln(R/r) is 2 x times one more, with
@@ -97,8 +95,8 @@ Real artanh_excess(const Real& x) {
 ///
 /// Of a thin wall both (R^2 + r^2)/(R^2 - r^2) and 1/ln(R/r) are large, but not their difference.
 template <class Real>
-Real wall_compliance(const Real& inner, const Real& outer, const contact::ElasticityOf<Real>& m,
-                     const Real& rollers, const Real& pitch, const Real& sine) {
+Real wall_compliance(const Real& inner, const Real& outer, const contact::ElasticityOf<Real>& m, const Real& rollers,
+                     const Real& pitch, const Real& sine) {
   const Real x = (outer - inner) / (outer + inner), excess = artanh_excess(x);
   return pressure_factor(m.youngs_modulus, rollers, pitch, sine) *
          (0.5 * (x + excess / (x * (1.0 + excess))) + m.poisson_ratio);
@@ -137,12 +135,10 @@ Real taken_by_end(const Real& decay, const Real& x) {
 /// tan(psi) nu r/(E A) int T T' dx is that of its ends only: an offset, the same for all threads,
 ///
 ///     -s nu tan(psi) r/(E A).
-inline double poisson_offset(double sense, double radius, double bore_radius,
-                             const contact::Elasticity& material, int rollers,
-                             double normal_angle) {
+inline double poisson_offset(double sense, double radius, double bore_radius, const contact::Elasticity& material,
+                             int rollers, double normal_angle) {
   const double area = std::numbers::pi * (radius * radius - bore_radius * bore_radius) / rollers;
-  return -sense * material.poisson_ratio * std::tan(normal_angle) * radius /
-         (material.youngs_modulus * area);
+  return -sense * material.poisson_ratio * std::tan(normal_angle) * radius / (material.youngs_modulus * area);
 }
 
 }  // namespace prs

@@ -45,8 +45,7 @@ struct NutNumbers {
 ///
 /// and mirrored for theta < -theta_1.
 template <class Real>
-Real centre_of_pressure(const Real& force, const Real& tilt, const Real& width,
-                        const Real& plane_modulus) {
+Real centre_of_pressure(const Real& force, const Real& tilt, const Real& width, const Real& plane_modulus) {
   using simd::abs, simd::select;
   constexpr double kPi = std::numbers::pi;
   const Real lean = kPi * plane_modulus * abs(tilt) * width / force;  // 4 where b = w
@@ -68,8 +67,7 @@ struct NutEnd {
     k.dm *= step;
     // Over (u, theta, v) of the deformation and (v, theta) of the node reached; loads.
     Real a[5][5] = {{k.uu, k.ut, -0.5 * k.uv, k.uv, Real(0.0)},
-                    {Real(0.0), k.tt + 0.25 * k.mm + tt, -0.5 * (k.tv + k.dm) + vt, k.tv - vt,
-                     -0.5 * k.mm - tt},
+                    {Real(0.0), k.tt + 0.25 * k.mm + tt, -0.5 * (k.tv + k.dm) + vt, k.tv - vt, -0.5 * k.mm - tt},
                     {Real(0.0), Real(0.0), 0.25 * k.vv + k.dd + vv, -0.5 * k.vv - vv, k.dm - vt},
                     {Real(0.0), Real(0.0), Real(0.0), k.vv + vv, vt},
                     {Real(0.0), Real(0.0), Real(0.0), Real(0.0), k.mm + tt}};
@@ -97,8 +95,8 @@ struct NutEnd {
 
 /// Rigidities of a segment's wall, u at the radius `reference`.
 template <class Real>
-fe::ShellRigidityOf<Real> wall_rigidity(const NutNumbers<Real>& n, std::size_t segment,
-                                        const Real& reference, const RefinedEffects& effects) {
+fe::ShellRigidityOf<Real> wall_rigidity(const NutNumbers<Real>& n, std::size_t segment, const Real& reference,
+                                        const RefinedEffects& effects) {
   const Real &root = n.root[segment], &outer = n.outer_radius[segment];
   const Real shear_modulus = n.modulus / (2.0 * (1.0 + n.poisson));
   const Real poisson = effects.poisson && effects.hoop ? n.poisson : Real(0.0);
@@ -124,8 +122,8 @@ struct ThrustTilt {
 
 /// Node by node from both ends to the thrust section.
 template <class Real>
-ThrustTilt<Real> thrust_tilt(const NutShape& shape, const NutNumbers<Real>& n,
-                             const fe::ShellBlocks<Real>* shells, const Real& contact_arm) {
+ThrustTilt<Real> thrust_tilt(const NutShape& shape, const NutNumbers<Real>& n, const fe::ShellBlocks<Real>* shells,
+                             const Real& contact_arm) {
   const Real axial = n.sense * n.cosine, moment = -axial * contact_arm;
   const auto last = static_cast<int>(shape.same.size());
   const auto sweep = [&](int from, int step) {
@@ -164,11 +162,9 @@ Real thrust_radius(const NutShape& shape, const NutNumbers<Real>& n, const Thrus
   Real low = n.ring_inner, high = n.ring_outer;
   for (int i = 0; i < 60; ++i) {
     const Real middle = 0.5 * (low + high);
-    const Real theta =
-        n.sense * tilt.by_loads + tilt.by_moment * axial_force * (middle - n.ring_inner);
-    const Real centre =
-        n.ring_inner + centre_of_pressure(Real(n.rollers * axial_force / (kTwoPi * middle)), theta,
-                                          width, plane_modulus);
+    const Real theta = n.sense * tilt.by_loads + tilt.by_moment * axial_force * (middle - n.ring_inner);
+    const Real centre = n.ring_inner + centre_of_pressure(Real(n.rollers * axial_force / (kTwoPi * middle)), theta,
+                                                          width, plane_modulus);
     const auto further = centre > middle;
     low = select(further, middle, low);
     high = select(further, high, middle);
@@ -179,18 +175,16 @@ Real thrust_radius(const NutShape& shape, const NutNumbers<Real>& n, const Thrus
 /// `NutShell` of nuts that have one: `shells[k]` of every segment k that is the first of its kind.
 /// Returns the distance from the radius of the nodes to the contacts.
 template <class Real>
-Real set_nut_shells(const NutShape& shape, const NutNumbers<Real>& n,
-                    fe::ShellBlocks<Real>* shells) {
+Real set_nut_shells(const NutShape& shape, const NutNumbers<Real>& n, fe::ShellBlocks<Real>* shells) {
   const auto before = static_cast<std::size_t>(shape.thrust > 1 ? shape.thrust - 1 : 0);
-  const Real reference =
-      shape.has_ring ? n.ring_inner : Real(0.5 * (n.root[before] + n.outer_radius[before]));
+  const Real reference = shape.has_ring ? n.ring_inner : Real(0.5 * (n.root[before] + n.outer_radius[before]));
   const auto for_each_kind = [&](auto f) {
     for (std::size_t k = 0; k < shape.same.size(); ++k)
       if (shape.same[k] == static_cast<int>(k)) f(k);
   };
   for_each_kind([&](std::size_t k) {
-    shells[k] = fe::shell_blocks(wall_rigidity(n, k, reference, shape.effects),
-                                 Real(n.sections[k + 1] - n.sections[k]));
+    shells[k] =
+        fe::shell_blocks(wall_rigidity(n, k, reference, shape.effects), Real(n.sections[k + 1] - n.sections[k]));
   });
   if (!shape.effects.flange) return Real(0.0);
   const Real arm = n.pitch_radius - reference;

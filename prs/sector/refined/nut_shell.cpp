@@ -6,8 +6,7 @@
 
 namespace prs {
 
-std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut& nut,
-                                      const NutBore& bore) {
+std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut& nut, const NutBore& bore) {
   const auto thrust = static_cast<std::size_t>(line.thrust);
   const bool at_first = thrust == 0, at_last = thrust == line.outer_radius.size();
   const double before = at_first ? bore.root.front() : line.outer_radius[thrust - 1];
@@ -23,8 +22,7 @@ std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut&
           fmt::format("misses the face of the nut at the thrust section {:g} mm, which "
                       "reaches from a diameter of {:g} mm to {:g} mm; expected one that "
                       "touches it; fix the diameters",
-                      1e3 * line.sections[thrust], 2e3 * std::min(before, behind),
-                      2e3 * std::max(before, behind)));
+                      1e3 * line.sections[thrust], 2e3 * std::min(before, behind), 2e3 * std::max(before, behind)));
   }
   return ring;
 }
@@ -46,14 +44,12 @@ NutShell nut_shell(const NutShape& shape, const NutNumbers<double>& numbers) {
   std::vector<fe::ShellBlocks<double>> shells(shape.same.size());
   const double arm = set_nut_shells(shape, numbers, shells.data());
   NutShell nut{{}, arm, shape.effects.flange && !shape.has_ring, shape.held_radially()};
-  for (const int k : shape.same)
-    nut.segments.push_back(fe::to_matrix(shells[static_cast<std::size_t>(k)]));
+  for (const int k : shape.same) nut.segments.push_back(fe::to_matrix(shells[static_cast<std::size_t>(k)]));
   return nut;
 }
 
-NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore,
-                   const NutLoad& load, const Material& material, int rollers,
-                   const RefinedEffects& effects) {
+NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore, const NutLoad& load,
+                   const Material& material, int rollers, const RefinedEffects& effects) {
   std::vector<int> same, contacts = line.contacts;
   set_alike_segments(line, bore, same);
   std::ranges::sort(contacts);

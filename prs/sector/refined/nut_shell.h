@@ -34,8 +34,7 @@ struct NutBore {
 /// The step of the outer radius at the thrust section, or the whole face of an end, as far as the
 /// stated shoulder reaches; none inside the nut. Throws CaseError where the shoulder misses the
 /// face.
-std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut& nut,
-                                      const NutBore& bore);
+std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut& nut, const NutBore& bore);
 
 /// Of each segment of the line the first one that is like it.
 void set_alike_segments(const NutLine& line, const NutBore& bore, std::vector<int>& same);
@@ -61,8 +60,7 @@ struct NutShell {
 /// Effects: `hoop` lets the wall move radially, `poisson` couples that with axial strain, `flange`
 /// takes forces where they act; without it they act at the wall's centroid and nothing tilts.
 NutShell nut_shell(const NutShape& shape, const NutNumbers<double>& numbers);
-NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore,
-                   const NutLoad& load, const Material& material, int rollers,
-                   const RefinedEffects& effects);
+NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore, const NutLoad& load,
+                   const Material& material, int rollers, const RefinedEffects& effects);
 
 }  // namespace prs

@@ -27,8 +27,7 @@ class JumpingClock : public testing::Test {
  protected:
   JumpingClock() {
     test::write_study_file(folder / "study.yaml", 200);
-    std::ofstream(folder / "optimize.yaml")
-        << test::content_of(kConfigs + "01_config_1_to_3.yaml") << R"(
+    std::ofstream(folder / "optimize.yaml") << test::content_of(kConfigs + "01_config_1_to_3.yaml") << R"(
 optimize:
   command: solve
   seed: 1
@@ -43,8 +42,7 @@ optimize:
 
   /// Runs `prs ARGUMENTS`.
   test::Outcome prs(const std::string& arguments, const std::string& environment) const {
-    return test::run_prs(arguments, folder,
-                         "PRS_CACHE_DIR='" + cache.string() + "' " + environment);
+    return test::run_prs(arguments, folder, "PRS_CACHE_DIR='" + cache.string() + "' " + environment);
   }
 
   /// What is written and printed is the same with and without jumps, but for a journal: how many
@@ -74,9 +72,7 @@ optimize:
 
 TEST_F(JumpingClock, ShowsInTheDateOfAPageAndTheTimeThatIsLeft) {
   const auto dated = [&](const std::string& environment) {
-    EXPECT_EQ(
-        prs("report " + kConfigs + "05_standard_screw.yaml --output page.html", environment).status,
-        0);
+    EXPECT_EQ(prs("report " + kConfigs + "05_standard_screw.yaml --output page.html", environment).status, 0);
     return test::content_of(folder / "page.html");
   };
   const auto far = testing::ContainsRegex("(1968|1969|1970|2039|2169|2170)-[0-9][0-9]-[0-9][0-9]");
@@ -84,8 +80,7 @@ TEST_F(JumpingClock, ShowsInTheDateOfAPageAndTheTimeThatIsLeft) {
   EXPECT_THAT(dated(kJumps), far);
 
   // On a terminal, where some hours pass while 200 designs are computed.
-  const test::Outcome run =
-      test::run_prs("study study.yaml --output shown\"", folder, "script -qec \"env " + kJumps);
+  const test::Outcome run = test::run_prs("study study.yaml --output shown\"", folder, "script -qec \"env " + kJumps);
   EXPECT_EQ(run.status, 0) << run.out;
   EXPECT_THAT(run.out, HasSubstr("0.0 a second, 0:00 left"));
 }
@@ -102,8 +97,7 @@ TEST_F(JumpingClock, LeavesWhatIsPrintedAndWritten) {
 
 TEST_F(JumpingClock, LeavesTheCacheOfMatrices) {
   if (test::count(0, 1) == 0) GTEST_SKIP() << "takes long; set PRS_THOROUGH=1";
-  const std::string arguments = "solve " + kConfigs +
-                                "13_three_models.yaml --set model.bodies=influence " +
+  const std::string arguments = "solve " + kConfigs + "13_three_models.yaml --set model.bodies=influence " +
                                 "--set mechanism.contacts_per_roller=2 --json --quiet";
   const std::string expected = prs(arguments, "").out;
   const auto kept = test::files_in(cache);

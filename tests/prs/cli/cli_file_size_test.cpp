@@ -42,8 +42,8 @@ class FileSizeLimit : public testing::TestWithParam<const char*> {
                "  thread_constraints: true\n  population: 20\n  generations: 2");
     if (std::string_view(GetParam()).find("SHARD") == std::string_view::npos) return;
     const test::Outcome shard =
-        test::run_prs("study '" + (input.path() / "study.yaml").string() +
-                      "' --quiet --shard 1/1 --output '" + (input.path() / "shard").string() + "'");
+        test::run_prs("study '" + (input.path() / "study.yaml").string() + "' --quiet --shard 1/1 --output '" +
+                      (input.path() / "shard").string() + "'");
     ASSERT_EQ(shard.status, 0) << shard.err;
   }
 
@@ -58,11 +58,9 @@ class FileSizeLimit : public testing::TestWithParam<const char*> {
     put("OPTIMIZE", input.path() / "optimize.yaml");
     put("SHARD", input.path() / "shard");
     fs::create_directory(folder);
-    if (arguments.find("NEW") == std::string::npos)
-      arguments += " --output '" + folder.string() + "'";
+    if (arguments.find("NEW") == std::string::npos) arguments += " --output '" + folder.string() + "'";
     put("NEW", folder / "case.yaml");
-    return test::run_prs(arguments + " --quiet", PRS_SOURCE_DIR,
-                         "prlimit --fsize=" + std::to_string(bytes));
+    return test::run_prs(arguments + " --quiet", PRS_SOURCE_DIR, "prlimit --fsize=" + std::to_string(bytes));
   }
 
   const test::TemporaryDirectory input;
@@ -99,15 +97,13 @@ TEST_P(FileSizeLimit, IsToldAndLeavesWholeFilesOnly) {
 
 INSTANTIATE_TEST_SUITE_P(
     EveryCommand, FileSizeLimit,
-    testing::Values("check configs/05_standard_screw.yaml",
-                    "contact configs/05_standard_screw.yaml", "solve configs/01_config_1_to_3.yaml",
-                    "slip configs/09_slip_and_dissipation.yaml", "preload configs/12_preload.yaml",
-                    "life configs/14_flight_spectrum.yaml",
-                    "measures configs/18_design_measures.yaml", "study configs/17_derivatives.yaml",
-                    "study STUDY", "study merge SHARD", "optimize OPTIMIZE",
+    testing::Values("check configs/05_standard_screw.yaml", "contact configs/05_standard_screw.yaml",
+                    "solve configs/01_config_1_to_3.yaml", "slip configs/09_slip_and_dissipation.yaml",
+                    "preload configs/12_preload.yaml", "life configs/14_flight_spectrum.yaml",
+                    "measures configs/18_design_measures.yaml", "study configs/17_derivatives.yaml", "study STUDY",
+                    "study merge SHARD", "optimize OPTIMIZE",
                     "configurations --screw-diameter '24 mm' --lead '8 mm' --starts 4",
                     "validate validation/sandu_2018",
-                    "validate --recipe jung-corrected --diameters '54 mm, 27 mm, 9 mm'", "schema",
-                    "new standard NEW"));
+                    "validate --recipe jung-corrected --diameters '54 mm, 27 mm, 9 mm'", "schema", "new standard NEW"));
 
 }  // namespace

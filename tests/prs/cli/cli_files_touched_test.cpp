@@ -31,9 +31,9 @@ Touched touched(const std::string& log, const fs::path& working) {
   static const std::regex call(R"re(^\d+ +(\w+)\((.*)\) += (-?\d+)(?:<([^>]*)>)?)re");
   static const std::regex named(R"re((?:(?:AT_FDCWD|\d+)<([^>]*)>, )?"([^"]*)")re");
   static const std::regex to_write("O_WRONLY|O_RDWR|O_CREAT|O_TRUNC");
-  static const std::set<std::string> changes = {
-      "mkdir", "mkdirat", "rename",  "renameat",  "renameat2", "unlink",   "unlinkat", "rmdir",
-      "link",  "linkat",  "symlink", "symlinkat", "chmod",     "fchmodat", "truncate"};
+  static const std::set<std::string> changes = {"mkdir",   "mkdirat",   "rename", "renameat", "renameat2",
+                                                "unlink",  "unlinkat",  "rmdir",  "link",     "linkat",
+                                                "symlink", "symlinkat", "chmod",  "fchmodat", "truncate"};
   static const std::set<std::string> network = {"socket", "connect", "bind", "sendto"};
   Touched all;
   std::istringstream lines(log);
@@ -47,8 +47,7 @@ Touched touched(const std::string& log, const fs::path& working) {
       const bool writes = name == "creat" || std::regex_search(arguments, to_write);
       (writes ? all.written : all.read).insert(found[4]);
     } else if (changes.contains(name)) {
-      for (std::sregex_iterator path(arguments.begin(), arguments.end(), named), end; path != end;
-           ++path) {
+      for (std::sregex_iterator path(arguments.begin(), arguments.end(), named), end; path != end; ++path) {
         const fs::path base = (*path)[1].matched ? fs::path((*path)[1].str()) : working;
         all.written.insert((base / (*path)[2].str()).lexically_normal().string());
       }
@@ -58,8 +57,7 @@ Touched touched(const std::string& log, const fs::path& working) {
 }
 
 /// Those that lie below none of the folders.
-std::vector<std::string> outside(const std::set<std::string>& files,
-                                 const std::vector<fs::path>& folders) {
+std::vector<std::string> outside(const std::set<std::string>& files, const std::vector<fs::path>& folders) {
   std::vector<std::string> found;
   for (const std::string& file : files)
     if (std::ranges::none_of(folders, [&](const fs::path& folder) {
@@ -71,19 +69,17 @@ std::vector<std::string> outside(const std::set<std::string>& files,
 
 TEST(SolveUnderStrace, TouchesInputOutputAndCacheAlone) {
   ASSERT_EQ(std::system("command -v strace >/dev/null"), 0) << "scripts/setup.sh installs strace";
-  if (std::system("strace -f -o /dev/null true >/dev/null 2>&1") != 0)
-    GTEST_SKIP() << "this machine forbids tracing";
+  if (std::system("strace -f -o /dev/null true >/dev/null 2>&1") != 0) GTEST_SKIP() << "this machine forbids tracing";
   const test::TemporaryDirectory temporary;
   const fs::path folder = fs::canonical(temporary.path());
-  const fs::path input = folder / "input", output = folder / "output", cache = folder / "cache",
-                 log = folder / "log";
+  const fs::path input = folder / "input", output = folder / "output", cache = folder / "cache", log = folder / "log";
   fs::create_directory(input);
   fs::copy_file(PRS_SOURCE_DIR "/configs/13_three_models.yaml", input / "case.yaml");
   // The leak check cannot be traced.
-  const test::Outcome run = test::run_prs(
-      "solve input/case.yaml --output output --quiet", folder,
-      "env ASAN_OPTIONS=detect_leaks=0 PRS_CACHE_DIR='" + cache.string() +
-          "' $(command -v strace) -f -y -s 4096 -o '" + log.string() + "' -e trace=%file,%network");
+  const test::Outcome run =
+      test::run_prs("solve input/case.yaml --output output --quiet", folder,
+                    "env ASAN_OPTIONS=detect_leaks=0 PRS_CACHE_DIR='" + cache.string() +
+                        "' $(command -v strace) -f -y -s 4096 -o '" + log.string() + "' -e trace=%file,%network");
   ASSERT_EQ(run.status, 0) << run.err;
   const Touched files = touched(test::content_of(log), folder);
 
@@ -92,9 +88,8 @@ TEST(SolveUnderStrace, TouchesInputOutputAndCacheAlone) {
   EXPECT_THAT(files.read, Contains((input / "case.yaml").string()));
   // Programs are read too, with the libraries of the system and what it says of itself.
   const fs::path program = fs::canonical(test::program()).parent_path().parent_path().parent_path();
-  EXPECT_THAT(outside(files.read, {input, output, cache, program, "/lib", "/lib64", "/usr/lib",
-                                   "/usr/local/lib", "/etc/ld.so.cache", "/etc/ld.so.preload",
-                                   "/proc", "/sys/devices/system", "/dev"}),
+  EXPECT_THAT(outside(files.read, {input, output, cache, program, "/lib", "/lib64", "/usr/lib", "/usr/local/lib",
+                                   "/etc/ld.so.cache", "/etc/ld.so.preload", "/proc", "/sys/devices/system", "/dev"}),
               testing::IsEmpty());
   EXPECT_THAT(files.network, testing::IsEmpty());
 }

@@ -11,9 +11,9 @@ namespace {
 
 /// Runs `prs ARGUMENTS` without a cache; no memory of more than so many bytes at once.
 test::Outcome run_scarce(const std::string& arguments, std::size_t bytes) {
-  return test::run_prs(arguments, PRS_SOURCE_DIR,
-                       "PRS_CACHE_DIR= PRS_LARGEST_ALLOCATION=" + std::to_string(bytes) +
-                           " LD_PRELOAD='" + PRS_SCARCE_MEMORY + "'");
+  return test::run_prs(
+      arguments, PRS_SOURCE_DIR,
+      "PRS_CACHE_DIR= PRS_LARGEST_ALLOCATION=" + std::to_string(bytes) + " LD_PRELOAD='" + PRS_SCARCE_MEMORY + "'");
 }
 
 void expect_out_of_memory(const test::Outcome& run) {

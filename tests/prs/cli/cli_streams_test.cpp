@@ -35,8 +35,8 @@ struct Streams {
 
   std::string text() const {
     const char* const names[] = {"open", "closed", "full", "gone"};
-    return std::string("stdin ") + (in ? "open" : "closed") + ", stdout " +
-           names[static_cast<int>(out)] + ", stderr " + names[static_cast<int>(err)];
+    return std::string("stdin ") + (in ? "open" : "closed") + ", stdout " + names[static_cast<int>(out)] + ", stderr " +
+           names[static_cast<int>(err)];
   }
 };
 
@@ -73,8 +73,8 @@ class StandardStreams : public testing::Test {
     };
     for (const fs::path& file : {out, err, fifo}) fs::remove(file);
     // A pipe opens for its writer while there is a reader.
-    std::string command = "cd '" PRS_SOURCE_DIR "' && mkfifo '" + fifo.string() + "' && exec 8<>'" +
-                          fifo.string() + "' 9>'" + fifo.string() + "' 8>&-; '";
+    std::string command = "cd '" PRS_SOURCE_DIR "' && mkfifo '" + fifo.string() + "' && exec 8<>'" + fifo.string() +
+                          "' 9>'" + fifo.string() + "' 8>&-; '";
     command += std::string(test::program()) + "' " + arguments;
     command += redirection(1, streams.out, out) + redirection(2, streams.err, err);
     if (!streams.in) command += " <&-";
@@ -89,8 +89,8 @@ class StandardStreams : public testing::Test {
 TEST_F(StandardStreams, DecideTheStatusOnlyWhereTheResultGetsLost) {
   // Without a word on standard error, with warnings, with an error.
   for (const std::string arguments :
-       {"solve configs/01_config_1_to_3.yaml --json --quiet",
-        "solve configs/01_config_1_to_3.yaml --json", "solve configs/missing.yaml --json"}) {
+       {"solve configs/01_config_1_to_3.yaml --json --quiet", "solve configs/01_config_1_to_3.yaml --json",
+        "solve configs/missing.yaml --json"}) {
     const test::Outcome undisturbed = prs(arguments);
     for (const Streams& streams : all_streams()) {
       SCOPED_TRACE(arguments + ": " + streams.text());

@@ -47,11 +47,10 @@ TEST_F(CommandLine, SolvePrintsATableAndNothingElse) {
 }
 
 TEST_F(CommandLine, JsonIsOneDocumentOnStandardOutput) {
-  for (const char* arguments : {"solve configs/01_config_1_to_3.yaml --json --quiet",
-                                "validate validation/sandu_2018 --json", "schema --json",
-                                "check configs/05_standard_screw.yaml --json --quiet",
-                                "contact configs/05_standard_screw.yaml --json --quiet",
-                                "slip configs/09_slip_and_dissipation.yaml --json --quiet"}) {
+  for (const char* arguments :
+       {"solve configs/01_config_1_to_3.yaml --json --quiet", "validate validation/sandu_2018 --json", "schema --json",
+        "check configs/05_standard_screw.yaml --json --quiet", "contact configs/05_standard_screw.yaml --json --quiet",
+        "slip configs/09_slip_and_dissipation.yaml --json --quiet"}) {
     const Outcome run = prs(arguments);
     EXPECT_EQ(run.status, 0) << arguments;
     EXPECT_TRUE(nlohmann::json::accept(run.out)) << arguments;
@@ -74,10 +73,8 @@ TEST_F(CommandLine, TheModelOfTheBodiesIsNamed) {
             std::string::npos);
   EXPECT_EQ(model("--set model.refined.hoop=false"),
             R"({"bodies":"refined","effects_off":["hoop"],"roller_contacts":"opposite"})");
-  EXPECT_NE(prs("solve configs/13_three_models.yaml").out.find("bodies: refined, roller contacts"),
-            std::string::npos);
-  EXPECT_NE(prs("solve configs/13_three_models.yaml --json").err.find("bolted flange"),
-            std::string::npos);
+  EXPECT_NE(prs("solve configs/13_three_models.yaml").out.find("bodies: refined, roller contacts"), std::string::npos);
+  EXPECT_NE(prs("solve configs/13_three_models.yaml --json").err.find("bolted flange"), std::string::npos);
 }
 
 TEST_F(CommandLine, WarningsStandBesideTheDocument) {
@@ -95,8 +92,7 @@ TEST_F(CommandLine, DocumentNamesItsOrigin) {
 }
 
 TEST_F(CommandLine, SlipStandsBesideWhatSolveDelivers) {
-  const std::string config =
-      "configs/09_slip_and_dissipation.yaml --set model.loads=static --json --quiet";
+  const std::string config = "configs/09_slip_and_dissipation.yaml --set model.loads=static --json --quiet";
   const auto slip = nlohmann::json::parse(prs("slip " + config).out)["load_cases"][0];
   const auto solve = nlohmann::json::parse(prs("solve " + config).out)["load_cases"][0];
   for (const auto& [key, value] : solve.items()) {
@@ -104,9 +100,8 @@ TEST_F(CommandLine, SlipStandsBesideWhatSolveDelivers) {
     EXPECT_EQ(slip[key], value) << key;
   }
   EXPECT_EQ(slip["slip"]["nut"]["power_W"].size(), 20u);
-  EXPECT_NEAR(slip["slip"]["power_loss_input_output_W"].get<double>() /
-                  slip["slip"]["power_loss_W"].get<double>(),
-              1.0, 1e-10);
+  EXPECT_NEAR(slip["slip"]["power_loss_input_output_W"].get<double>() / slip["slip"]["power_loss_W"].get<double>(), 1.0,
+              1e-10);
 }
 
 TEST_F(CommandLine, WhatSlipCannotTakeIsAnErrorWithItsPlace) {
@@ -115,12 +110,11 @@ TEST_F(CommandLine, WhatSlipCannotTakeIsAnErrorWithItsPlace) {
     const char* override;
     const char* message;
   };
-  for (const auto& [override, message] :
-       {Wrong{"--set 'operation.speed=0 rpm'", "speed"},
-        Wrong{"--set operation.slip_ratio=0.3", "expected 0.3746529 to 1"},
-        Wrong{"--set operation.slip_ratio=1.5", "operation.slip_ratio"},
-        Wrong{"--set 'lubricant.temperature=-300 degC'", "lubricant.temperature"},
-        Wrong{"--set 'mechanism.pitch_diameter.roller=7.01 mm'", "gear ratio"}}) {
+  for (const auto& [override, message] : {Wrong{"--set 'operation.speed=0 rpm'", "speed"},
+                                          Wrong{"--set operation.slip_ratio=0.3", "expected 0.3746529 to 1"},
+                                          Wrong{"--set operation.slip_ratio=1.5", "operation.slip_ratio"},
+                                          Wrong{"--set 'lubricant.temperature=-300 degC'", "lubricant.temperature"},
+                                          Wrong{"--set 'mechanism.pitch_diameter.roller=7.01 mm'", "gear ratio"}}) {
     const Outcome run = prs(config + override);
     EXPECT_EQ(run.status, 2) << override;
     EXPECT_EQ(run.out, "") << override;
@@ -130,9 +124,9 @@ TEST_F(CommandLine, WhatSlipCannotTakeIsAnErrorWithItsPlace) {
 }
 
 TEST_F(CommandLine, ACaseWithoutSlipEquilibriumLeavesTheOthers) {
-  const Outcome run = prs(
-      "slip configs/09_slip_and_dissipation.yaml --json --quiet --set 'carrier.nut_torque=150 N m' "
-      "--set 'load_cases[0].axial_force=80 kN'");
+  const Outcome run =
+      prs("slip configs/09_slip_and_dissipation.yaml --json --quiet --set 'carrier.nut_torque=150 N m' "
+          "--set 'load_cases[0].axial_force=80 kN'");
   EXPECT_EQ(run.status, 3);
   const auto cases = nlohmann::json::parse(run.out)["load_cases"];
   EXPECT_TRUE(cases[0]["slip"]["converged"].get<bool>());
@@ -144,8 +138,7 @@ TEST_F(CommandLine, ACaseWithoutSlipEquilibriumLeavesTheOthers) {
 
 TEST_F(CommandLine, OverridesReplaceValues) {
   const auto solve = [&](const std::string& more) {
-    return nlohmann::json::parse(
-        prs("solve configs/01_config_1_to_3.yaml --json " + more).out)["load_cases"][0];
+    return nlohmann::json::parse(prs("solve configs/01_config_1_to_3.yaml --json " + more).out)["load_cases"][0];
   };
   const auto plain = solve(""), more = solve("--set mechanism.contacts_per_roller=15"),
              twice = solve(
@@ -174,9 +167,7 @@ TEST_F(CommandLine, WrongInputIsStatus2WithItsPlaceAndNoOutput) {
 TEST_F(CommandLine, WrongOverrideIsReportedWhereItTakesEffect) {
   const Outcome run = prs("solve configs/01_config_1_to_3.yaml --set mechanism.lead=5");
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err.rfind("configs/01_config_1_to_3.yaml:20:3: error: mechanism.lead: got 5;", 0),
-            0u)
-      << run.err;
+  EXPECT_EQ(run.err.rfind("configs/01_config_1_to_3.yaml:20:3: error: mechanism.lead: got 5;", 0), 0u) << run.err;
   EXPECT_NE(run.err.find("from --set mechanism.lead=5"), std::string::npos) << run.err;
 }
 
@@ -199,9 +190,8 @@ TEST_F(CommandLine, WhatOnlyTheGeometryRevealsIsReportedAtItsPlace) {
 
 TEST_F(CommandLine, WrongCommandLineIsStatus2) {
   for (const char* arguments :
-       {"", "frobnicate", "solve", "solve a.yaml b.yaml", "solve configs/missing.yaml",
-        "solve configs", "solve configs/01_config_1_to_3.yaml --set", "check --nonsense x.yaml",
-        "validate /nonexistent"}) {
+       {"", "frobnicate", "solve", "solve a.yaml b.yaml", "solve configs/missing.yaml", "solve configs",
+        "solve configs/01_config_1_to_3.yaml --set", "check --nonsense x.yaml", "validate /nonexistent"}) {
     const Outcome run = prs(arguments);
     EXPECT_EQ(run.status, 2) << arguments << run.err;
     EXPECT_EQ(run.out, "") << arguments;
@@ -214,8 +204,7 @@ TEST_F(CommandLine, ListsTheCommandsThatACaseHasAllFor) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "check\ncontact\nsolve\nmeasures\n");
   std::string names;
-  for (const prs::AnyAnalysis& analysis : prs::analyses())
-    names += fmt::format("{}\n", name(analysis.command));
+  for (const prs::AnyAnalysis& analysis : prs::analyses()) names += fmt::format("{}\n", name(analysis.command));
   EXPECT_EQ(prs("list commands").out, names);
   EXPECT_EQ(prs("list commands /nonexistent.yaml").status, 2);
 }
@@ -237,13 +226,11 @@ TEST_F(CommandLine, HelpAndVersionAreStatus0) {
 
 TEST_F(CommandLine, OutputWritesWhatOtherToolsOpen) {
   const fs::path files = folder / "deep" / "files";
-  const Outcome run =
-      prs("solve configs/03_load_sweep.yaml --quiet --output '" + files.string() + "'");
+  const Outcome run = prs("solve configs/03_load_sweep.yaml --quiet --output '" + files.string() + "'");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "");
-  for (const char* name :
-       {"result.json", "load_cases.csv", "load_distribution.csv", "plots/load_distribution.svg",
-        "plots/stiffness.svg", "plots/butterfly.svg"})
+  for (const char* name : {"result.json", "load_cases.csv", "load_distribution.csv", "plots/load_distribution.svg",
+                           "plots/stiffness.svg", "plots/butterfly.svg"})
     EXPECT_TRUE(fs::exists(files / name)) << name;
   std::ifstream csv(files / "load_cases.csv");
   std::string line;
@@ -275,16 +262,14 @@ TEST_F(CommandLine, NewWritesCasesThatSolveWithoutWarning) {
 
 TEST_F(CommandLine, OutputThatCannotBeWrittenIsStatus1) {
   std::ofstream(folder / "file") << "x";
-  const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json --output '" +
-                          (folder / "file").string() + "'");
+  const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json --output '" + (folder / "file").string() + "'");
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.err.find("file"), std::string::npos);
 }
 
 TEST_F(CommandLine, StudyWritesARowADesign) {
   const fs::path files = folder / "study";
-  const Outcome run =
-      prs("study configs/10_parametric_study.yaml --output '" + files.string() + "'");
+  const Outcome run = prs("study configs/10_parametric_study.yaml --output '" + files.string() + "'");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");  // No progress but on a terminal.
   EXPECT_NE(run.out.find("* as in the file"), std::string::npos);
@@ -301,17 +286,15 @@ TEST_F(CommandLine, StudyWritesARowADesign) {
 
 TEST_F(CommandLine, StudyWithoutSenseIsStatus2) {
   const std::string base = "study configs/10_parametric_study.yaml --json --set ";
-  for (const char* set : {"'study.responses=[slip.eficiency]'", "study.command=slipp",
-                          "'study.factors[0].path=mechanism.size'"}) {
+  for (const char* set :
+       {"'study.responses=[slip.eficiency]'", "study.command=slipp", "'study.factors[0].path=mechanism.size'"}) {
     const Outcome run = prs(base + set);
     EXPECT_EQ(run.status, 2) << set;
     EXPECT_EQ(run.out, "") << set;
     EXPECT_NE(run.err.find(": error: "), std::string::npos) << run.err;
   }
   EXPECT_EQ(prs("study configs/01_config_1_to_3.yaml").status, 2);
-  EXPECT_EQ(
-      prs("check configs/10_parametric_study.yaml --set 'study.factors[0].values=[1 kN]'").status,
-      2);
+  EXPECT_EQ(prs("check configs/10_parametric_study.yaml --set 'study.factors[0].values=[1 kN]'").status, 2);
 }
 
 TEST_F(CommandLine, PreloadPrintsTheCurveThroughZero) {
@@ -381,8 +364,7 @@ TEST_F(CommandLine, AFolderHoldsTheResultsOfOneCase) {
 
   // Commands on one case add to each other.
   for (const char* command : {"check", "contact"}) ASSERT_EQ(prs(command + lesson + used).err, "");
-  for (const auto& [name, content] : expected)
-    EXPECT_TRUE(fs::exists(folder / "used" / name)) << name;
+  for (const auto& [name, content] : expected) EXPECT_TRUE(fs::exists(folder / "used" / name)) << name;
 }
 
 TEST_F(CommandLine, NamesReachTheTerminalWithoutControls) {
@@ -391,8 +373,7 @@ TEST_F(CommandLine, NamesReachTheTerminalWithoutControls) {
                                               "\u2066", "\u200b", "\u2028", "\ufeff", "\xff"};
   const std::string file = " configs/09_slip_and_dissipation.yaml ";
   // Without what is no UTF-8, which YAML refuses.
-  const std::string name =
-      file + " --set 'load_cases[0].name=\"" + nasty.substr(0, nasty.find('\xff')) + "b\"'";
+  const std::string name = file + " --set 'load_cases[0].name=\"" + nasty.substr(0, nasty.find('\xff')) + "b\"'";
   std::vector<std::string> commands = {"solve " + file + "--set 'mechanism." + nasty + "=1'",
                                        "solve '" + nasty + "'",
                                        "solve " + file + "--set 'mechanism.lead=" + nasty + "'",
@@ -404,10 +385,8 @@ TEST_F(CommandLine, NamesReachTheTerminalWithoutControls) {
   for (const std::string& command : commands) {
     const Outcome run = prs(command);
     for (const std::string& text : forbidden) {
-      EXPECT_EQ(run.out.find(text), std::string::npos)
-          << printable(command) << ": " << printable(text);
-      EXPECT_EQ(run.err.find(text), std::string::npos)
-          << printable(command) << ": " << printable(run.err);
+      EXPECT_EQ(run.out.find(text), std::string::npos) << printable(command) << ": " << printable(text);
+      EXPECT_EQ(run.err.find(text), std::string::npos) << printable(command) << ": " << printable(run.err);
     }
     EXPECT_FALSE(run.out.empty() && run.err.empty());
   }

@@ -39,8 +39,7 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
            {"lists", "got lists; expected a command; did you mean `list`? See `prs help`"},
            {"frobnicate", "got frobnicate; expected a command; see `prs help`"},
-           {"slove - --json",
-            "got slove; expected a command; did you mean `solve`? See `prs help`"},
+           {"slove - --json", "got slove; expected a command; did you mean `solve`? See `prs help`"},
            {"new standard --starts 99999999999999999999",
             "--starts: got 99999999999999999999; expected a whole number from 1 to 100"},
            {"case.yaml",
@@ -60,8 +59,7 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
             "`prs help solve`"},
            {"list comands", "WHAT: got comands; expected one of commands, inputs"},
            {"list comands", "; did you mean `commands`? See `prs help list`"},
-           {"study a --threads 0",
-            "--threads: got 0; expected a whole number from 1 to 4096; see `prs help study`"},
+           {"study a --threads 0", "--threads: got 0; expected a whole number from 1 to 4096; see `prs help study`"},
            {"study a --threads 2.5", "--threads: got 2.5; expected a whole number"},
            {"study a --threads", "--threads: got no value; expected `--threads N`; see"},
            {"study a --shard 3", "--shard: got 3; expected i/n, from 1/n to n/n"},
@@ -87,16 +85,13 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
            {"new standard README.md", "README.md: the file exists already; give another name"},
            {"help sovle", "got sovle; expected a command; did you mean `solve`?"},
            {"help solve x", "got x; expected a command; see `prs help help`"},
-           {"manual sovle",
-            "got sovle; expected a command; did you mean `solve`? See `prs help manual`"},
-           {"schema new",
-            "WHAT: got new; expected one of input, results, figures, requirement, check"},
+           {"manual sovle", "got sovle; expected a command; did you mean `solve`? See `prs help manual`"},
+           {"schema new", "WHAT: got new; expected one of input, results, figures, requirement, check"},
            {"completion csh", "SHELL: got csh; expected one of bash, zsh, fish"},
            {"list units x", "got x; expected no further word; see `prs help list`"},
            {"list inputs " + screw, "got " + screw + "; expected no further word"},
            {"solve a --influence", "expected an option of `prs solve`; `prs compare` has it; see"},
-           {"solve a --threads 2",
-            "; `prs size` or `prs study` or `prs optimize` has it; see `prs help solve`"},
+           {"solve a --threads 2", "; `prs size` or `prs study` or `prs optimize` has it; see `prs help solve`"},
            {"--json", "got --json; expected an option of `prs`; see `prs help`"},
            {"solve a --csv german", "--csv: got german; expected one of plain, european; see"},
            {"solve a --csv-digits 0", "--csv-digits: got 0; expected a whole number from 1 to 17"},
@@ -132,12 +127,10 @@ TEST(Usage, OnATerminalErrorsBreakBetweenWords) {
   const FileDescriptor terminal(::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
   const winsize size{.ws_row = 24, .ws_col = 60, .ws_xpixel = 0, .ws_ypixel = 0};
   ASSERT_EQ(::ioctl(terminal.get(), TIOCSWINSZ, &size), 0);
-  test::Process process(
-      {"sh", "-c", "exec '" + std::string(test::program()) + "' solve a --jsn 2>" + name});
+  test::Process process({"sh", "-c", "exec '" + std::string(test::program()) + "' solve a --jsn 2>" + name});
   EXPECT_EQ(process.wait(), 2);
   std::string shown(1000, '\0');
-  shown.resize(static_cast<std::size_t>(
-      std::max<ssize_t>(0, ::read(screen.get(), shown.data(), shown.size()))));
+  shown.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::read(screen.get(), shown.data(), shown.size()))));
   EXPECT_EQ(shown,
             "prs: error: got --jsn; expected an option of `prs solve`;\r\n"
             "  did you mean `--json`? See `prs help solve`\r\n");
@@ -159,8 +152,8 @@ TEST(Usage, WithoutACommandTheCommandsStandByPurpose) {
   const Outcome run = run_prs("");
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
-  for (const char* said : {"Analyse a case:\n", "  solve  ", "Compute many designs:\n", "  study  ",
-                           "`prs help COMMAND`"})
+  for (const char* said :
+       {"Analyse a case:\n", "  solve  ", "Compute many designs:\n", "  study  ", "`prs help COMMAND`"})
     EXPECT_THAT(run.err, HasSubstr(said));
 }
 
@@ -176,8 +169,7 @@ void for_each_command(const nlohmann::json& program,
 TEST(Help, AGroupOfCommandsStandsOnce) {
   for (const char* page : {"--help", "help", "manual"}) {
     const std::string text = run_prs(page).out;
-    const std::string group =
-        page == std::string("manual") ? "\n.SH ANALYSE A CASE\n" : "\nAnalyse a case:\n";
+    const std::string group = page == std::string("manual") ? "\n.SH ANALYSE A CASE\n" : "\nAnalyse a case:\n";
     const std::size_t first = text.find(group);
     ASSERT_NE(first, std::string::npos) << page;
     EXPECT_EQ(text.find(group, first + 1), std::string::npos) << page;
@@ -229,9 +221,7 @@ TEST(StandardInput, IsACaseLikeAFile) {
   const Outcome file = run_prs("solve 01_config_1_to_3.yaml --json", PRS_SOURCE_DIR "/configs"),
                 piped = run_prs("solve - --json <01_config_1_to_3.yaml", PRS_SOURCE_DIR "/configs");
   EXPECT_EQ(piped.status, 0);
-  const auto cases = [](const Outcome& run) {
-    return nlohmann::json::parse(run.out)["load_cases"];
-  };
+  const auto cases = [](const Outcome& run) { return nlohmann::json::parse(run.out)["load_cases"]; };
   EXPECT_EQ(cases(piped), cases(file));
   // The history stands beside the current folder's files.
   const std::string life = "life - --json --quiet <14_flight_spectrum.yaml";
@@ -257,8 +247,7 @@ TEST(Interrupt, EndsEveryCommandWithStatus130) {
   const std::string pipe = (folder.path() / "pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const FileDescriptor end(::open(pipe.c_str(), O_RDWR | O_CLOEXEC));
-  test::Process process(
-      {"sh", "-c", "exec '" + std::string(test::program()) + "' solve - <" + pipe});
+  test::Process process({"sh", "-c", "exec '" + std::string(test::program()) + "' solve - <" + pipe});
   ASSERT_EQ(::write(end.get(), "a", 1), 1);
   // It has come as far as reading the case.
   for (int unread = 1; unread > 0;) ASSERT_EQ(::ioctl(end.get(), FIONREAD, &unread), 0);
@@ -271,8 +260,8 @@ TEST(Explain, SaysWhatAMeasureOrAResultIs) {
   EXPECT_EQ(by_name.status, 0);
   EXPECT_THAT(by_name.out, AllOf(StartsWith("measures."), HasSubstr("source: ")));
   // Every command explains every result, by any end of its path and with any index.
-  for (const char* name : {"load_cases[3].screw.peak_pressure_MPa", "screw.peak_pressure_MPa.max",
-                           "screw.peak_pressure_MPa"}) {
+  for (const char* name :
+       {"load_cases[3].screw.peak_pressure_MPa", "screw.peak_pressure_MPa.max", "screw.peak_pressure_MPa"}) {
     const Outcome run = run_prs(std::string("solve --explain '") + name + "'");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("load_cases[].screw.peak_pressure_MPa\n")) << name;
@@ -288,12 +277,10 @@ std::vector<std::string> completed(const std::vector<std::string>& words) {
   std::string line = "PATH=\"$(dirname '" + std::string(test::program()) + "'):$PATH\"; " +
                      "source <(prs completion bash); COMP_WORDS=(prs";
   for (const std::string& word : words) line += " '" + word + "'";
-  line += "); COMP_CWORD=" + std::to_string(words.size()) +
-          "; _prs 2>/dev/null; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  line += "); COMP_CWORD=" + std::to_string(words.size()) + "; _prs 2>/dev/null; printf '%s\\n' \"${COMPREPLY[@]}\"";
   const test::TemporaryDirectory folder;
   std::ofstream(folder.path() / "script") << line;
-  const std::string command = "cd '" PRS_SOURCE_DIR "' && bash '" +
-                              (folder.path() / "script").string() + "' >'" +
+  const std::string command = "cd '" PRS_SOURCE_DIR "' && bash '" + (folder.path() / "script").string() + "' >'" +
                               (folder.path() / "out").string() + "'";
   EXPECT_EQ(std::system(command.c_str()), 0);
   std::istringstream lines(test::content_of(folder.path() / "out"));
@@ -314,8 +301,7 @@ TEST(Completion, OffersCommandsOptionsWordsAndCases) {
 
   EXPECT_THAT(completed({"new", "--lesson", "14"}), ElementsAre("14_flight_spectrum"));
   EXPECT_THAT(completed({"new", "--lubricant", ""}),
-              AllOf(Contains("iso-vg-100"), Not(Contains("name")), Not(Contains("nu")),
-                    Not(Contains("[1]"))));
+              AllOf(Contains("iso-vg-100"), Not(Contains("name")), Not(Contains("nu")), Not(Contains("[1]"))));
   EXPECT_THAT(completed({"configurations", "--type", ""}), ElementsAre("standard", "inverted"));
   EXPECT_THAT(completed({"solve", "--outp"}), ElementsAre("--output"));
   EXPECT_THAT(completed({"study", "merge", "--res"}), ElementsAre());

@@ -30,9 +30,7 @@ bool agree(const std::filesystem::path& schema, const std::filesystem::path& doc
 TEST(FiguresCommand, DocumentsHoldThemAsTheirSchemaSays) {
   SKIP_UNDER_SANITIZERS();
   const test::TemporaryDirectory temporary;
-  ASSERT_EQ(
-      test::run_prs("schema figures --quiet --output '" + temporary.path().string() + "'").status,
-      0);
+  ASSERT_EQ(test::run_prs("schema figures --quiet --output '" + temporary.path().string() + "'").status, 0);
   const std::filesystem::path documents = temporary.path() / "documents";
   std::filesystem::create_directory(documents);
   const auto expect = [&](const std::string& arguments, const std::set<std::string>& wanted) {

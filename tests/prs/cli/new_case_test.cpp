@@ -65,24 +65,21 @@ const std::string kOf30 = "--screw-diameter 30mm --lead 10mm ";
 
 TEST_F(NewCase, EveryScrewOfACatalogueRunsThroughAllCommandsNearTheMakersNumbers) {
   SKIP_UNDER_SANITIZERS();
-  const auto screws =
-      standard_screws::read_catalogue(PRS_SOURCE_DIR "/validation/standard_screws/screws.csv");
+  const auto screws = standard_screws::read_catalogue(PRS_SOURCE_DIR "/validation/standard_screws/screws.csv");
   ASSERT_EQ(screws.size(), 24u);
   const auto between = [](double least, double greatest) { return AllOf(Ge(least), Le(greatest)); };
   for (const standard_screws::CatalogueScrew& s : screws) {
     const std::string file = s.name + ".yaml";
-    const test::Outcome run = prs(fmt::format(
-        "new standard {} --screw-diameter {}mm --lead {}mm --starts {} --nut-diameter {}mm "
-        "--nut-length {}mm",
-        file, 1e3 * s.screw.screw_diameter, 1e3 * s.screw.lead, *s.screw.starts,
-        1e3 * *s.screw.nut_diameter, 1e3 * *s.screw.nut_length));
+    const test::Outcome run =
+        prs(fmt::format("new standard {} --screw-diameter {}mm --lead {}mm --starts {} --nut-diameter {}mm "
+                        "--nut-length {}mm",
+                        file, 1e3 * s.screw.screw_diameter, 1e3 * s.screw.lead, *s.screw.starts,
+                        1e3 * *s.screw.nut_diameter, 1e3 * *s.screw.nut_length));
     ASSERT_EQ(run.status, 0) << run.err;
     const nlohmann::json found = documents(file);
     EXPECT_THAT(unusual(found), testing::IsEmpty()) << s.name;
     EXPECT_GE(found["life"]["life"]["static_safety"], 1.5) << s.name;
-    const auto measure = [&](const char* key) {
-      return found["measures"]["measures"][key].get<double>();
-    };
+    const auto measure = [&](const char* key) { return found["measures"]["measures"][key].get<double>(); };
     EXPECT_THAT(measure("static_capacity_N") / s.static_capacity, between(0.5, 1.8)) << s.name;
     if (s.screw.screw_diameter > 7e-3) {  // See SOURCE.md on the screw of 4 mm.
       EXPECT_THAT(measure("dynamic_capacity_N") / s.dynamic_capacity, between(0.6, 1.6)) << s.name;
@@ -90,14 +87,11 @@ TEST_F(NewCase, EveryScrewOfACatalogueRunsThroughAllCommandsNearTheMakersNumbers
     if (s.weight_digit <= 0.1 * s.weight) {
       EXPECT_THAT(measure("weight_kg") / s.weight, between(0.82, 1.18)) << s.name;
     }
-    EXPECT_THAT(1e-6 * measure("nut_inertia_kg_mm2") / s.nut_inertia, between(0.82, 1.18))
-        << s.name;
-    EXPECT_THAT(1e-6 * measure("roller_inertia_kg_mm2") / s.roller_inertia, between(0.82, 1.18))
-        << s.name;
+    EXPECT_THAT(1e-6 * measure("nut_inertia_kg_mm2") / s.nut_inertia, between(0.82, 1.18)) << s.name;
+    EXPECT_THAT(1e-6 * measure("roller_inertia_kg_mm2") / s.roller_inertia, between(0.82, 1.18)) << s.name;
     for (const auto& load : found["slip"]["load_cases"]) {
       EXPECT_EQ(load["slip"]["converged"], true) << s.name;
-      EXPECT_THAT(load["slip"]["efficiency"].get<double>() / s.efficiency, between(0.9, 1.06))
-          << s.name;
+      EXPECT_THAT(load["slip"]["efficiency"].get<double>() / s.efficiency, between(0.9, 1.06)) << s.name;
     }
   }
 }
@@ -110,8 +104,7 @@ TEST_F(NewCase, TheCaseAmongTheValidatedOnesIsOneOfThese) {
 TEST_F(NewCase, TheProposedConductancesAreACaseOnceTheyAreNoComment) {
   ASSERT_EQ(prs("new standard a.yaml " + kOf30 + "--speed 10rpm").status, 0);
   std::string text = this->text("a.yaml");
-  const std::size_t first = text.find("# heat: {"),
-                    second = text.find("\n#   screw_rollers", first);
+  const std::size_t first = text.find("# heat: {"), second = text.find("\n#   screw_rollers", first);
   ASSERT_NE(second, std::string::npos);
   text.erase(second + 1, 1);
   text.erase(first, 2);
@@ -123,11 +116,10 @@ TEST_F(NewCase, TheProposedConductancesAreACaseOnceTheyAreNoComment) {
 }
 
 TEST_F(NewCase, FewNumbersMakeACompleteCase) {
-  for (const char* arguments :
-       {"standard a.yaml --screw-diameter 25mm --lead 5mm",
-        "inverted b.yaml --screw-diameter '21 mm' --lead '5 mm' --starts 3",
-        "inverted c.yaml --screw-diameter 60mm --lead=-20mm --nut-length 600mm --load 50kN",
-        "standard d.yaml --screw-diameter 30mm --lead=-10mm --rollers 8 --speed 400rpm"}) {
+  for (const char* arguments : {"standard a.yaml --screw-diameter 25mm --lead 5mm",
+                                "inverted b.yaml --screw-diameter '21 mm' --lead '5 mm' --starts 3",
+                                "inverted c.yaml --screw-diameter 60mm --lead=-20mm --nut-length 600mm --load 50kN",
+                                "standard d.yaml --screw-diameter 30mm --lead=-10mm --rollers 8 --speed 400rpm"}) {
     ASSERT_EQ(prs(std::string("new ") + arguments).status, 0) << arguments;
   }
   for (const char* file : {"a.yaml", "b.yaml", "c.yaml", "d.yaml"})
@@ -185,8 +177,7 @@ TEST_F(NewCase, ABlankBeforeTheUnitChangesNothing) {
     const std::string all = prs("new standard " + options).out;
     return all.substr(all.find("\nmechanism:"));
   };
-  EXPECT_EQ(case_of("--screw-diameter 30mm --lead 10mm"),
-            case_of("--screw-diameter '30 mm' --lead '10 mm'"));
+  EXPECT_EQ(case_of("--screw-diameter 30mm --lead 10mm"), case_of("--screw-diameter '30 mm' --lead '10 mm'"));
 }
 
 TEST_F(NewCase, WhatIsGivenStandsAsItWasWritten) {
@@ -196,22 +187,20 @@ TEST_F(NewCase, WhatIsGivenStandsAsItWasWritten) {
             0);
   const std::string a = text("a.yaml");
   for (const char* line :
-       {"roller screw, 1 1/4 in x -1/4 in.", "  lead: -1/4 in ", "{screw: 1 1/4 in}",
-        "    length: 3 in ", "outer_diameter: 2-3/4 in ", "compression: 3 in}", "{force: 2000 lbf,",
-        "axial_force: 2000 lbf,", "operation: {speed: -300 rpm}", "speed: 300 rpm}",
-        "temperature: 140 degF}"})
+       {"roller screw, 1 1/4 in x -1/4 in.", "  lead: -1/4 in ", "{screw: 1 1/4 in}", "    length: 3 in ",
+        "outer_diameter: 2-3/4 in ", "compression: 3 in}", "{force: 2000 lbf,", "axial_force: 2000 lbf,",
+        "operation: {speed: -300 rpm}", "speed: 300 rpm}", "temperature: 140 degF}"})
     EXPECT_THAT(a, HasSubstr(line));
   const std::string check = prs("check a.yaml --all").out;
-  for (const char* line : {"mechanism.lead                             -6.35 mm",
-                           "mechanism.pitch_diameter.screw             31.75 mm",
-                           "structure.nut.outer_diameter               69.85 mm"})
+  for (const char* line :
+       {"mechanism.lead                             -6.35 mm", "mechanism.pitch_diameter.screw             31.75 mm",
+        "structure.nut.outer_diameter               69.85 mm"})
     EXPECT_THAT(check, HasSubstr(line));
 }
 
 TEST_F(NewCase, SaysWhatItAssumes) {
-  EXPECT_THAT(
-      prs("new standard a.yaml").err,
-      StartsWith("a.yaml: written; an example of 30 mm x 10 mm, as no dimension was given; "));
+  EXPECT_THAT(prs("new standard a.yaml").err,
+              StartsWith("a.yaml: written; an example of 30 mm x 10 mm, as no dimension was given; "));
   const std::string some = prs("new inverted b.yaml --load 9kN " + kOf30).err;
   EXPECT_THAT(some, HasSubstr("b.yaml: written; assumed in it: starts, rollers, "));
   EXPECT_THAT(some, testing::Not(HasSubstr("load")));
@@ -226,16 +215,14 @@ TEST_F(NewCase, HasNoMoreStartsThanLifeKnowsTheCapacityOf) {
     const int most = std::stoi(told.substr(told.find(limit) + limit.size()));
     EXPECT_EQ(prs(screw + std::to_string(most + 1)).status, 2);
     ASSERT_EQ(prs(screw + std::to_string(most)).status, 0);
-    const std::string life =
-        "life " + type + ".yaml --set life.share=equal --set mechanism.starts.screw=";
+    const std::string life = "life " + type + ".yaml --set life.share=equal --set mechanism.starts.screw=";
     EXPECT_EQ(prs(life + std::to_string(most)).status, 0);
     EXPECT_THAT(prs(life + std::to_string(most + 1)).err, HasSubstr("Lemor's capacity"));
   }
 }
 
 TEST_F(NewCase, WhatCannotBeIsOneErrorAndNoFile) {
-  for (const auto& [arguments, message] :
-       std::initializer_list<std::pair<std::string, const char*>>{
+  for (const auto& [arguments, message] : std::initializer_list<std::pair<std::string, const char*>>{
            {"--screw-diameter 30mm --lead 0mm", "--lead: got 0 mm; expected "},
            {"--screw-diameter 30mm --lead 10", "--lead: got 10; expected a length with its unit"},
            {"--screw-diameter 30mm", "--lead: missing"},
@@ -246,8 +233,7 @@ TEST_F(NewCase, WhatCannotBeIsOneErrorAndNoFile) {
            {kOf30 + "--nut-diameter 45mm", "--nut-diameter: got 45 mm; expected 51.4 mm to"},
            {kOf30 + "--nut-length 2mm", "--nut-length: got 2 mm; expected 8.83 mm to"},
            {kOf30 + "--load 0N", "--load: got 0N; expected more than 0"},
-           {kOf30 + "--lubricant nosuchoil",
-            "--lubricant: got nosuchoil; expected a name of `prs list lubricants`"},
+           {kOf30 + "--lubricant nosuchoil", "--lubricant: got nosuchoil; expected a name of `prs list lubricants`"},
            {kOf30 + "--temperature 5000degC", "--temperature: got 5000degC"}}) {
     const test::Outcome run = prs("new standard new.yaml " + arguments);
     EXPECT_EQ(run.status, 2) << arguments << run.err;
@@ -261,8 +247,8 @@ TEST_F(NewCase, WhatCannotBeIsOneErrorAndNoFile) {
 
 TEST_F(NewCase, AnExistingFileStays) {
   std::ofstream(folder.path() / "mine.yaml") << "mine";
-  for (const char* arguments : {"standard mine.yaml --screw-diameter 30mm --lead 10mm",
-                                "standard mine.yaml", "--lesson 1 mine.yaml"}) {
+  for (const char* arguments :
+       {"standard mine.yaml --screw-diameter 30mm --lead 10mm", "standard mine.yaml", "--lesson 1 mine.yaml"}) {
     EXPECT_EQ(prs(std::string("new ") + arguments).status, 2) << arguments;
     EXPECT_EQ(text("mine.yaml"), "mine");
   }
@@ -274,8 +260,7 @@ TEST_F(NewCase, ALessonComesWithTheFilesThatItReads) {
     fs::create_directory(folder.path() / name);
     const std::string file = name + "/mine.yaml";
     ASSERT_EQ(prs(fmt::format("new --lesson {} {}", lesson, file)).status, 0) << lesson;
-    EXPECT_EQ(text(file.c_str()),
-              test::content_of(PRS_SOURCE_DIR "/configs/14_flight_spectrum.yaml"));
+    EXPECT_EQ(text(file.c_str()), test::content_of(PRS_SOURCE_DIR "/configs/14_flight_spectrum.yaml"));
     EXPECT_EQ(prs("life " + file + " --quiet").status, 0);
   }
   // The history stands in the way.
@@ -283,16 +268,14 @@ TEST_F(NewCase, ALessonComesWithTheFilesThatItReads) {
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("14_flight_spectrum.csv"));
   EXPECT_FALSE(fs::exists(folder.path() / "by_14/other.yaml"));
-  EXPECT_EQ(prs("new --lesson 1").out,
-            test::content_of(PRS_SOURCE_DIR "/configs/01_config_1_to_3.yaml"));
+  EXPECT_EQ(prs("new --lesson 1").out, test::content_of(PRS_SOURCE_DIR "/configs/01_config_1_to_3.yaml"));
 }
 
 TEST_F(NewCase, ALessonThatIsNotThereNamesTheOnesThatAre) {
   EXPECT_THAT(prs("new --lesson 99 a.yaml").err, HasSubstr("expected a number from 1 to "));
   EXPECT_THAT(prs("new --lesson preloda a.yaml").err, HasSubstr("did you mean `preload`"));
   EXPECT_EQ(prs("new --lesson 99 a.yaml").status, 2);
-  const test::Outcome nowhere =
-      prs("new --lesson 1 a.yaml", "PRS_SHARE='" + folder.path().string() + "'");
+  const test::Outcome nowhere = prs("new --lesson 1 a.yaml", "PRS_SHARE='" + folder.path().string() + "'");
   EXPECT_EQ(nowhere.status, 1);
   EXPECT_THAT(nowhere.err, HasSubstr("PRS_SHARE"));
 }

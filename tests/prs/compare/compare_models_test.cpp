@@ -45,37 +45,33 @@ TEST(CompareModels, EachIsWhatSolveFinds) {
 TEST(CompareModels, BarsAreTooStiffForLessonOne) {
   const ModelComparison c = compare_models(compared_lesson("01_config_1_to_3.yaml"));
   for (std::size_t k = 0; k < c.load_cases(); ++k) {
-    const double over =
-        *c.models[0].load_cases[k].axial_stiffness / *c.best().load_cases[k].axial_stiffness;
+    const double over = *c.models[0].load_cases[k].axial_stiffness / *c.best().load_cases[k].axial_stiffness;
     EXPECT_GT(over, 1.17 / 1.034);
     EXPECT_LT(over, 1.32);
   }
 }
 
 TEST(CompareModels, WhatOneModelCannotTakeLeavesItOutWithTheReason) {
-  const ModelComparison c = compare_models(
-      compared_lesson("04_contacts_from_geometry.yaml", {"structure.nut.outer_diameter=35.2 mm"}));
+  const ModelComparison c =
+      compare_models(compared_lesson("04_contacts_from_geometry.yaml", {"structure.nut.outer_diameter=35.2 mm"}));
   EXPECT_THAT(models_of(c), ElementsAre(Bodies::bars));
-  EXPECT_THAT(sentences(c.warnings),
-              testing::Contains(testing::StartsWith(
-                  "structure.nut.outer_diameter: without `bodies: refined`: got 35.2")));
+  EXPECT_THAT(
+      sentences(c.warnings),
+      testing::Contains(testing::StartsWith("structure.nut.outer_diameter: without `bodies: refined`: got 35.2")));
 }
 
 TEST(CompareModels, ShearOfTheRollerIsOfBarsAlone) {
-  EXPECT_THAT(models_of(compare_models(
-                  compared_lesson("04_contacts_from_geometry.yaml", {"model.roller_shear=true"}))),
+  EXPECT_THAT(models_of(compare_models(compared_lesson("04_contacts_from_geometry.yaml", {"model.roller_shear=true"}))),
               ElementsAre(Bodies::bars, Bodies::refined));
 }
 
 TEST(CompareModels, TellsWhatIsUnusualAboutALoadAsSolveDoes) {
-  const Case c = compared_lesson("01_config_1_to_3.yaml",
-                                 {"load_cases=[{name: heavy, axial_force: 90 kN, direction: "
-                                  "tension, position: 10 mm}]"});
+  const Case c = compared_lesson("01_config_1_to_3.yaml", {"load_cases=[{name: heavy, axial_force: 90 kN, direction: "
+                                                           "tension, position: 10 mm}]"});
   const ModelComparison comparison = compare_models(c);
   const std::vector<std::string> expected = sentences(comparison.best().load_cases[0].warnings);
   ASSERT_THAT(expected, testing::Contains(testing::HasSubstr("exceeds")));
-  const nlohmann::ordered_json load =
-      document_of(compare_analysis(), comparison, {})["comparison"]["load_cases"][0];
+  const nlohmann::ordered_json load = document_of(compare_analysis(), comparison, {})["comparison"]["load_cases"][0];
   EXPECT_EQ(load["warnings"], nlohmann::ordered_json(expected));
   EXPECT_THAT(comparison_table(comparison), testing::HasSubstr("exceeds"));
 }
@@ -87,8 +83,7 @@ TEST(CompareModels, EqualSharesAreLeftOut) {
   c.load_cases.insert(c.load_cases.begin(), equal);
   const ModelComparison comparison = compare_models(c);
   EXPECT_EQ(comparison.load_cases(), c.load_cases.size() - 1);
-  EXPECT_THROW(compared_lesson("04_contacts_from_geometry.yaml",
-                               {"load_cases=[{axial_force: 1 kN, share: equal}]"}),
+  EXPECT_THROW(compared_lesson("04_contacts_from_geometry.yaml", {"load_cases=[{axial_force: 1 kN, share: equal}]"}),
                input::InputError);
 }
 
@@ -102,8 +97,7 @@ TEST(CompareModels, InfluenceIsThereWhereItsMatricesAre) {
   EXPECT_THAT(models_of(compare_models(c)), ElementsAre(Bodies::bars, Bodies::refined));
   Case stated = c;
   stated.model.bodies = Bodies::influence;
-  EXPECT_THAT(models_of(compare_models(stated)),
-              ElementsAre(Bodies::bars, Bodies::refined, Bodies::influence));
+  EXPECT_THAT(models_of(compare_models(stated)), ElementsAre(Bodies::bars, Bodies::refined, Bodies::influence));
   const int computed = shared_matrix_cache().computed();
   const ModelComparison now = compare_models(c);
   EXPECT_THAT(models_of(now), ElementsAre(Bodies::bars, Bodies::refined, Bodies::influence));
@@ -121,8 +115,7 @@ TEST(CompareModels, AFullMechanismStandsNextToASector) {
   };
   EXPECT_NEAR(largest(0, 0) / largest(1, 0), 1.0, 1e-8);
   EXPECT_EQ(largest(0, 0), largest(0, 1));
-  EXPECT_NEAR(largest(1, 1) / largest(0, 1),
-              c.best().load_cases[1].threads->screw.rollers->overload_factor, 1e-8);
+  EXPECT_NEAR(largest(1, 1) / largest(0, 1), c.best().load_cases[1].threads->screw.rollers->overload_factor, 1e-8);
 }
 
 }  // namespace

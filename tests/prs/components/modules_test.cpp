@@ -29,9 +29,7 @@ class WithoutModules : public testing::Test {
     return test::run_prs(arguments, PRS_SOURCE_DIR, before, alone.string());
   }
   test::Outcome study(const std::string& options, const std::string& before = "") const {
-    return run(
-        "study '" + file.string() + "' --quiet --output '" + folder.string() + "' " + options,
-        before);
+    return run("study '" + file.string() + "' --quiet --output '" + folder.string() + "' " + options, before);
   }
 
   const test::TemporaryDirectory temporary;
@@ -41,8 +39,7 @@ class WithoutModules : public testing::Test {
 };
 
 TEST_F(WithoutModules, CasesAreSolved) {
-  EXPECT_EQ(run("solve configs/01_config_1_to_3.yaml").out,
-            test::run_prs("solve configs/01_config_1_to_3.yaml").out);
+  EXPECT_EQ(run("solve configs/01_config_1_to_3.yaml").out, test::run_prs("solve configs/01_config_1_to_3.yaml").out);
 }
 
 /// CHOLMOD factorizes where it is there; documents say which library it was.
@@ -56,14 +53,13 @@ TEST_F(WithoutModules, SparseMatricesAreEigens) {
 }
 
 TEST_F(WithoutModules, StudiesOnOneThreadWriteAllButNetcdf) {
-  const test::Outcome loud =
-      run("study '" + file.string() + "' --threads 1 --output '" + folder.string() + "'");
+  const test::Outcome loud = run("study '" + file.string() + "' --threads 1 --output '" + folder.string() + "'");
   EXPECT_THAT(loud.err, HasSubstr("prs: study.nc is not written: this needs netCDF, and "
                                   "prs_netcdf.so is not next to the program; install libnetcdf-dev "
                                   "and build prs again\n"));
   const fs::path other = temporary.path() / "other";
-  const test::Outcome whole = test::run_prs("study '" + file.string() + "' --threads 1 --output '" +
-                                            other.string() + "' --quiet");
+  const test::Outcome whole =
+      test::run_prs("study '" + file.string() + "' --threads 1 --output '" + other.string() + "' --quiet");
   EXPECT_EQ(loud.status, whole.status);
   EXPECT_EQ(test::content_of(folder / "study.csv"), test::content_of(other / "study.csv"));
   EXPECT_FALSE(fs::exists(folder / "study.nc"));
@@ -98,28 +94,25 @@ TEST_F(WithoutModules, FoundBesideTheProgramOrBelowLib) {
     const fs::path module = temporary.path() / below / "prs_tbb.so";
     fs::create_directories(module.parent_path());
     std::ofstream(module) << "no library";
-    EXPECT_THAT(
-        study("--threads 2").err,
-        AllOf(HasSubstr("this needs TBB, and prs_tbb.so does not load"),
-              HasSubstr((temporary.path() / below).string()), HasSubstr("or take --threads 1")))
+    EXPECT_THAT(study("--threads 2").err,
+                AllOf(HasSubstr("this needs TBB, and prs_tbb.so does not load"),
+                      HasSubstr((temporary.path() / below).string()), HasSubstr("or take --threads 1")))
         << below;
     fs::remove(module);
   }
 }
 
 TEST_F(WithoutModules, NamesTheLibraryThatAModuleLacks) {
-  std::string module =
-      test::content_of(fs::path(test::program()).parent_path() / "../../lib/prs/prs_tbb.so");
+  std::string module = test::content_of(fs::path(test::program()).parent_path() / "../../lib/prs/prs_tbb.so");
   const std::size_t name = module.find("libtbb.so");
   ASSERT_NE(name, std::string::npos);
   module.replace(name, 6, "libxyz");
   const fs::path modules = temporary.path() / "some/lib/prs";
   fs::create_directories(modules);
   std::ofstream(modules / "prs_tbb.so") << module;
-  EXPECT_THAT(study("--threads 2").err,
-              AllOf(HasSubstr("prs: error: this needs TBB, and libxyz.so"),
-                    HasSubstr(" is not installed; install TBB, on Debian by `apt install "
-                              "libtbb-dev`, or take --threads 1\n")));
+  EXPECT_THAT(study("--threads 2").err, AllOf(HasSubstr("prs: error: this needs TBB, and libxyz.so"),
+                                              HasSubstr(" is not installed; install TBB, on Debian by `apt install "
+                                                        "libtbb-dev`, or take --threads 1\n")));
 }
 
 /// Names of all libraries that a run loads.

@@ -23,11 +23,7 @@ std::vector<standard_screws::CatalogueScrew> printed_screws() {
 }
 
 ScrewData screw_of_30() {
-  return {.screw_diameter = 30e-3,
-          .lead = 10e-3,
-          .starts = 5,
-          .nut_diameter = 64e-3,
-          .nut_length = 85e-3};
+  return {.screw_diameter = 30e-3, .lead = 10e-3, .starts = 5, .nut_diameter = 64e-3, .nut_length = 85e-3};
 }
 
 TEST(CompleteScrew, EveryScrewOfTheCatalogueIsSound) {
@@ -65,27 +61,23 @@ TEST(CompleteScrew, TheOuterDiameterIsThatOfTheCatalogue) {
     double outer;
   };
   for (const auto& [d, lead, starts, outer] :
-       {Printed{12, 5, 5, 12.3}, Printed{18, 5, 5, 18.3}, Printed{21, 10, 5, 21.6},
-        Printed{24, 12, 6, 24.6}, Printed{30, 10, 5, 30.6}, Printed{36, 9, 6, 36.5}}) {
-    const CompleteScrew s =
-        complete_screw({.screw_diameter = 1e-3 * d, .lead = 1e-3 * lead, .starts = starts});
-    const double computed =
-        1e3 * (s.pitch_diameter.screw + 2.0 * s.c.mechanism.thread.screw->addendum);
+       {Printed{12, 5, 5, 12.3}, Printed{18, 5, 5, 18.3}, Printed{21, 10, 5, 21.6}, Printed{24, 12, 6, 24.6},
+        Printed{30, 10, 5, 30.6}, Printed{36, 9, 6, 36.5}}) {
+    const CompleteScrew s = complete_screw({.screw_diameter = 1e-3 * d, .lead = 1e-3 * lead, .starts = starts});
+    const double computed = 1e3 * (s.pitch_diameter.screw + 2.0 * s.c.mechanism.thread.screw->addendum);
     EXPECT_NEAR(computed, outer, 0.05 + 1e-9) << d << 'x' << lead;
   }
 }
 
 TEST(CompleteScrew, TheRulesGiveTheStartsAndNutsOfTheCatalogue) {
   for (const standard_screws::CatalogueScrew& s : printed_screws()) {
-    const CompleteScrew by_rule =
-        complete_screw({.screw_diameter = s.screw.screw_diameter, .lead = s.screw.lead});
+    const CompleteScrew by_rule = complete_screw({.screw_diameter = s.screw.screw_diameter, .lead = s.screw.lead});
     if (s.screw.starts != 6) {
       EXPECT_EQ(by_rule.c.mechanism.starts.screw, s.screw.starts) << s.name;
     }
-    const Structure::Nut nut = complete_screw({.screw_diameter = s.screw.screw_diameter,
-                                               .lead = s.screw.lead,
-                                               .starts = s.screw.starts})
-                                   .c.structure->nut;
+    const Structure::Nut nut =
+        complete_screw({.screw_diameter = s.screw.screw_diameter, .lead = s.screw.lead, .starts = s.screw.starts})
+            .c.structure->nut;
     EXPECT_NEAR(nut.outer_diameter / *s.screw.nut_diameter, 1.0, 0.06) << s.name;
     EXPECT_NEAR(nut.length / *s.screw.nut_length, 1.0, 0.17) << s.name;
   }
@@ -98,8 +90,7 @@ TEST(CompleteScrew, TheLoadGivesAModeratePressureWithEqualShares) {
   double highest = 0.0;
   for (const Interface i : kInterfaces) {
     const InterfaceContact& contact = contacts.interfaces[i];
-    const double normal_load =
-        s.load / (m.rollers * m.contacts_per_roller) / std::cos(contact.normal_angle());
+    const double normal_load = s.load / (m.rollers * m.contacts_per_roller) / std::cos(contact.normal_angle());
     highest = std::max(highest, contact::at_load(contact.hertz, normal_load).peak_pressure);
   }
   EXPECT_NEAR(highest / 1.8e9, 1.0, 0.02);  // A load of two digits.
@@ -107,8 +98,8 @@ TEST(CompleteScrew, TheLoadGivesAModeratePressureWithEqualShares) {
 
 TEST(CompleteScrew, AnInvertedScrewLooksLikeThePublishedOne) {
   // Abevi 2015: 20 threads, nut of 35 mm in pitch diameter; lesson 1 takes 46 mm outside.
-  const CompleteScrew s = complete_screw(
-      {.type = Mechanism::Type::inverted, .screw_diameter = 21e-3, .lead = 5e-3, .starts = 3});
+  const CompleteScrew s =
+      complete_screw({.type = Mechanism::Type::inverted, .screw_diameter = 21e-3, .lead = 5e-3, .starts = 3});
   EXPECT_EQ(s.c.mechanism.contacts_per_roller, 20);
   EXPECT_NEAR(s.pitch_diameter.roller, 7e-3, 1e-15);
   EXPECT_NEAR(s.pitch_diameter.nut, 35e-3, 0.1e-3);
@@ -181,9 +172,7 @@ TEST(CompleteScrew, WhatCannotBeIsRefusedWithTheNearestThatCan) {
       const std::string text = error.what();
       std::smatch limits;
       ASSERT_TRUE(std::regex_search(
-          text, limits,
-          std::regex(
-              "expected (?:at (?:least|most) )?([0-9.e+]+)(?: mm| kN)?(?: to ([0-9.e+]+))?")))
+          text, limits, std::regex("expected (?:at (?:least|most) )?([0-9.e+]+)(?: mm| kN)?(?: to ([0-9.e+]+))?")))
           << text;
       for (std::size_t k = 1; k < limits.size() && limits[k].matched; ++k) {
         ScrewData possible = wrong.data;

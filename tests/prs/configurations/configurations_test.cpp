@@ -34,8 +34,7 @@ ConfigurationQuery query(double screw_diameter, double lead) {
 }
 
 /// The one configuration of a type with these starts.
-Configuration only(ConfigurationQuery q, Mechanism::Type type, int screw_starts,
-                   int roller_starts = 1) {
+Configuration only(ConfigurationQuery q, Mechanism::Type type, int screw_starts, int roller_starts = 1) {
   q.type = type;
   q.screw_starts = screw_starts;
   q.roller_starts = roller_starts;
@@ -79,8 +78,7 @@ TEST(Configurations, SanduReferenceIsTheDesignWithoutBacklash) {
   m.rollers = 9;
   m.contacts_per_roller = 20;
   const Mechanism designed = resolved(m);
-  for (const Part p : kParts)
-    EXPECT_NEAR(c.pitch_diameter[p], *designed.pitch_diameter[p], 1e-13) << name(p);
+  for (const Part p : kParts) EXPECT_NEAR(c.pitch_diameter[p], *designed.pitch_diameter[p], 1e-13) << name(p);
   EXPECT_NEAR(c.centre_distance, *designed.centre_distance, 1e-13);
 }
 
@@ -104,12 +102,8 @@ std::vector<std::string> unusual(const std::string& text) {
 
 TEST(Configurations, EachPassesCheckWithoutWarning) {
   std::size_t count = 0;
-  for (const auto& [diameter, lead] : {std::pair{30.0, 10.0},
-                                       {21.0, 5.0},
-                                       {8.0, 1.0},
-                                       {100.0, -20.0},
-                                       {48.0, 40.0},
-                                       {300.0, 12.0}})
+  for (const auto& [diameter, lead] :
+       {std::pair{30.0, 10.0}, {21.0, 5.0}, {8.0, 1.0}, {100.0, -20.0}, {48.0, 40.0}, {300.0, 12.0}})
     for (const double flank_angle : {30.0, 45.0, 55.0}) {
       ConfigurationQuery q = query(diameter, lead);
       q.flank_angle = flank_angle * pi / 180;
@@ -144,8 +138,7 @@ TEST(Configurations, WrittenCaseSolvesNearItsPressure) {
     // Two digits of the force, and shares that are not equal.
     double peak = 0.0;
     for (const Interface i : kInterfaces)
-      for (const double p : (*result.load_cases[0].threads)[i].peak_pressure)
-        peak = std::max(peak, p);
+      for (const double p : (*result.load_cases[0].threads)[i].peak_pressure) peak = std::max(peak, p);
     EXPECT_GT(peak, 1.75e9);
     EXPECT_LT(peak, 2.5e9);
   }
@@ -157,8 +150,7 @@ TEST(Configurations, HelixAnglesMatchWhereRollersKeepTheirPlace) {
     const Part body = is_standard ? Part::nut : Part::screw;
     EXPECT_NEAR(c.helix_angle.roller, (is_standard ? 1 : -1) * c.helix_angle[body], 1e-12);
     EXPECT_NEAR(c.gear_ratio, c.pitch_diameter.roller / c.pitch_diameter[body], 1e-12);
-    EXPECT_NEAR(c.rolling_diameter.nut, c.rolling_diameter.screw + 2 * c.rolling_diameter.roller,
-                1e-12);
+    EXPECT_NEAR(c.rolling_diameter.nut, c.rolling_diameter.screw + 2 * c.rolling_diameter.roller, 1e-12);
   }
 }
 
@@ -204,13 +196,10 @@ TEST(RollerSpacing, AsManyFitAsTheCrestsLeaveRoomFor) {
     q.gap = gap * mm;
     for (const Configuration& c : configurations(q).found) {
       // Distance of two neighbours' axes less two crests, from their coordinates.
-      const double crest =
-          contact::flank_limits(find_contacts(c.mechanism, {}).threads.roller).largest;
+      const double crest = contact::flank_limits(find_contacts(c.mechanism, {}).threads.roller).largest;
       const auto free = [&](int n) {
         const double angle = 2 * pi / n;
-        return std::hypot(c.centre_distance * (1 - std::cos(angle)),
-                          c.centre_distance * std::sin(angle)) -
-               2 * crest;
+        return std::hypot(c.centre_distance * (1 - std::cos(angle)), c.centre_distance * std::sin(angle)) - 2 * crest;
       };
       EXPECT_GE(free(c.most_rollers), q.gap - 1e-12);
       EXPECT_LT(free(c.most_rollers + 1), q.gap);
@@ -237,8 +226,7 @@ bool all_mesh(const Configuration& c, Part body, int rollers, double indexing) {
   const double pitch = axial_pitch(c.mechanism);
   const double first = mismatch(c, body, 0, rollers, 0.0);
   for (int i = 1; i < rollers; ++i)
-    if (std::abs(std::remainder(mismatch(c, body, i, rollers, i * indexing) - first, pitch)) >
-        1e-9 * pitch)
+    if (std::abs(std::remainder(mismatch(c, body, i, rollers, i * indexing) - first, pitch)) > 1e-9 * pitch)
       return false;
   return true;
 }
@@ -270,9 +258,7 @@ TEST(GearPairs, MeshInTheTurnThatTheThreadsAskFor) {
         const double sense = m.type == standard ? -1.0 : 1.0;
         for (int i = 0; i < n; ++i) {
           // A tooth of the pinion every 2 pi/z_R from its mark, seen in the line of centres.
-          const double phase =
-              (pair.roller_teeth * (-turn * i) + sense * pair.body_teeth * 2 * pi * i / n) /
-              (2 * pi);
+          const double phase = (pair.roller_teeth * (-turn * i) + sense * pair.body_teeth * 2 * pi * i / n) / (2 * pi);
           EXPECT_NEAR(std::remainder(phase, 1.0), 0.0, 1e-9) << pair.roller_teeth << ' ' << n;
         }
       }
@@ -299,8 +285,7 @@ TEST(GearPairs, RunWithoutBacklashAtTheCentreDistance) {
       const double r_body = operating_radius(pair.body_teeth);
       EXPECT_NEAR(internal ? r_body - r_roller : r_body + r_roller, c.centre_distance, 1e-12);
       const double x_roller = 0.3;
-      const double x_body =
-          internal ? pair.profile_shift + x_roller : pair.profile_shift - x_roller;
+      const double x_body = internal ? pair.profile_shift + x_roller : pair.profile_shift - x_roller;
       const double tooth = r_roller * thickness(pair.roller_teeth, x_roller);
       const double other = r_body * thickness(pair.body_teeth, x_body);
       const double pitch = 2 * pi * r_roller / pair.roller_teeth;
@@ -323,9 +308,8 @@ TEST(GearPairs, ExactModuleNeedsNoShift) {
   EXPECT_EQ(pairs[0].most_rollers, 9);
   // Tips of 8 mm in diameter: 2 * 14 sin(pi/10) = 8.65 mm, sin(pi/11) gives 7.89 mm.
   const std::vector<GearPair> crowded = gear_pairs(inverted, {3, 1}, 14 * mm, 11, 0.0);
-  const auto same = std::ranges::find_if(crowded, [&](const GearPair& p) {
-    return p.roller_teeth == 14 && p.module == pairs[0].module;
-  });
+  const auto same = std::ranges::find_if(
+      crowded, [&](const GearPair& p) { return p.roller_teeth == 14 && p.module == pairs[0].module; });
   ASSERT_NE(same, crowded.end());
   EXPECT_EQ(same->most_rollers, 10);
 }
@@ -334,9 +318,7 @@ class ConfigurationsCommand : public testing::Test {
  protected:
   test::TemporaryDirectory folder;
 
-  test::Outcome prs(const std::string& arguments) const {
-    return test::run_prs(arguments, folder.path());
-  }
+  test::Outcome prs(const std::string& arguments) const { return test::run_prs(arguments, folder.path()); }
 };
 
 TEST_F(ConfigurationsCommand, DocumentFilesAndTableAgree) {
@@ -351,15 +333,12 @@ TEST_F(ConfigurationsCommand, DocumentFilesAndTableAgree) {
   for (std::size_t k = 0; k < all.found.size(); ++k) {
     const auto& one = document["configurations"][k];
     EXPECT_EQ(one["number"], k + 1);
-    EXPECT_NEAR(one["pitch_diameter_mm"]["nut"].get<double>(),
-                all.found[k].pitch_diameter.nut * 1e3, 1e-9);
+    EXPECT_NEAR(one["pitch_diameter_mm"]["nut"].get<double>(), all.found[k].pitch_diameter.nut * 1e3, 1e-9);
     EXPECT_EQ(one["rollers"]["most"], all.found[k].most_rollers);
   }
   const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
-  EXPECT_EQ(lines(test::content_of(folder.path() / "out/configurations.csv")),
-            static_cast<long>(all.found.size() + 1));
-  EXPECT_EQ(nlohmann::json::parse(test::content_of(folder.path() / "out/configurations.json")),
-            document);
+  EXPECT_EQ(lines(test::content_of(folder.path() / "out/configurations.csv")), static_cast<long>(all.found.size() + 1));
+  EXPECT_EQ(nlohmann::json::parse(test::content_of(folder.path() / "out/configurations.json")), document);
   EXPECT_THAT(prs(asked).out, HasSubstr("20:100, 0.5"));
   EXPECT_EQ(prs(asked + "--quiet").out, "");
 }
@@ -375,10 +354,8 @@ TEST_F(ConfigurationsCommand, WritesACaseThatChecks) {
   const auto document = nlohmann::json::parse(prs("check case.yaml --json").out);
   EXPECT_EQ(document["contact"]["max_rollers"], 11);
   for (const std::string warning : document["warnings"])  // Of what nobody gave.
-    EXPECT_THAT(
-        warning,
-        testing::AnyOf(testing::StartsWith("deviations.pitch_error: parts are perfect"),
-                       testing::StartsWith("structure.roller.guidance: guides_without_play")));
+    EXPECT_THAT(warning, testing::AnyOf(testing::StartsWith("deviations.pitch_error: parts are perfect"),
+                                        testing::StartsWith("structure.roller.guidance: guides_without_play")));
   const test::Outcome again = prs(asked + "--write 1 case.yaml");
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("exists already"));
@@ -386,8 +363,7 @@ TEST_F(ConfigurationsCommand, WritesACaseThatChecks) {
 
 TEST_F(ConfigurationsCommand, RefusesWhatIsWrong) {
   const std::string sound = "--screw-diameter '21 mm' --lead '5 mm' ";
-  for (const auto& [arguments, message] :
-       std::initializer_list<std::pair<std::string, const char*>>{
+  for (const auto& [arguments, message] : std::initializer_list<std::pair<std::string, const char*>>{
            {"--screw-diameter 21 --lead '5 mm'", "--screw-diameter: got 21; expected a length"},
            {"--screw-diameter '21 mm' --lead '5 N'", "`N` is the unit of a force"},
            {"--screw-diameter '21 mm' --lead '0 mm'", "--lead: got 0 mm"},

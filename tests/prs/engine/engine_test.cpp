@@ -21,9 +21,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using Json = nlohmann::ordered_json;
 
-std::string lesson_text(const std::string& name) {
-  return test::content_of(PRS_SOURCE_DIR "/configs/" + name);
-}
+std::string lesson_text(const std::string& name) { return test::content_of(PRS_SOURCE_DIR "/configs/" + name); }
 
 /// A question on a lesson by the name that the program is given.
 Json question_of(const std::string& command, const std::string& lesson) {
@@ -54,9 +52,7 @@ std::string only_message(const Json& question) {
 struct Asked {
   std::string command, lesson;
 };
-void PrintTo(const Asked& asked, std::ostream* out) {
-  *out << asked.command << ' ' << asked.lesson;
-}
+void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.command << ' ' << asked.lesson; }
 
 /// The lines that are not empty.
 std::vector<std::string> lines_of(const std::string& text) {
@@ -78,8 +74,7 @@ test::Outcome run_program(const std::string& arguments) {
 /// alone.
 std::string without_place(std::string document, const std::string& history) {
   const std::string place = std::string(PRS_SOURCE_DIR "/configs/") + history;
-  if (const std::size_t at = document.find(place); at != document.npos)
-    document.replace(at, place.size(), history);
+  if (const std::size_t at = document.find(place); at != document.npos) document.replace(at, place.size(), history);
   return document;
 }
 
@@ -96,16 +91,15 @@ TEST_P(EngineAnswer, IsWhatTheProgramPrints) {
   EXPECT_EQ(answer["messages"].get<std::vector<std::string>>(), lines_of(run.err));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Lessons, EngineAnswer,
-    testing::Values(Asked{"check", "05_standard_screw.yaml"},
-                    Asked{"contact", "07_contact_geometry.yaml"},
-                    Asked{"solve", "03_load_sweep.yaml"}, Asked{"solve", "13_three_models.yaml"},
-                    Asked{"solve", "25_side_load.yaml"}, Asked{"slip", "30_duty_cycle.yaml"},
-                    Asked{"compare", "26_unequal_rollers.yaml"},
-                    Asked{"preload", "12_preload.yaml"}, Asked{"life", "14_flight_spectrum.yaml"},
-                    Asked{"measures", "18_design_measures.yaml"}),
-    [](const auto& of) { return of.param.command + of.param.lesson.substr(0, 2); });
+INSTANTIATE_TEST_SUITE_P(Lessons, EngineAnswer,
+                         testing::Values(Asked{"check", "05_standard_screw.yaml"},
+                                         Asked{"contact", "07_contact_geometry.yaml"},
+                                         Asked{"solve", "03_load_sweep.yaml"}, Asked{"solve", "13_three_models.yaml"},
+                                         Asked{"solve", "25_side_load.yaml"}, Asked{"slip", "30_duty_cycle.yaml"},
+                                         Asked{"compare", "26_unequal_rollers.yaml"},
+                                         Asked{"preload", "12_preload.yaml"}, Asked{"life", "14_flight_spectrum.yaml"},
+                                         Asked{"measures", "18_design_measures.yaml"}),
+                         [](const auto& of) { return of.param.command + of.param.lesson.substr(0, 2); });
 
 TEST(Engine, SetsValuesAsTheProgramDoes) {
   Json question = question_of("solve", "01_config_1_to_3.yaml");
@@ -119,8 +113,7 @@ TEST(Engine, SetsValuesAsTheProgramDoes) {
 TEST(Engine, HasTheFiguresOfTheProgram) {
   Json question = question_of("contact", "07_contact_geometry.yaml");
   question["figures"] = true;
-  const test::Outcome run =
-      run_program("contact configs/07_contact_geometry.yaml --json --figures");
+  const test::Outcome run = run_program("contact configs/07_contact_geometry.yaml --json --figures");
   const Json answer = answer_of(question);
   EXPECT_FALSE(answer["figures"].empty());
   EXPECT_EQ(answer["figures"], Json::parse(run.out)["figures"]);
@@ -137,16 +130,13 @@ TEST(Engine, RefusesAsTheProgramDoes) {
   EXPECT_EQ(run.status, 2);
   EXPECT_TRUE(answer["document"].is_null());
   ASSERT_EQ(answer["messages"].size(), 2u);
-  EXPECT_EQ(answer["messages"][0].get<std::string>() + '\n' +
-                answer["messages"][1].get<std::string>() + '\n',
-            run.err);
+  EXPECT_EQ(answer["messages"][0].get<std::string>() + '\n' + answer["messages"][1].get<std::string>() + '\n', run.err);
   EXPECT_THAT(answer["messages"][0], StartsWith("configs/01_config_1_to_3.yaml:"));
 }
 
 TEST(Engine, TellsThatALoadCaseHasNoEquilibrium) {
   Json question = question_of("slip", "09_slip_and_dissipation.yaml");
-  question["set"] =
-      pairs({{"carrier.nut_torque", "150 N m"}, {"load_cases[0].axial_force", "80 kN"}});
+  question["set"] = pairs({{"carrier.nut_torque", "150 N m"}, {"load_cases[0].axial_force", "80 kN"}});
   const Json answer = answer_of(question);
   EXPECT_EQ(answer["status"], 3);
   EXPECT_TRUE(answer["document"]["load_cases"][0]["slip"]["converged"]);
@@ -156,8 +146,8 @@ TEST(Engine, TellsThatALoadCaseHasNoEquilibrium) {
 TEST(Engine, ReadsNoFile) {
   Json question = question_of("life", "14_flight_spectrum.yaml");
   question["file"] = PRS_SOURCE_DIR "/configs/14_flight_spectrum.yaml";  // It stands beside it.
-  EXPECT_THAT(only_message(question), AllOf(HasSubstr("life.history.file: got 14_flight"),
-                                            HasSubstr("give its text under this name")));
+  EXPECT_THAT(only_message(question),
+              AllOf(HasSubstr("life.history.file: got 14_flight"), HasSubstr("give its text under this name")));
 }
 
 TEST(Engine, SolvesTheLoadCasesThatAreAskedFor) {
@@ -175,13 +165,10 @@ TEST(Engine, SolvesTheLoadCasesThatAreAskedFor) {
 }
 
 TEST(Engine, WritesTheCaseThatNewWrites) {
-  const Json asked{{"type", "inverted"},
-                   {"screw_diameter", "21 mm"},
-                   {"lead", "5 mm"},
-                   {"starts", 3},
-                   {"lubricant", "iso-vg-46"}};
-  const test::Outcome run = run_program(
-      "new inverted --screw-diameter '21 mm' --lead '5 mm' --starts 3 --lubricant iso-vg-46");
+  const Json asked{
+      {"type", "inverted"}, {"screw_diameter", "21 mm"}, {"lead", "5 mm"}, {"starts", 3}, {"lubricant", "iso-vg-46"}};
+  const test::Outcome run =
+      run_program("new inverted --screw-diameter '21 mm' --lead '5 mm' --starts 3 --lubricant iso-vg-46");
   const Json answer = answer_of({{"command", "new"}, {"new", asked}});
   EXPECT_EQ(answer["status"], 0);
   EXPECT_EQ(answer["document"]["yaml"], run.out);
@@ -198,8 +185,7 @@ TEST(Engine, RefusesAWrongNewCase) {
   };
   EXPECT_THAT(message("diameter", "30 mm"), HasSubstr("new: got diameter; expected the keys type"));
   EXPECT_THAT(message("lead", 10), HasSubstr("lead: got 10; expected a text"));
-  EXPECT_THAT(message("starts", "five"),
-              HasSubstr("starts: got \"five\"; expected a whole number"));
+  EXPECT_THAT(message("starts", "five"), HasSubstr("starts: got \"five\"; expected a whole number"));
   EXPECT_THAT(message("type", "upright"), HasSubstr("--type: got upright; expected standard or"));
   EXPECT_THAT(message("mechanism", "half"), HasSubstr("--mechanism: got half; expected sector or"));
   for (const char* lead : {"nan mm", "10", "10 kN", "inf mm", "0 mm", "1 km"})
@@ -247,8 +233,7 @@ TEST(Engine, RefusesQuestionsThatItDoesNotKnow) {
       {with("command", "study"), "command: got study; expected one of check, contact"},
       {with("command", 3), "command: got 3; expected a text"},
       {with("yaml", Json::array()), "yaml: got []; expected a text"},
-      {with("set", Json::array({Json::array({"a", 3})})),
-       "set: got [\"a\",3]; expected a pair of path and value"},
+      {with("set", Json::array({Json::array({"a", 3})})), "set: got [\"a\",3]; expected a pair of path and value"},
       {with("set", Json::array({Json::array({"a"})})), "set: got [\"a\"]; expected a pair"},
       {with("set", 3), "set: got 3; expected a list of pairs"},
       {with("figures", "yes"), "figures: got \"yes\"; expected true or false"},

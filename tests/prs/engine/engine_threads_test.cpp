@@ -46,8 +46,7 @@ TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
                                                         {"preload", "12_preload"},
                                                         {"measures", "18_design_measures"},
                                                         {"report", "05_standard_screw"}}) {
-    const std::string yaml =
-        test::content_of(PRS_SOURCE_DIR "/configs/" + std::string(lesson) + ".yaml");
+    const std::string yaml = test::content_of(PRS_SOURCE_DIR "/configs/" + std::string(lesson) + ".yaml");
     const std::string question = Json{{"command", command}, {"yaml", yaml}}.dump();
     expect_same_on_two_threads([&] { return answer(question); });
   }
@@ -57,8 +56,7 @@ TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
 std::vector<std::uint64_t> bits_of(const StoredRows& rows) {
   std::vector<std::uint64_t> bits;
   for (std::size_t k = 0; k < rows.block_count(); ++k)
-    for (const double number : rows.block(k).responses)
-      bits.push_back(std::bit_cast<std::uint64_t>(number));
+    for (const double number : rows.block(k).responses) bits.push_back(std::bit_cast<std::uint64_t>(number));
   return bits;
 }
 
@@ -68,14 +66,13 @@ std::vector<std::uint64_t> studied(const input::StudyInput& in, std::size_t thre
     run_schedule(threads, 2, next, evaluate_with(engine), take);
   };
   return bits_of(
-      run_study({"key", in.source, engine.study().responses, design_count(engine.study()), Shard{}},
-                nullptr, run, {}));
+      run_study({"key", in.source, engine.study().responses, design_count(engine.study()), Shard{}}, nullptr, run, {}));
 }
 
 TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
   SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
-  for (const char* overrides : {"study.command=solve", "study.command=slip",
-                                "model={bodies: refined}", "model={mechanism: full}"}) {
+  for (const char* overrides :
+       {"study.command=solve", "study.command=slip", "model={bodies: refined}", "model={mechanism: full}"}) {
     const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/10_parametric_study.yaml");
     const input::StudyInput in = input::read_study_input(
         input::source_of_text("case.yaml", text,
@@ -92,15 +89,14 @@ TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
 TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
   SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
   const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/22_yao_optimum.yaml");
-  const input::OptimizeInput in = input::read_optimize_input(input::source_of_text(
-      "case.yaml", text, {"optimize.generations=3", "optimize.population=12"}));
+  const input::OptimizeInput in = input::read_optimize_input(
+      input::source_of_text("case.yaml", text, {"optimize.generations=3", "optimize.population=12"}));
   const auto found = [&](std::size_t threads) {
-    const auto result = run_optimization(
-        in, threads, [](const JournalHeader& header) { return Journal::temporary(header); }, {});
+    const auto result =
+        run_optimization(in, threads, [](const JournalHeader& header) { return Journal::temporary(header); }, {});
     std::vector<std::uint64_t> bits;
     for (const EvaluatedDesign& design : result->search.designs)
-      for (const double number : design.responses)
-        bits.push_back(std::bit_cast<std::uint64_t>(number));
+      for (const double number : design.responses) bits.push_back(std::bit_cast<std::uint64_t>(number));
     return bits;
   };
   EXPECT_EQ(found(2), found(1));
@@ -109,8 +105,7 @@ TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
 TEST(EngineThreads, TwoThatShareACacheOfMatricesComputeTheSame) {
   SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
   const Case c = input::read_case_text(
-      input::kAbevi, "case.yaml", {"mechanism.contacts_per_roller=2", "model={bodies: influence}"},
-      Command::solve);
+      input::kAbevi, "case.yaml", {"mechanism.contacts_per_roller=2", "model={bodies: influence}"}, Command::solve);
   const Contacts contacts = find_contacts(c.mechanism, c.materials);
   const PerInterface<ContactLaw> laws = contact_laws(c, contacts);
   MatrixCache cache;

@@ -23,8 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-Case lesson_case(const std::string& name, Command command,
-                 const std::vector<std::string>& overrides = {}) {
+Case lesson_case(const std::string& name, Command command, const std::vector<std::string>& overrides = {}) {
   return input::read_case(PRS_SOURCE_DIR "/configs/" + name, overrides, command);
 }
 
@@ -91,8 +90,7 @@ TEST(SystemCurves, OfAnEccentricForceAreThoseOfSolve) {
 }
 
 TEST(SystemCurves, ReproduceTheirNodes) {
-  const SystemCurves curves =
-      system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
+  const SystemCurves curves = system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
   for (const Direction d : kDirections) {
     const BranchTable& branch = curves.senses[d];
     const double sign = d == Direction::tension ? 1.0 : -1.0;
@@ -107,8 +105,7 @@ TEST(SystemCurves, ReproduceTheirNodes) {
 
 /// One thread by itself is a Hertz contact: F ~ u^1.5 and dF/du = 1.5 F/u, down to the first touch.
 TEST(SystemCurves, StartAsHertzContactsDo) {
-  const SystemCurves curves =
-      system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
+  const SystemCurves curves = system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
   EXPECT_EQ(at(curves, 0.0).force, 0.0);
   EXPECT_EQ(at(curves, 0.0).stiffness, 0.0);
   const double small = 1e-5 * curves.senses.tension.deflection(curves.senses.tension.at.size() - 1);
@@ -153,9 +150,8 @@ TEST(SystemCurves, WarningsNameTheForceAndItsSense) {
   const Case c = lesson_case("01_config_1_to_3.yaml", Command::solve);
   const std::vector<std::string> warnings = sentences(system_curves(c, {.force = 60e3}).warnings);
   for (const char* sense : {"tension", "compression"})
-    EXPECT_THAT(warnings,
-                testing::Contains(testing::AllOf(HasSubstr("exceeds 4 GPa"),
-                                                 HasSubstr(std::string("at 60 kN in ") + sense))));
+    EXPECT_THAT(warnings, testing::Contains(testing::AllOf(HasSubstr("exceeds 4 GPa"),
+                                                           HasSubstr(std::string("at 60 kN in ") + sense))));
 }
 
 TEST(SystemCurves, OfAPreloadedNutSayWhatALoadCaseChanges) {
@@ -172,16 +168,14 @@ TEST(SystemCurves, OfAPreloadedNutSayWhatALoadCaseChanges) {
 /// closed.
 TEST(SystemCurves, TorqueOfAPreloadedNutIsThatAtItsPosition) {
   const auto torque = [](const std::string& position, const CurveOptions& options) {
-    const Case c = lesson_case(
-        "12_preload.yaml", Command::preload,
-        {"friction={coulomb: 0.08}", "operation={speed: 300 rpm}",
-         "load_cases=[{name: far, axial_force: 8 kN, direction: tension, position: " + position +
-             "}]"});
+    const Case c =
+        lesson_case("12_preload.yaml", Command::preload,
+                    {"friction={coulomb: 0.08}", "operation={speed: 300 rpm}",
+                     "load_cases=[{name: far, axial_force: 8 kN, direction: tension, position: " + position + "}]"});
     const SystemCurves curves = system_curves(c, options);
     EXPECT_EQ(std::ranges::any_of(sentences(curves.warnings),
                                   [](const std::string& warning) {
-                                    return warning.find("at the position of load case `far`") !=
-                                           std::string::npos;
+                                    return warning.find("at the position of load case `far`") != std::string::npos;
                                   }),
               options.load_case.has_value());
     const PrsCurves view = curves.view();
@@ -198,8 +192,7 @@ TEST(SystemCurves, OfANutWithPlayAreZeroWithinIt) {
                              {"preload={arrangement: single_nut, backlash: 10 um, position: 10 mm, "
                               "load: {from: -20 kN, to: 20 kN}}"});
   const SystemCurves curves = system_curves(c, {});
-  const double tension = curves.senses.tension.origin,
-               compression = curves.senses.compression.origin;
+  const double tension = curves.senses.tension.origin, compression = curves.senses.compression.origin;
   EXPECT_NEAR(tension + compression, 10e-6, 1e-9);
   EXPECT_EQ(at(curves, 0.9 * tension).force, 0.0);
   EXPECT_EQ(at(curves, -0.9 * compression).force, 0.0);
@@ -214,8 +207,7 @@ Case of_friction(const std::string& friction) {
 double largest_torque(const PrsCurves& curves) {
   double largest = 0.0;
   for (const double* table : {curves.forward, curves.backward})
-    for (std::size_t k = 0; k < curves.forces * curves.speeds; ++k)
-      largest = std::max(largest, std::abs(table[k]));
+    for (std::size_t k = 0; k < curves.forces * curves.speeds; ++k) largest = std::max(largest, std::abs(table[k]));
   return largest + std::abs(20e3 * curves.lead) / (2.0 * std::numbers::pi);
 }
 
@@ -269,12 +261,10 @@ TEST(SystemCurves, FrictionTakesPower) {
 }
 
 TEST(SystemCurves, WithoutFrictionTheTorqueIsThatOfTheLead) {
-  const SystemCurves curves =
-      system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
+  const SystemCurves curves = system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
   const PrsCurves view = curves.view();
   int beyond = 0;
-  EXPECT_NEAR(prs_torque(&view, 1e3, 7.0, &beyond), 1e3 * curves.lead / (2.0 * std::numbers::pi),
-              1e-12);
+  EXPECT_NEAR(prs_torque(&view, 1e3, 7.0, &beyond), 1e3 * curves.lead / (2.0 * std::numbers::pi), 1e-12);
   EXPECT_THAT(sentences(curves.warnings), testing::Contains(HasSubstr("without friction")));
 }
 
@@ -286,14 +276,11 @@ TEST(SystemCurves, ReadBackFromTheirData) {
   const PrsCurves view = curves.view();
   for (const double u : {-12e-6, 0.0, 3e-7, 15e-6}) {
     Evaluated a, b;
-    EXPECT_EQ(prs_force(&read, u, &a.stiffness, &a.beyond),
-              prs_force(&view, u, &b.stiffness, &b.beyond));
-    EXPECT_EQ(prs_torque(&read, 1e9 * u, 3.0, &a.beyond),
-              prs_torque(&view, 1e9 * u, 3.0, &b.beyond));
+    EXPECT_EQ(prs_force(&read, u, &a.stiffness, &a.beyond), prs_force(&view, u, &b.stiffness, &b.beyond));
+    EXPECT_EQ(prs_torque(&read, 1e9 * u, 3.0, &a.beyond), prs_torque(&view, 1e9 * u, 3.0, &b.beyond));
   }
   EXPECT_EQ(prs_read_curves(data.data(), data.size() - 1, &read), 0);
-  for (std::size_t k = 0; k < data.size(); k += 7)
-    EXPECT_EQ(prs_read_curves(data.data(), k, &read), 0);
+  for (std::size_t k = 0; k < data.size(); k += 7) EXPECT_EQ(prs_read_curves(data.data(), k, &read), 0);
   data[0] = 2.0;
   EXPECT_EQ(prs_read_curves(data.data(), data.size(), &read), 0);
 }

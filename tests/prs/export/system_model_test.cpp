@@ -17,9 +17,7 @@ using test::run_prs;
 using testing::HasSubstr;
 
 SystemModel standard_screw(std::vector<std::string> overrides = {}) {
-  return system_model(
-      input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml", std::move(overrides)),
-      {});
+  return system_model(input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml", std::move(overrides)), {});
 }
 
 TEST(Zip, IsWhatOthersRead) {
@@ -29,16 +27,14 @@ TEST(Zip, IsWhatOthersRead) {
   const std::string in = "cd '" + folder.path().string() + "' && python3 -m zipfile ";
   ASSERT_EQ(std::system((in + "-t x.zip >out").c_str()), 0);
   ASSERT_EQ(std::system((in + "-e x.zip . >>out").c_str()), 0);
-  for (const OutputFile& file : files)
-    EXPECT_EQ(test::content_of(folder.path() / file.name), file.content);
+  for (const OutputFile& file : files) EXPECT_EQ(test::content_of(folder.path() / file.name), file.content);
 }
 
 TEST(SystemModel, TheSameCaseGivesTheSameBytes) {
   const SystemModel a = standard_screw(), b = standard_screw();
   EXPECT_EQ(functional_mockup_unit(a.curves, a.text), functional_mockup_unit(b.curves, b.text));
   const SystemModel other = standard_screw({"mechanism.rollers=9"});
-  EXPECT_NE(functional_mockup_unit(a.curves, a.text),
-            functional_mockup_unit(other.curves, other.text));
+  EXPECT_NE(functional_mockup_unit(a.curves, a.text), functional_mockup_unit(other.curves, other.text));
 }
 
 TEST(SystemModel, NamesAreIdentifiers) {
@@ -54,8 +50,7 @@ std::vector<double> list_of(const std::string& package, const std::string& name)
   const std::string text = package.substr(start + 1, package.find('}', start) - start - 1);
   std::vector<double> numbers;
   static const std::regex number("[^,\\s]+");
-  for (auto at = std::sregex_iterator(text.begin(), text.end(), number);
-       at != std::sregex_iterator(); ++at)
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), number); at != std::sregex_iterator(); ++at)
     numbers.push_back(std::stod(at->str()));
   return numbers;
 }
@@ -85,9 +80,8 @@ TEST(Export, WritesFilesOrIntoFolders) {
 TEST(Export, AFileThatCannotBeWrittenIsNamed) {
   const test::TemporaryDirectory folder;
   std::filesystem::create_directory(folder.path() / "screw_05_standard_screw.mo");
-  const Outcome run = run_prs("export '" PRS_SOURCE_DIR
-                              "/configs/05_standard_screw.yaml' --fmu --modelica --output .",
-                              folder.path());
+  const Outcome run =
+      run_prs("export '" PRS_SOURCE_DIR "/configs/05_standard_screw.yaml' --fmu --modelica --output .", folder.path());
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.err, HasSubstr("cannot write './screw_05_standard_screw.mo'"));
 }
@@ -123,8 +117,7 @@ TEST(Export, WrongInputIsToldAndNothingIsWritten) {
            {screw + " --fmu --speed '-3 rpm'", {"--speed: got -3 rpm", "more than 0 rpm"}},
            {screw + " --fmu --load-case push", {"none called `push`", "expected one of"}},
            {lessons + "28_driving_load.yaml --fmu", {"load_cases: got equal shares in each"}},
-           {lessons + "08_design_by_backlash.yaml --fmu",
-            {"load_cases: got equal shares in each"}}}) {
+           {lessons + "08_design_by_backlash.yaml --fmu", {"load_cases: got equal shares in each"}}}) {
     const Outcome run = run_prs("export " + arguments, folder.path());
     EXPECT_EQ(run.status, 2) << arguments << run.err;
     for (const std::string& word : words) EXPECT_THAT(run.err, HasSubstr(word)) << arguments;

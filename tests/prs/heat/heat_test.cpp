@@ -20,11 +20,8 @@ constexpr double kCelsius = 273.15;
 Heat some_heat() {
   Heat heat;
   heat.ambient = 25.0 + kCelsius;
-  heat.conductance = {.screw_ambient = 4.0,
-                      .nut_ambient = 8.0,
-                      .rollers_ambient = 0.5,
-                      .screw_rollers = 20.0,
-                      .rollers_nut = 30.0};
+  heat.conductance = {
+      .screw_ambient = 4.0, .nut_ambient = 8.0, .rollers_ambient = 0.5, .screw_rollers = 20.0, .rollers_nut = 30.0};
   return heat;
 }
 
@@ -76,8 +73,7 @@ Case warm_solved() {
 }
 
 /// Heat into screw, rollers and nut [W] at these temperatures, without what `heat` computes by.
-Eigen::Vector3d plain_heat(const Case& c, const Contacts& contacts, const Eigen::Vector3d& t,
-                           std::size_t k = 0) {
+Eigen::Vector3d plain_heat(const Case& c, const Contacts& contacts, const Eigen::Vector3d& t, std::size_t k = 0) {
   const LoadCase& load = c.load_cases[k];
   Oils oils;
   if (c.lubricant) {
@@ -98,8 +94,7 @@ Eigen::Vector3d plain_heat(const Case& c, const Contacts& contacts, const Eigen:
   const SlipEquilibrium found = find_slip_equilibrium(model);
   if (!found.ok()) throw std::runtime_error("no slip");
   const PowerBySource p = lost_power(model, found.balance);
-  return {p.screw / 2 + p.carrier_screw, p.screw / 2 + p.nut / 2 + p.carrier_roller,
-          p.nut / 2 + p.carrier_nut};
+  return {p.screw / 2 + p.carrier_screw, p.screw / 2 + p.nut / 2 + p.carrier_roller, p.nut / 2 + p.carrier_nut};
 }
 
 /// What flows from each part, link by link [W].
@@ -107,16 +102,14 @@ Eigen::Vector3d plain_flow(const Heat& h, const Eigen::Vector3d& t) {
   const Heat::Conductance& k = h.conductance;
   const double a = h.ambient;
   return {k.screw_ambient * (t[0] - a) + k.screw_rollers * (t[0] - t[1]),
-          k.rollers_ambient * (t[1] - a) + k.screw_rollers * (t[1] - t[0]) +
-              k.rollers_nut * (t[1] - t[2]),
+          k.rollers_ambient * (t[1] - a) + k.screw_rollers * (t[1] - t[0]) + k.rollers_nut * (t[1] - t[2]),
           k.nut_ambient * (t[2] - a) + k.rollers_nut * (t[2] - t[1])};
 }
 
 /// Slow and plain: small steps towards the balance, part by part.
 Eigen::Vector3d plain_steady(const Case& c, const Contacts& contacts) {
   const Heat::Conductance& k = c.heat->conductance;
-  const Eigen::Vector3d own(k.screw_ambient + k.screw_rollers,
-                            k.rollers_ambient + k.screw_rollers + k.rollers_nut,
+  const Eigen::Vector3d own(k.screw_ambient + k.screw_rollers, k.rollers_ambient + k.screw_rollers + k.rollers_nut,
                             k.nut_ambient + k.rollers_nut);
   Eigen::Vector3d t = Eigen::Vector3d::Constant(c.heat->ambient);
   for (int round = 0; round < 400; ++round) {
@@ -137,9 +130,7 @@ Eigen::Vector3d kelvin(const PerPart<double>& t) { return {t.screw, t.roller, t.
 
 TEST(Heat, TemperaturesOfRandomMechanismsAreThoseOfAPlainIteration) {
   std::mt19937_64 random(21);
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   int seen = 0;
   for (int i = 0; i < 200 && seen < test::samples(20, 60); ++i) {
     Case c = test::random_slip(random);
@@ -152,8 +143,7 @@ TEST(Heat, TemperaturesOfRandomMechanismsAreThoseOfAPlainIteration) {
     oil.viscosity.reset();
     oil.density = 880.0;
     const double thick = std::exp(uniform(std::log(30e-6), std::log(500e-6)));
-    oil.viscosity_at = {{313.15, {}, thick},
-                        {373.15, {}, 0.5 * std::pow(thick * 1e6, 0.65) * 1e-6}};
+    oil.viscosity_at = {{313.15, {}, thick}, {373.15, {}, 0.5 * std::pow(thick * 1e6, 0.65) * 1e-6}};
     Heat heat;
     heat.ambient = uniform(-20.0, 40.0) + kCelsius;
     Heat::Conductance& k = heat.conductance;
@@ -163,8 +153,8 @@ TEST(Heat, TemperaturesOfRandomMechanismsAreThoseOfAPlainIteration) {
     // Losses warm the parts by some ten kelvin.
     const double loss = plain_heat(c, contacts, Eigen::Vector3d::Constant(330.0)).sum();
     const double unit = loss / uniform(10.0, 80.0);
-    k = {unit * uniform(0.0, 1.0), unit * uniform(0.1, 1.0), unit * uniform(0.0, 0.2),
-         unit * uniform(0.5, 5.0), unit * uniform(0.5, 5.0)};
+    k = {unit * uniform(0.0, 1.0), unit * uniform(0.1, 1.0), unit * uniform(0.0, 0.2), unit * uniform(0.5, 5.0),
+         unit * uniform(0.5, 5.0)};
     c.heat = heat;
     const LoadCaseResult found = analyze_heat(c).load_cases[0];
     ASSERT_TRUE(found.heat->converged()) << i << found.heat->reason;
@@ -201,15 +191,13 @@ TEST(Heat, WhatGoesInComesOutOrFlowsToTheSurroundings) {
     const PerPart<double>& t = found.heat->temperature;
     const Heat::Conductance& k = c.heat->conductance;
     const double a = c.heat->ambient;
-    const double to_ambient = k.screw_ambient * (t.screw - a) + k.nut_ambient * (t.nut - a) +
-                              k.rollers_ambient * (t.roller - a);
+    const double to_ambient =
+        k.screw_ambient * (t.screw - a) + k.nut_ambient * (t.nut - a) + k.rollers_ambient * (t.roller - a);
     EXPECT_NEAR(to_ambient / found.slip->power_loss_input_output, 1.0, 1e-8);
     EXPECT_NEAR(to_ambient / found.slip->power.total(), 1.0, 1e-8);
     const PerPart<double>& q = found.heat->heat;
-    EXPECT_NEAR(q.screw, found.slip->power.screw / 2 + found.slip->power.carrier_screw,
-                1e-8 * to_ambient);
-    EXPECT_NEAR(q.nut, found.slip->power.nut / 2 + found.slip->power.carrier_nut,
-                1e-8 * to_ambient);
+    EXPECT_NEAR(q.screw, found.slip->power.screw / 2 + found.slip->power.carrier_screw, 1e-8 * to_ambient);
+    EXPECT_NEAR(q.nut, found.slip->power.nut / 2 + found.slip->power.carrier_nut, 1e-8 * to_ambient);
     EXPECT_NEAR(found.heat->oil->screw, (t.screw + t.roller) / 2, 1e-9);
     EXPECT_NEAR(found.heat->oil->nut, (t.nut + t.roller) / 2, 1e-9);
   }
@@ -226,13 +214,11 @@ TEST(Heat, WithoutHeatNothingChanges) {
 
 TEST(Heat, PartsThatCannotCoolHaveNoSteadyState) {
   Case c = test::with_coulomb(warm_reference(), 0.1);
-  c.heat->conductance = {
-      .screw_ambient = 0.0, .nut_ambient = 1e-3, .screw_rollers = 20.0, .rollers_nut = 30.0};
+  c.heat->conductance = {.screw_ambient = 0.0, .nut_ambient = 1e-3, .screw_rollers = 20.0, .rollers_nut = 30.0};
   const LoadCaseResult found = analyze_heat(c).load_cases[0];
   EXPECT_EQ(found.heat->status, HeatStatus::no_steady_state);
-  EXPECT_THAT(found.heat->reason,
-              ::testing::MatchesRegex(".*there [0-9.e+]+ W, which need [0-9.e+-]+ W/K to the "
-                                      "surroundings; give them more conductance.*"));
+  EXPECT_THAT(found.heat->reason, ::testing::MatchesRegex(".*there [0-9.e+]+ W, which need [0-9.e+-]+ W/K to the "
+                                                          "surroundings; give them more conductance.*"));
   EXPECT_FALSE(found.slip);
 }
 
@@ -251,8 +237,7 @@ HeatSource lumped(double (*power)(double)) {
     const double screw = power(oil.screw), nut = power(oil.nut);
     return OfParts(screw / 2, (screw + nut) / 2, nut / 2);
   };
-  return {[at](const OfParts& t) { return at(oil_temperatures(t)); }, [] { return std::string(); },
-          at, at};
+  return {[at](const OfParts& t) { return at(oil_temperatures(t)); }, [] { return std::string(); }, at, at};
 }
 
 /// All parts nearly at one temperature: 20 W/K in all.
@@ -271,8 +256,7 @@ TEST(SteadyHeat, TheStateReachedFromAmbientIsTheCoolest) {
   EXPECT_NEAR(found.temperature[1], 310.0, 0.1);
   EXPECT_TRUE(found.others);
   // From above the other one is reached.
-  const SteadyHeat hot =
-      find_steady_heat(tight_network(), lumped(+power), OfParts::Constant(420.0));
+  const SteadyHeat hot = find_steady_heat(tight_network(), lumped(+power), OfParts::Constant(420.0));
   ASSERT_TRUE(hot.converged());
   EXPECT_NEAR(hot.temperature[1], 400.0, 0.1);
 }
@@ -329,9 +313,8 @@ TEST(HeatCycle, ADutyOfOneLoadCaseEndsAtItsSteadyState) {
 
 TEST(HeatCycle, ConstantLossesGiveTheClosedFormOfALinearNetwork) {
   // Without an oil Coulomb's losses do not follow the temperature.
-  Case c =
-      with_duty(test::with_coulomb(warm_reference(), 0.08),
-                {acting("reference", 40.0), rest(25.0), acting("reference", 10.0), rest(90.0)});
+  Case c = with_duty(test::with_coulomb(warm_reference(), 0.08),
+                     {acting("reference", 40.0), rest(25.0), acting("reference", 10.0), rest(90.0)});
   c.lubricant.reset();
   const HeatCycle cycle = cycle_of(c);
   const Contacts contacts = checked_contacts(c, Detail::numbers);
@@ -339,15 +322,14 @@ TEST(HeatCycle, ConstantLossesGiveTheClosedFormOfALinearNetwork) {
   const Heat::Conductance& k = c.heat->conductance;
   Eigen::Matrix3d conductance;
   for (int i = 0; i < 3; ++i)
-    conductance.col(i) =
-        plain_flow(*c.heat, Eigen::Vector3d::Constant(c.heat->ambient) + Eigen::Vector3d::Unit(i));
+    conductance.col(i) = plain_flow(*c.heat, Eigen::Vector3d::Constant(c.heat->ambient) + Eigen::Vector3d::Unit(i));
   const Eigen::Vector3d root = Eigen::Vector3d(350.0, 120.0, 700.0).cwiseSqrt();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(
-      root.cwiseInverse().asDiagonal() * conductance * root.cwiseInverse().asDiagonal());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(root.cwiseInverse().asDiagonal() * conductance *
+                                                             root.cwiseInverse().asDiagonal());
   const auto decay = [&](double time) -> Eigen::Matrix3d {
     return root.cwiseInverse().asDiagonal() * modes.eigenvectors() *
-           (-modes.eigenvalues() * time).array().exp().matrix().asDiagonal() *
-           modes.eigenvectors().transpose() * root.asDiagonal();
+           (-modes.eigenvalues() * time).array().exp().matrix().asDiagonal() * modes.eigenvectors().transpose() *
+           root.asDiagonal();
   };
   const Eigen::Vector3d ambient = Eigen::Vector3d::Constant(c.heat->ambient);
   const Eigen::Vector3d steady = ambient + conductance.ldlt().solve(heat);
@@ -361,13 +343,11 @@ TEST(HeatCycle, ConstantLossesGiveTheClosedFormOfALinearNetwork) {
     t = after(t, 10.0, true);
     return after(t, 90.0, false);
   };
-  const Eigen::Vector3d start = (Eigen::Matrix3d::Identity() - decay(165.0))
-                                    .partialPivLu()
-                                    .solve(map(ambient) - decay(165.0) * ambient);
+  const Eigen::Vector3d start =
+      (Eigen::Matrix3d::Identity() - decay(165.0)).partialPivLu().solve(map(ambient) - decay(165.0) * ambient);
   const auto exact = [&](double time) {
     Eigen::Vector3d t = start;
-    for (const auto& [duration, acts] :
-         {std::pair{40.0, true}, {25.0, false}, {10.0, true}, {90.0, false}}) {
+    for (const auto& [duration, acts] : {std::pair{40.0, true}, {25.0, false}, {10.0, true}, {90.0, false}}) {
       const double here = std::min(time, duration);
       t = after(t, here, acts);
       time -= here;
@@ -404,14 +384,13 @@ Case two_loads(Case c) {
 TEST(HeatCycle, EnergyThatIsLostFlowsToTheSurroundings) {
   SKIP_UNDER_SANITIZERS();
   for (const Case& base : {warm_reference(), warm_solved()}) {
-    const Case c =
-        with_duty(two_loads(base), {acting("pull", 60.0), rest(30.0), acting("return", 45.0)});
+    const Case c = with_duty(two_loads(base), {acting("pull", 60.0), rest(30.0), acting("return", 45.0)});
     const HeatCycle cycle = cycle_of(c);
     const Heat::Conductance& k = c.heat->conductance;
     const double a = c.heat->ambient;
-    const double to_ambient = cycle.period * (k.screw_ambient * (cycle.mean.screw - a) +
-                                              k.nut_ambient * (cycle.mean.nut - a) +
-                                              k.rollers_ambient * (cycle.mean.roller - a));
+    const double to_ambient =
+        cycle.period * (k.screw_ambient * (cycle.mean.screw - a) + k.nut_ambient * (cycle.mean.nut - a) +
+                        k.rollers_ambient * (cycle.mean.roller - a));
     EXPECT_NEAR(to_ambient / cycle.energy_lost, 1.0, 1e-8);
     EXPECT_NEAR(cycle.period, 135.0, 1e-9);
     EXPECT_GT(*cycle.efficiency, 0.4);
@@ -441,8 +420,8 @@ TEST(HeatCycle, IsTheEndOfManyCyclesOfAPlainIntegration) {
   for (int turn = 0; turn < 8; ++turn)
     for (const auto& [k, steps] : {std::pair<std::size_t, int>{0, 80}, {1, 48}})
       for (int i = 0; i < steps; ++i) {
-        const Eigen::Vector3d a = rate(t, k), b = rate(t + h / 2 * a, k),
-                              d = rate(t + h / 2 * b, k), e = rate(t + h * d, k);
+        const Eigen::Vector3d a = rate(t, k), b = rate(t + h / 2 * a, k), d = rate(t + h / 2 * b, k),
+                              e = rate(t + h * d, k);
         t += h / 6 * (a + 2 * b + 2 * d + e);
       }
   EXPECT_NEAR(cycle.temperature.screw.back(), t[0], 1e-4);
@@ -477,8 +456,7 @@ TEST(HeatCycle, EndsOfLongStepsAreSteadyStatesInTheColdToo) {
       const HeatCycle& cycle = *result.heat_cycle;
       ASSERT_TRUE(cycle.converged()) << cycle.reason;
       for (const Part p : kParts)
-        EXPECT_NEAR(cycle.peak[p], result.load_cases[0].heat->temperature[p], 1e-6)
-            << name(p) << " at " << ambient;
+        EXPECT_NEAR(cycle.peak[p], result.load_cases[0].heat->temperature[p], 1e-6) << name(p) << " at " << ambient;
     }
 }
 
@@ -488,8 +466,7 @@ TEST(HeatCycle, ShortCyclesInTheColdConverge) {
   c.heat->ambient = -40.0 + kCelsius;
   const Result result = analyze_heat(c);
   EXPECT_TRUE(result.heat_cycle->converged()) << result.heat_cycle->reason;
-  EXPECT_THAT(sentences(result.warnings),
-              ::testing::Not(::testing::Contains(::testing::HasSubstr("duty"))));
+  EXPECT_THAT(sentences(result.warnings), ::testing::Not(::testing::Contains(::testing::HasSubstr("duty"))));
 }
 
 TEST(HeatCycle, NeitherLongStepsNorLightPartsEndIt) {
@@ -521,8 +498,7 @@ TEST(HeatCycle, PeaksBetweenTheStepsCount) {
   // Losses are constant: small steps of Runge and Kutta from the start of the cycle.
   const Contacts contacts = checked_contacts(c, Detail::numbers);
   const Eigen::Vector3d some = Eigen::Vector3d::Constant(300.0);
-  Eigen::Vector3d t(cycle.temperature.screw[0], cycle.temperature.roller[0],
-                    cycle.temperature.nut[0]);
+  Eigen::Vector3d t(cycle.temperature.screw[0], cycle.temperature.roller[0], cycle.temperature.nut[0]);
   Eigen::Vector3d peak = t;
   const double h = 0.02;
   const std::pair<Eigen::Vector3d, int> acts[] = {{plain_heat(c, contacts, some, 0), 1500},
@@ -533,16 +509,14 @@ TEST(HeatCycle, PeaksBetweenTheStepsCount) {
       const auto rate = [&](const Eigen::Vector3d& at) -> Eigen::Vector3d {
         return (act.first - plain_flow(*c.heat, at)).cwiseQuotient(capacity);
       };
-      const Eigen::Vector3d k1 = rate(t), k2 = rate(t + h / 2 * k1), k3 = rate(t + h / 2 * k2),
-                            k4 = rate(t + h * k3);
+      const Eigen::Vector3d k1 = rate(t), k2 = rate(t + h / 2 * k1), k3 = rate(t + h / 2 * k2), k4 = rate(t + h * k3);
       t += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
       peak = peak.cwiseMax(t);
     }
   EXPECT_LT((kelvin(cycle.peak) - peak).cwiseAbs().maxCoeff(), 1e-6);
   // One of them lies within a step.
   double between = 0.0;
-  for (const Part p : kParts)
-    between = std::max(between, cycle.peak[p] - std::ranges::max(cycle.temperature[p]));
+  for (const Part p : kParts) between = std::max(between, cycle.peak[p] - std::ranges::max(cycle.temperature[p]));
   EXPECT_GT(between, 1e-5);
 }
 

@@ -47,10 +47,8 @@ TEST(Assumptions, OfANewCaseAreAllButWhatIsGiven) {
   std::vector<std::string> given;
   for (const EchoEntry& entry : read_case_input(source, Command::check).fields)
     if (!entry.is_default && !assumed.contains(entry.path)) given.push_back(entry.path);
-  EXPECT_THAT(given,
-              ElementsAre("mechanism.type", "mechanism.lead", "mechanism.pitch_diameter.screw"));
-  EXPECT_THAT(assumed,
-              Contains(Pair("mechanism.flank_angle", testing::StartsWith("as on nearly"))));
+  EXPECT_THAT(given, ElementsAre("mechanism.type", "mechanism.lead", "mechanism.pitch_diameter.screw"));
+  EXPECT_THAT(assumed, Contains(Pair("mechanism.flank_angle", testing::StartsWith("as on nearly"))));
   for (const auto& [path, reason] : assumed) EXPECT_FALSE(reason.empty()) << path;
 }
 
@@ -60,8 +58,7 @@ TEST(Assumptions, EndWhereTheValueWasChanged) {
   const auto changed = [&](const std::string& old, const std::string& now) {
     return only_in(before, assumed_in(with(text, old, now)));
   };
-  EXPECT_THAT(changed("\n  flank_angle: 45 deg", "\n  flank_angle: 40 deg"),
-              ElementsAre("mechanism.flank_angle"));
+  EXPECT_THAT(changed("\n  flank_angle: 45 deg", "\n  flank_angle: 40 deg"), ElementsAre("mechanism.flank_angle"));
   EXPECT_THAT(changed("\n  backlash: {screw: 0 mm,", "\n  backlash: {screw: 0.02 mm,"),
               ElementsAre("mechanism.backlash.screw"));
   EXPECT_THAT(changed("\n  rollers: 11", "\n  rollers: 9"), ElementsAre("mechanism.rollers"));
@@ -76,16 +73,15 @@ TEST(Assumptions, StayWithTheirValuesWhereOthersAreEdited) {
   const Reasons before = assumed_in(text);
   EXPECT_EQ(assumed_in(with(text, "\nmechanism:", "\n\n# of mine\nmechanism:  # mine")), before);
   // The same, one line each.
-  EXPECT_EQ(assumed_in(with(text, "\n  starts: {screw: 5, roller: 1}",
-                            "\n  starts:\n    roller: 1  # one\n    screw: 5")),
-            before);
+  EXPECT_EQ(
+      assumed_in(with(text, "\n  starts: {screw: 5, roller: 1}", "\n  starts:\n    roller: 1  # one\n    screw: 5")),
+      before);
   EXPECT_EQ(assumed_in(with(text, "\n  starts: {", "\n\n  # mine\n  starts: {")), before);
 }
 
 TEST(Assumptions, AreNotWhatAnOverrideGives) {
   const std::string text = new_case();
-  EXPECT_THAT(only_in(assumed_in(text), assumed_in(text, {"mechanism.flank_angle=45 deg",
-                                                          "mechanism.starts.screw=5"})),
+  EXPECT_THAT(only_in(assumed_in(text), assumed_in(text, {"mechanism.flank_angle=45 deg", "mechanism.starts.screw=5"})),
               ElementsAre("mechanism.flank_angle", "mechanism.starts.screw"));
 }
 

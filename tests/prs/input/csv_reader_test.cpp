@@ -28,8 +28,7 @@ std::string csv_error_of(std::string_view text) {
 }
 
 TEST(CsvReader, ReadsTheExamplesOfRfc4180) {
-  EXPECT_EQ(rows_of("aaa,bbb,ccc\r\nzzz,yyy,xxx\r\n"),
-            (Rows{{"aaa", "bbb", "ccc"}, {"zzz", "yyy", "xxx"}}));
+  EXPECT_EQ(rows_of("aaa,bbb,ccc\r\nzzz,yyy,xxx\r\n"), (Rows{{"aaa", "bbb", "ccc"}, {"zzz", "yyy", "xxx"}}));
   EXPECT_EQ(rows_of("aaa,bbb\r\nzzz,yyy"), (Rows{{"aaa", "bbb"}, {"zzz", "yyy"}}));
   EXPECT_EQ(rows_of("\"aaa\",\"b \r\nbb\",\"ccc\" \r\nzzz,yyy,xxx"),
             (Rows{{"aaa", "b \r\nbb", "ccc"}, {"zzz", "yyy", "xxx"}}));
@@ -43,8 +42,7 @@ TEST(CsvReader, TakesTheFirstSeparatorOutsideQuotes) {
 }
 
 TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
-  EXPECT_EQ(rows_of("\xEF\xBB\xBF# \"odd\n\n a , \"b\" \n  \n#,\n,\n"),
-            (Rows{{"a", "b"}, {"", ""}}));
+  EXPECT_EQ(rows_of("\xEF\xBB\xBF# \"odd\n\n a , \"b\" \n  \n#,\n,\n"), (Rows{{"a", "b"}, {"", ""}}));
   EXPECT_EQ(rows_of("a,\"x\n# kept\n\ny\"\n"), (Rows{{"a", "x\n# kept\n\ny"}}));
   EXPECT_TRUE(rows_of("").empty());
   EXPECT_TRUE(rows_of("# nothing").empty());
@@ -67,8 +65,7 @@ TEST(CsvReader, FieldsStandWhereTheyWereWritten) {
 TEST(CsvReader, RefusesWhatCannotBeReadInOneWay) {
   EXPECT_THAT(csv_error_of("a,5\" disc\n"), StartsWith("3: got a quote within a field; expected "));
   EXPECT_THAT(csv_error_of("a\n\"b\"c\n"), StartsWith("5: got a quote within a field; expected "));
-  EXPECT_THAT(csv_error_of("a\n\"b\nc\n"),
-              StartsWith("2: got a quote that never closes; expected "));
+  EXPECT_THAT(csv_error_of("a\n\"b\nc\n"), StartsWith("2: got a quote that never closes; expected "));
   EXPECT_THAT(csv_error_of("a\n1\r2\r3\n"), StartsWith("2: got a carriage return within a line"));
 }
 
@@ -76,8 +73,7 @@ TEST(CsvReader, RefusesWhatCannotBeReadInOneWay) {
 TEST(CsvReader, RowsAreBounded) {
   std::string text = "a\n\"";
   while (text.size() < (std::size_t{3} << 20U)) text += "1,2,3\n";
-  EXPECT_THAT(csv_error_of(text),
-              StartsWith("2: got a row of more than 1024 KiB; expected a shorter"));
+  EXPECT_THAT(csv_error_of(text), StartsWith("2: got a row of more than 1024 KiB; expected a shorter"));
 }
 
 }  // namespace

@@ -70,32 +70,25 @@ TEST(Document, AliasesStandForTheirValue) {
 }
 
 TEST(Document, OverridesReplaceAndCreate) {
-  const Node root =
-      read_text("a: {b: 1}\nc: [{d: 1}]\n", {"a.b=2", "c[0].d=20 kN", "e.f.g={h: 3}", "a.b=4"})
-          .root;
+  const Node root = read_text("a: {b: 1}\nc: [{d: 1}]\n", {"a.b=2", "c[0].d=20 kN", "e.f.g={h: 3}", "a.b=4"}).root;
   EXPECT_EQ(find(*find(root, "a"), "b")->text, "4");
   EXPECT_EQ(find(find(root, "c")->children[0], "d")->text, "20 kN");
   EXPECT_EQ(find(*find(*find(*find(root, "e"), "f"), "g"), "h")->text, "3");
 }
 
 TEST(Document, ErrorsOfAnOverrideNameTheOverride) {
-  const auto error = [](const char* text, const char* override) {
-    return read_text(text, {override}).error;
-  };
+  const auto error = [](const char* text, const char* override) { return read_text(text, {override}).error; };
   EXPECT_EQ(error("a: [1]", "a[1]=2").rfind("case.yaml:1:1: error: a[1]: got the index 1", 0), 0U);
   EXPECT_EQ(error("b: 1\na: 1", "a.b=2").rfind("case.yaml:2:1: error: a.b: ", 0), 0U);
   EXPECT_EQ(error("a: 1", "b={").rfind("case.yaml:1:1: error: b: malformed YAML", 0), 0U);
   EXPECT_EQ(error("a: 1", "b={c: 1, c: 2}").rfind("case.yaml:1:1: error: b.c: dup", 0), 0U);
   EXPECT_NE(error("a: 1", "b={").find("(from --set b={)"), std::string::npos);
-  for (const char* bad :
-       {"", "=", "a", "a b", "=1", ".a=1", "a.=1", "a..b=1", "a[=1", "a[]=1", "a[0]b=1", "[0]=1"})
-    EXPECT_NE(read_text("a: [1]", {bad}).error.find("; expected path=value"), std::string::npos)
-        << bad;
+  for (const char* bad : {"", "=", "a", "a b", "=1", ".a=1", "a.=1", "a..b=1", "a[=1", "a[]=1", "a[0]b=1", "[0]=1"})
+    EXPECT_NE(read_text("a: [1]", {bad}).error.find("; expected path=value"), std::string::npos) << bad;
 }
 
 TEST(Document, OverridesFindEntriesByTheirNames) {
-  const std::string text =
-      "c: [{d: 1}, {name: push 2.5, d: 2}, {name: pull, d: 3}, {name: pull}]\n";
+  const std::string text = "c: [{d: 1}, {name: push 2.5, d: 2}, {name: pull, d: 3}, {name: pull}]\n";
   const Node root = read_text(text, {"c[push 2.5].d=5", "c[push 2.5].e.f=6", "c[0].d=7"}).root;
   const std::vector<Node>& entries = find(root, "c")->children;
   EXPECT_EQ(find(entries[0], "d")->text, "7");
@@ -113,15 +106,13 @@ TEST(Document, OverridesFindEntriesByTheirNames) {
   EXPECT_NE(error("c[pul].d=1").find("did you mean `pull`?"), std::string::npos);
   EXPECT_NE(error("c[pull].d=1").find("which 2 entries have"), std::string::npos);
   for (const char* bad : {"a[-1]=1", "a[x]=1", "a[99999999999999999999]=1"})
-    EXPECT_NE(read_text("a: [1]", {bad}).error.find("of which none has one, or an index below 1"),
-              std::string::npos)
+    EXPECT_NE(read_text("a: [1]", {bad}).error.find("of which none has one, or an index below 1"), std::string::npos)
         << bad;
 }
 
 TEST(Document, NestingIsBounded) {
   for (const char* opening : {"[", "{a: ", "- ", "? ", "[a, ", "{? "})
-    EXPECT_NE(read_text(repeated(opening, 60'000)).error.find("more than 64 nested levels"),
-              std::string::npos)
+    EXPECT_NE(read_text(repeated(opening, 60'000)).error.find("more than 64 nested levels"), std::string::npos)
         << opening;
   EXPECT_EQ(read_text(std::string(60, '[') + std::string(60, ']')).error, "");
 }
@@ -134,14 +125,11 @@ TEST(Document, AliasExpansionIsBounded) {
     for (int k = 1; k < 10; ++k) bomb += ", " + alias;
     bomb += "]\n";
   }
-  EXPECT_NE(read_text(bomb).error.find("more than 200000 values, aliases expanded"),
-            std::string::npos);
+  EXPECT_NE(read_text(bomb).error.find("more than 200000 values, aliases expanded"), std::string::npos);
   const std::string large = "a: &a \"" + std::string(900'000, 'x') + "\"\nb: [";
-  EXPECT_NE(
-      read_text(large + repeated("*a, ", 80'000) + "*a]").error.find("more than 200000 values"),
-      std::string::npos);
-  EXPECT_NE(read_text("a: &a [*a]").error.find("alias of a value that contains it"),
+  EXPECT_NE(read_text(large + repeated("*a, ", 80'000) + "*a]").error.find("more than 200000 values"),
             std::string::npos);
+  EXPECT_NE(read_text("a: &a [*a]").error.find("alias of a value that contains it"), std::string::npos);
 }
 
 TEST(Document, TextsAreBoundedLikeFiles) {
@@ -167,9 +155,7 @@ TEST(Document, WhatIsNoRegularFileIsRefused) {
     return "";
   };
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  EXPECT_EQ(
-      refusal("/no/such/file.yaml").rfind("/no/such/file.yaml:1:1: error: got no such file", 0),
-      0U);
+  EXPECT_EQ(refusal("/no/such/file.yaml").rfind("/no/such/file.yaml:1:1: error: got no such file", 0), 0U);
   EXPECT_NE(refusal(folder.string()).find(":1:1: error: got a folder"), std::string::npos);
   EXPECT_NE(refusal("/dev/zero").find(":1:1: error: got no regular file"), std::string::npos);
 
@@ -180,8 +166,7 @@ TEST(Document, WhatIsNoRegularFileIsRefused) {
 }
 
 TEST(Document, AByteOrderMarkIsNoPartOfTheText) {
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / "prs-input-document-bom-test.yaml";
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "prs-input-document-bom-test.yaml";
   std::ofstream(file) << "\xEF\xBB\xBF"
                          "a: 1\n";
   EXPECT_EQ(load_source(file.string(), {}).text, "a: 1\n");

@@ -45,11 +45,10 @@ double time_of_plain_text() {
 TEST(DocumentTime, AMegabyteOfAnythingIsRefusedAboutAsQuicklyAsPlainTextIsRead) {
   SKIP_UNDER_SANITIZERS();
   const double plain = time_of_plain_text();
-  for (const char* part :
-       {"[",     "]",    "{",   "}",   "- ",   "a: ",  "a: 1\n", "a:\n ",    "{? ",  "? ",
-        "&a ",   "*a ",  "!a ", "\"",  "'",    "\"\\", "|\n",    ">\n",      "%a\n", "---\n",
-        "...\n", ",",    ":",   "#",   "\n",   "\r",   "\t",     "a,",       "[a,",  "{a,",
-        "[[],",  "- - ", "-\n", "?\n", "<<: ", "a\n",  "k",      "\xC3\xA9", "\xFF", "@"}) {
+  for (const char* part : {"[",     "]",    "{",   "}",   "- ",   "a: ",  "a: 1\n", "a:\n ",    "{? ",  "? ",
+                           "&a ",   "*a ",  "!a ", "\"",  "'",    "\"\\", "|\n",    ">\n",      "%a\n", "---\n",
+                           "...\n", ",",    ":",   "#",   "\n",   "\r",   "\t",     "a,",       "[a,",  "{a,",
+                           "[[],",  "- - ", "-\n", "?\n", "<<: ", "a\n",  "k",      "\xC3\xA9", "\xFF", "@"}) {
     std::string error;
     const std::string text = text_of(part, bytes()).substr(0, bytes());
     const double taken = test::cpu_seconds([&] {

@@ -17,8 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-Case read(const std::string& text, const std::vector<std::string>& overrides = {},
-          Command command = Command::solve) {
+Case read(const std::string& text, const std::vector<std::string>& overrides = {}, Command command = Command::solve) {
   return read_case_text(text, "case.yaml", overrides, command);
 }
 
@@ -71,8 +70,7 @@ TEST(ReadCase, WhatIsAbsentHasItsDefault) {
 TEST(ReadCase, TooFewPatchPointsAreRefusedWithTheReason) {
   EXPECT_EQ(error_of(kAbevi, {"model={patch_points: 9}"}), "");
   for (const char* points : {"8", "1"}) {
-    const std::string message =
-        error_of(kAbevi, {fmt::format("model={{patch_points: {}}}", points)});
+    const std::string message = error_of(kAbevi, {fmt::format("model={{patch_points: {}}}", points)});
     EXPECT_THAT(message, HasSubstr(fmt::format("model.patch_points: got {}; expected", points)));
     EXPECT_THAT(message, HasSubstr("from 9 to 1001, as fewer points carry"));
   }
@@ -86,8 +84,7 @@ TEST(ReadCase, ARangeMakesOneCaseAPoint) {
   EXPECT_EQ(c.load_cases[1].name, "push[0]");
   EXPECT_EQ(c.load_cases[45].name, "push[44]");
   EXPECT_EQ(c.load_cases[45].input_path, "load_cases[1]");
-  for (int k = 0; k < 45; ++k)
-    EXPECT_EQ(c.load_cases[static_cast<std::size_t>(k + 1)].axial_force, 1e3 * (k + 1));
+  for (int k = 0; k < 45; ++k) EXPECT_EQ(c.load_cases[static_cast<std::size_t>(k + 1)].axial_force, 1e3 * (k + 1));
 }
 
 TEST(ReadCase, TheEndsOfARangeAreExact) {
@@ -100,9 +97,8 @@ TEST(ReadCase, TheEndsOfARangeAreExact) {
 }
 
 TEST(ReadCase, NamelessCasesAreNumbered) {
-  const Case c =
-      read(kAbevi, {"load_cases=[{axial_force: 1 kN, share: equal}, {axial_force: {from: "
-                    "1 kN, to: 2 kN, steps: 2}, share: equal}]"});
+  const Case c = read(kAbevi, {"load_cases=[{axial_force: 1 kN, share: equal}, {axial_force: {from: "
+                               "1 kN, to: 2 kN, steps: 2}, share: equal}]"});
   EXPECT_EQ(c.load_cases[0].name, "case-1");
   EXPECT_EQ(c.load_cases[2].name, "case-2[1]");
 }
@@ -121,18 +117,16 @@ TEST(ReadCase, EqualSharesCarryTheSignOfTheForce) {
 }
 
 TEST(ReadCase, OneMaterialOrOneForEachPart) {
-  const Case c =
-      read(kAbevi, {"materials={screw: {youngs_modulus: 200 GPa, poisson_ratio: 0.3}, "
-                    "roller: {youngs_modulus: 210 GPa, poisson_ratio: 0.28, density: 7.8 "
-                    "g/cm^3}, nut: {youngs_modulus: 100 GPa, poisson_ratio: 0}}"});
+  const Case c = read(kAbevi, {"materials={screw: {youngs_modulus: 200 GPa, poisson_ratio: 0.3}, "
+                               "roller: {youngs_modulus: 210 GPa, poisson_ratio: 0.28, density: 7.8 "
+                               "g/cm^3}, nut: {youngs_modulus: 100 GPa, poisson_ratio: 0}}"});
   EXPECT_EQ(c.materials->screw.youngs_modulus, 200e9);
   EXPECT_EQ(c.materials->roller.density, 7800.0);
   EXPECT_EQ(c.materials->nut.poisson_ratio, 0.0);
 }
 
 TEST(ReadCase, OneFlankAngleOrOneForEachPart) {
-  const Case c =
-      read(kAbevi, {"mechanism.flank_angle={screw: 45 deg, roller: 44 deg, nut: 1 rad}"});
+  const Case c = read(kAbevi, {"mechanism.flank_angle={screw: 45 deg, roller: 44 deg, nut: 1 rad}"});
   EXPECT_EQ(c.mechanism.flank_angle.nut, 1.0);
 }
 
@@ -144,8 +138,8 @@ TEST(ReadCase, FrictionMayBeWrittenInThreeWays) {
   }
   EXPECT_EQ(read(kAbevi, {"friction={model: jacod}"}).friction->model, Friction::Model::jacod);
   EXPECT_DOUBLE_EQ(read(kAbevi, {"wear={coefficient: 2e-8 mm^3/(N m)}"}).wear->coefficient, 2e-17);
-  for (const char* text : {"friction={model: {mixed: {boundary: 0.12}}}",
-                           "friction={mixed: {boundary: 0.12, exponent: 2}}"}) {
+  for (const char* text :
+       {"friction={model: {mixed: {boundary: 0.12}}}", "friction={mixed: {boundary: 0.12, exponent: 2}}"}) {
     const Friction mixed = *read(kAbevi, {text}).friction;
     EXPECT_EQ(mixed.model, Friction::Model::mixed);
     EXPECT_EQ(mixed.mixed.boundary, 0.12);
@@ -176,9 +170,7 @@ TEST(ReadCase, TheLubricantMayFollowItsTemperature) {
 
 /// n = v/lead.
 TEST(ReadCase, SpeedsMayBeAlongTheAxis) {
-  const auto speed = [](const std::vector<std::string>& overrides) {
-    return read(kAbevi, overrides).operation->speed;
-  };
+  const auto speed = [](const std::vector<std::string>& overrides) { return read(kAbevi, overrides).operation->speed; };
   const double turn = 2.0 * std::numbers::pi;
   EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}"}), 40.0 * turn);
   EXPECT_DOUBLE_EQ(speed({"operation={speed: -1 in/s}"}), -25.4 / 5.0 * turn);
@@ -193,8 +185,7 @@ TEST(ReadCase, SpeedsMayBeAlongTheAxis) {
 
 /// What a page shows and a study varies is what was written.
 TEST(ReadCase, TheEchoOfASpeedAlongTheAxisHasBoth) {
-  const CaseInput in =
-      read_case_input({"case.yaml", kAbevi, {"operation={speed: 200 mm/s}"}}, Command::solve);
+  const CaseInput in = read_case_input({"case.yaml", kAbevi, {"operation={speed: 200 mm/s}"}}, Command::solve);
   const auto entry = std::ranges::find(in.fields, "operation.speed", &EchoEntry::path);
   ASSERT_NE(entry, in.fields.end());
   EXPECT_EQ(entry->value, "2400 rpm");
@@ -203,8 +194,7 @@ TEST(ReadCase, TheEchoOfASpeedAlongTheAxisHasBoth) {
 
 TEST(ReadCase, RoughnessIsOneOrOneForEachPart) {
   EXPECT_FALSE(read(kAbevi).roughness);
-  EXPECT_EQ(read(kAbevi, {"roughness=0.2 um"}).roughness,
-            (PerPart<double>{0.2 / 1e6, 0.2 / 1e6, 0.2 / 1e6}));
+  EXPECT_EQ(read(kAbevi, {"roughness=0.2 um"}).roughness, (PerPart<double>{0.2 / 1e6, 0.2 / 1e6, 0.2 / 1e6}));
   EXPECT_EQ(read(kAbevi, {"roughness={screw: 0.2 um, roller: 0.1 um, nut: 0.4 um}"}).roughness,
             (PerPart<double>{0.2 / 1e6, 0.1 / 1e6, 0.4 / 1e6}));
 }
@@ -242,16 +232,15 @@ TEST(ReadCase, DesignModeTakesTheScrewAndTheBacklash) {
 }
 
 TEST(ReadCase, OverridesReplaceValuesOfTheFile) {
-  const Case c = read(kAbevi, {"mechanism.rollers=9", "load_cases[0].axial_force=20 kN",
-                               "contact={}", "model.roller=rigid_bending"});
+  const Case c = read(
+      kAbevi, {"mechanism.rollers=9", "load_cases[0].axial_force=20 kN", "contact={}", "model.roller=rigid_bending"});
   EXPECT_EQ(c.mechanism.rollers, 9);
   EXPECT_EQ(c.load_cases[0].axial_force, 20e3);
   EXPECT_EQ(c.model.roller, ModelOptions::Roller::rigid_bending);
 }
 
 TEST(ReadCase, EchoTellsDefaultsFromGivenValues) {
-  const CaseInput input =
-      read_case_input({"case.yaml", kAbevi, {"friction={coulomb: 0.1}"}}, Command::check);
+  const CaseInput input = read_case_input({"case.yaml", kAbevi, {"friction={coulomb: 0.1}"}}, Command::check);
   const auto entry = [&](const std::string& path) {
     for (const EchoEntry& e : input.fields)
       if (e.path == path) return e.value + (e.is_default ? " (default)" : "");
@@ -280,8 +269,7 @@ void expect_echo_to_read_the_same(const std::vector<std::string>& others) {
   const CaseInput input = read_case_input({"case.yaml", kAbevi, others}, Command::solve);
   std::vector<std::string> overrides;
   for (const EchoEntry& e : input.fields) overrides.push_back(e.path + "=" + e.value);
-  const CaseInput again =
-      read_case_input({"echo.yaml", abevi_with("5 mm", "6 mm"), overrides}, Command::solve);
+  const CaseInput again = read_case_input({"echo.yaml", abevi_with("5 mm", "6 mm"), overrides}, Command::solve);
   ASSERT_EQ(again.fields.size(), input.fields.size());
   for (std::size_t i = 0; i < input.fields.size(); ++i)
     EXPECT_EQ(again.fields[i].value, input.fields[i].value) << input.fields[i].path;
@@ -293,22 +281,18 @@ TEST(ReadCase, TheEchoIsAnInputThatReadsTheSame) {
       {"lubricant={viscosity: 0.1665 Pa s, pressure_viscosity: "
        "0.03 1/MPa, eyring_stress: 12 MPa}",
        "operation.speed=400 rpm", "friction.model=jacod"});
-  expect_echo_to_read_the_same(
-      {"lubricant={" + kOil + "walther: {intercept: 9.5123, slope: 3.7}}",
-       "operation={speed: 400 rpm, slip_ratio: 0.3}", "roughness=0.2 um",
-       "carrier.bearing={length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}"});
+  expect_echo_to_read_the_same({"lubricant={" + kOil + "walther: {intercept: 9.5123, slope: 3.7}}",
+                                "operation={speed: 400 rpm, slip_ratio: 0.3}", "roughness=0.2 um",
+                                "carrier.bearing={length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}"});
 }
 
 TEST(ReadCase, ALubricantByNameIsShownWithItsValuesAndWhereTheyComeFrom) {
   const CaseInput input = read_case_input(
-      {"case.yaml",
-       kAbevi,
-       {"lubricant={name: iso-vg-100, temperature: 40 degC, eyring_stress: 8 MPa}"}},
+      {"case.yaml", kAbevi, {"lubricant={name: iso-vg-100, temperature: 40 degC, eyring_stress: 8 MPa}"}},
       Command::check);
   const auto shown = [&](const std::string& path) -> std::string {
     for (const EchoEntry& e : input.fields)
-      if (e.path == "lubricant." + path)
-        return e.value + (e.is_default ? " (" + e.origin + ")" : "");
+      if (e.path == "lubricant." + path) return e.value + (e.is_default ? " (" + e.origin + ")" : "");
     return "absent";
   };
   EXPECT_EQ(shown("name"), "iso-vg-100");
@@ -329,8 +313,7 @@ std::string wrong_case(const std::string& section, std::vector<std::string>& cel
   if (section == "blocks") return abevi_with("materials:", first + "\nmaterials:");
   if (section == "lubricants")
     return abevi_with("materials:",
-                      "lubricant: {pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa,\n  " +
-                          first + "}\nmaterials:");
+                      "lubricant: {pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa,\n  " + first + "}\nmaterials:");
   const std::string replacement = cells[0];
   cells.erase(cells.begin());
   return abevi_with(first, replacement);
@@ -350,27 +333,23 @@ TEST(ReadCase, WrongInputIsRefusedWithPlaceKeyAndFix) {
 }
 
 TEST(ReadCase, TheSecondCaseOfOneNameIsNamed) {
-  EXPECT_THAT(
-      error_of(kAbevi, {"load_cases[0].name=push[3]"}),
-      StartsWith("case.yaml:26:12: error: load_cases[1].name: got `push[3]` a second time"));
+  EXPECT_THAT(error_of(kAbevi, {"load_cases[0].name=push[3]"}),
+              StartsWith("case.yaml:26:12: error: load_cases[1].name: got `push[3]` a second time"));
 }
 
 TEST(ReadCase, AnEmptyListOfLoadCasesIsRefused) {
   EXPECT_THAT(error_of(kAbevi, {"load_cases=[]"}),
-              testing::ContainsRegex(
-                  "^case.yaml:24:1: error: load_cases: got a list of 0; expected a list of at "
-                  "least 1[^\n]*from --set load_cases=\\[\\]"));
+              testing::ContainsRegex("^case.yaml:24:1: error: load_cases: got a list of 0; expected a list of at "
+                                     "least 1[^\n]*from --set load_cases=\\[\\]"));
 }
 
 TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
   EXPECT_THAT(error_of(""), StartsWith("case.yaml:1:1: error: got an empty file"));
   EXPECT_THAT(error_of("# nothing\n"), StartsWith("case.yaml:1:1: error: got an empty file"));
-  EXPECT_THAT(error_of("- 1\n"),
-              StartsWith("case.yaml:1:1: error: got a list of 1; expected a map"));
+  EXPECT_THAT(error_of("- 1\n"), StartsWith("case.yaml:1:1: error: got a list of 1; expected a map"));
   EXPECT_THAT(error_of("a: [1\nb: 2\n"), HasSubstr("error: malformed YAML"));
   for (const char* tab : {"a: 1\n\tb: 2\n", "a:\n  b: 1\n \tc: 2\n", "a:\n\t- 1\n"})
-    EXPECT_THAT(error_of(tab), HasSubstr("error: got a tab before the key; expected blanks"))
-        << tab;
+    EXPECT_THAT(error_of(tab), HasSubstr("error: got a tab before the key; expected blanks")) << tab;
   for (const char* glued : {"a:\n  b: 1\n  lead:5 mm  # it\n  c: 1\n", "a:\n  lead:5 mm\n  b: 1\n",
                             "a:\r\n  b: 1\r\n  lead:5 mm\r\n  c: 1\r\n"})
     EXPECT_THAT(error_of(glued), HasSubstr("error: got lead:5 mm; expected `key: value`; write a "
@@ -387,18 +366,16 @@ TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
 TEST(ReadCase, AKeyWithoutItsPathIsToldIt) {
   const auto hint = [](const std::string& set) { return error_of(kAbevi, {set}); };
   EXPECT_THAT(hint("rollers=9"), HasSubstr("; did you mean `mechanism.rollers`? (from --set"));
-  EXPECT_THAT(hint("speed=9 rpm"),
-              HasSubstr("; did you mean `load_cases[0].speed` or `operation.speed`?"));
+  EXPECT_THAT(hint("speed=9 rpm"), HasSubstr("; did you mean `load_cases[0].speed` or `operation.speed`?"));
   EXPECT_THAT(hint("life.history.file=\"\""), HasSubstr("`file: forces.csv`"));
 }
 
 TEST(ReadCase, AKeyWithoutABlankBehindItIsNoUnknownWord) {
   EXPECT_THAT(error_of(abevi_with("contacts_per_roller: 20", "contacts_per_roller:20")),
               StartsWith("case.yaml:10:3: error: got contacts_per_roller:20; expected"));
-  EXPECT_THAT(
-      error_of(abevi_with("{screw: 3, roller: 1}", "{screw:3, roller: 1}")),
-      HasSubstr("unknown key; expected one of screw, roller; write a blank after the colon: "
-                "`screw: 3`"));
+  EXPECT_THAT(error_of(abevi_with("{screw: 3, roller: 1}", "{screw:3, roller: 1}")),
+              HasSubstr("unknown key; expected one of screw, roller; write a blank after the colon: "
+                        "`screw: 3`"));
 }
 
 TEST(ReadCase, LinesMayEndAsOnWindows) {
@@ -422,9 +399,8 @@ TEST(ReadCase, OneRunNamesManyErrorsInTheOrderOfTheFile) {
 }
 
 TEST(ReadCase, AWrongConditionIsToldAlone) {
-  const std::string message =
-      error_of(abevi_with("type: inverted", "geometry: desing"),
-               {"mechanism.type=inverted", "mechanism.backlash={screw: 0 mm}"});
+  const std::string message = error_of(abevi_with("type: inverted", "geometry: desing"),
+                                       {"mechanism.type=inverted", "mechanism.backlash={screw: 0 mm}"});
   EXPECT_THAT(message, StartsWith("case.yaml:2:13: error: mechanism.geometry: got desing"));
   EXPECT_EQ(message.find('\n'), std::string::npos);
 }
@@ -446,10 +422,9 @@ TEST(ReadCase, SlipTellsWhatIsWrongWithSpeedAndLubricant) {
     return error_of(kAbevi, more, Command::slip);
   };
   EXPECT_EQ(message({"operation.speed=400 rpm"}), "");
-  EXPECT_THAT(
-      message({"operation.speed=0 rpm"}),
-      StartsWith("case.yaml:1:1: error: operation.speed: got 0 rpm in case `pull`; expected "
-                 "a speed other than 0"));
+  EXPECT_THAT(message({"operation.speed=0 rpm"}),
+              StartsWith("case.yaml:1:1: error: operation.speed: got 0 rpm in case `pull`; expected "
+                         "a speed other than 0"));
   EXPECT_EQ(message({"operation.speed=-400 rpm"}), "");  // the load drives
   EXPECT_THAT(message({"operation.speed=400 rpm",
                        "carrier.bearing={length: 4 mm, diameter: 5 mm, "
@@ -460,11 +435,10 @@ TEST(ReadCase, SlipTellsWhatIsWrongWithSpeedAndLubricant) {
 
 TEST(ReadCase, DeviationsAreRead) {
   const Deviations d =
-      read(kAbevi,
-           {"deviations={pitch_error: {screw: {linear: 2 um}, nut: {periodic: {amplitude: 1 um, "
-            "period: 8, phase: 90 deg}}}, crowning: 3 um, end_relief: {drop: 4 um, threads: "
-            "2}, roller_diameter: -1 um, temperature: 50 degC}",
-            "materials.thermal_expansion=11.5 um/m/K"})
+      read(kAbevi, {"deviations={pitch_error: {screw: {linear: 2 um}, nut: {periodic: {amplitude: 1 um, "
+                    "period: 8, phase: 90 deg}}}, crowning: 3 um, end_relief: {drop: 4 um, threads: "
+                    "2}, roller_diameter: -1 um, temperature: 50 degC}",
+                    "materials.thermal_expansion=11.5 um/m/K"})
           .deviations;
   EXPECT_DOUBLE_EQ(d.pitch_error.screw.linear, 2e-6);
   EXPECT_FALSE(d.pitch_error.screw.periodic);
@@ -480,10 +454,8 @@ TEST(ReadCase, DeviationsOutOfProportionAreRefused) {
   const auto message = [](const std::string& deviations) {
     return error_of(kAbevi, {"deviations=" + deviations}, Command::solve);
   };
-  EXPECT_THAT(message("{crowning: 3 mm}"),
-              HasSubstr("deviations.crowning: got 3 mm; expected at most"));
-  EXPECT_THAT(message("{pitch_error: {nut: {linear: 2 mm}}}"),
-              HasSubstr("deviations.pitch_error.nut: got up to 2 mm"));
+  EXPECT_THAT(message("{crowning: 3 mm}"), HasSubstr("deviations.crowning: got 3 mm; expected at most"));
+  EXPECT_THAT(message("{pitch_error: {nut: {linear: 2 mm}}}"), HasSubstr("deviations.pitch_error.nut: got up to 2 mm"));
   EXPECT_THAT(message("{pitch_error: {nut: {list: [1 um, 2 um]}}}"),
               HasSubstr("deviations.pitch_error.nut.list: got 2 values; expected 20"));
   EXPECT_THAT(message("{end_relief: {drop: 1 um, threads: 11}}"),
@@ -502,12 +474,11 @@ TEST(ReadCase, ExamplesLieWithinTheirBounds) {
 TEST(ReadCase, MutilatedTextsAreReadOrRefusedButNothingElse) {
   std::mt19937 random(20'25);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-  const std::string parts[] = {
-      "{",  "}",     "[",    "]",     ":",        ", ",   "- ",
-      "\n", "  ",    "&a ",  "*a",    "!",        "<<",   "\"",
-      "'",  "#",     "|",    "---\n", "~",        ".nan", "1e999",
-      "-",  "0",     "mm",   "\t",    "\xC2\xB5", "\xFF", std::string(1, '\0'),
-      "? ", "screw", "equal"};
+  const std::string parts[] = {"{",  "}",     "[",    "]",     ":",        ", ",   "- ",
+                               "\n", "  ",    "&a ",  "*a",    "!",        "<<",   "\"",
+                               "'",  "#",     "|",    "---\n", "~",        ".nan", "1e999",
+                               "-",  "0",     "mm",   "\t",    "\xC2\xB5", "\xFF", std::string(1, '\0'),
+                               "? ", "screw", "equal"};
   int refused = 0;
   for (int i = 0; i < 2000; ++i) {
     std::string text = kAbevi;
@@ -532,8 +503,7 @@ TEST(ReadCase, MutilatedTextsAreReadOrRefusedButNothingElse) {
       read(text);
     } catch (const InputError& e) {
       ++refused;
-      EXPECT_THAT("\n" + std::string(e.what()),
-                  testing::Not(testing::ContainsRegex("\n([^c]|c[^a]|ca[^s]|cas[^e])")));
+      EXPECT_THAT("\n" + std::string(e.what()), testing::Not(testing::ContainsRegex("\n([^c]|c[^a]|ca[^s]|cas[^e])")));
     }
   }
   EXPECT_GT(refused, 1000);

@@ -69,8 +69,7 @@ std::vector<bool> schema_accepts(const std::vector<Sample>& samples) {
   std::ofstream(question) << Json{{"schema", schema()}, {"documents", documents}};
 
   const std::string script = PRS_SOURCE_DIR "/tests/prs/input/check_by_schema.py";
-  const std::string command =
-      "python3 '" + script + "' '" + question.string() + "' > '" + answer.string() + "'";
+  const std::string command = "python3 '" + script + "' '" + question.string() + "' > '" + answer.string() + "'";
   std::vector<bool> verdicts;
   if (std::system(command.c_str()) == 0) {
     std::ifstream in(answer);
@@ -112,8 +111,7 @@ TEST(Schema, TakesWhatTheReaderTakes) {
   add(samples, true,
       {{"mechanism.rollers", {"9"}},
        {"mechanism.type", {"standard", "\"standard\""}},
-       {"mechanism.lead",
-        {"-5 mm", "+5e-3 m", "5000µm", "\"5 mm\"", ".5 cm", "0.2 in", "-3/16 in", "+0003/16in"}},
+       {"mechanism.lead", {"-5 mm", "+5e-3 m", "5000µm", "\"5 mm\"", ".5 cm", "0.2 in", "-3/16 in", "+0003/16in"}},
        {"mechanism.starts", {"{screw: 3}"}},
        {"mechanism.profile_plane", {"axial"}},
        {"mechanism.pitch", {"{roller: 1.667 mm}"}},
@@ -129,8 +127,7 @@ TEST(Schema, TakesWhatTheReaderTakes) {
        {"materials",
         {"{screw: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}, roller: {youngs_modulus: 209 GPa, "
          "poisson_ratio: 0.3}, nut: {youngs_modulus: 2.09e5 MPa, poisson_ratio: 0.3}}"}},
-       {"contact",
-        {"{}", "{hertz_constant: {screw: 3.6e5 N/mm^1.5}, normal_angle: {nut: 45 deg}}"}},
+       {"contact", {"{}", "{hertz_constant: {screw: 3.6e5 N/mm^1.5}, normal_angle: {nut: 45 deg}}"}},
        {"model", {"{bodies: bars, roller: rigid_bending, roller_shear: true, patch_points: 9}"}},
        {"load_cases", {"[{axial_force: -1 kN, share: equal}]"}},
        {"load_cases[0].speed", {"400 rpm"}},
@@ -143,14 +140,11 @@ TEST(Schema, TakesWhatTheReaderTakes) {
        {"friction", {"{model: jacod}", "{coulomb: 0.11}", "{model: {coulomb: 0}}"}},
        {"roughness", {"0.2 um", "{screw: 0.2 um, roller: 0.1 um, nut: 0.3 µm}"}},
        {"operation", {"{speed: -400 1/min}", "{speed: 0 rpm, slip_ratio: 1}"}},
-       {"carrier",
-        {"{bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}}",
-         "{nut_torque: 3 N mm}"}},
+       {"carrier", {"{bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}}", "{nut_torque: 3 N mm}"}},
        {"carrier.gear_pressure_angle", {"25 deg"}}});
-  for (const char* keys :
-       {"temperature: -10 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}",
-        "temperature: 60 °C, density: 870 kg/m^3, viscosity_at: [{temperature: 40 degC, "
-        "kinematic_viscosity: 46 cSt}, {temperature: 373.15 K, viscosity: 6 mPa s}]"})
+  for (const char* keys : {"temperature: -10 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}",
+                           "temperature: 60 °C, density: 870 kg/m^3, viscosity_at: [{temperature: 40 degC, "
+                           "kinematic_viscosity: 46 cSt}, {temperature: 373.15 K, viscosity: 6 mPa s}]"})
     samples.push_back({{lubricant(keys)}, true});
   expect_agreement(samples);
 }
@@ -165,17 +159,16 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
        {"mechanism.rollers", {"0", "1001", "2.5", "\"9\"", "nine", "true", "[9]"}},
        {"mechanism.type", {"invertd", "1", "{}"}},
        {"mechanism.lead",
-        {"5", "0 mm", "0.0e5 mm", "5 kN", "5 mm mm", "five mm", ".nan mm", "1,5 mm", "", "[5 mm]",
-         "1 1/4 mm", "1/0 in", "{screw: 5 mm}"}},
+        {"5", "0 mm", "0.0e5 mm", "5 kN", "5 mm mm", "five mm", ".nan mm", "1,5 mm", "", "[5 mm]", "1 1/4 mm", "1/0 in",
+         "{screw: 5 mm}"}},
        {"mechanism.starts", {"3", "{}", "{screw: 3, nut: 3}"}},
        {"mechanism.pitch_diameter.screw", {"-21 mm"}},
        {"mechanism.flank_angle", {"{screw: 45 deg}", "45"}},
        {"mechanism.profile", {"{screw: straight}"}},
        {"mechanism.profile.nut",
-        {"convex", "{convex: 0 mm}", "{convex: 3}", "{bulgy: 3 mm}",
-         "{convex: 3 mm, concave: 3 mm}", "{straight: 3 mm}"}},
-       {"mechanism.thread",
-        {"{nut: {addendum: 1 mm}}", "{nut: {addendum: -1 mm, dedendum: 1 mm}}"}},
+        {"convex", "{convex: 0 mm}", "{convex: 3}", "{bulgy: 3 mm}", "{convex: 3 mm, concave: 3 mm}",
+         "{straight: 3 mm}"}},
+       {"mechanism.thread", {"{nut: {addendum: 1 mm}}", "{nut: {addendum: -1 mm, dedendum: 1 mm}}"}},
        {"structure", {"{}"}},
        {"structure.roller", {"{}"}},
        {"structure.nut.flanges", {"{}", "[3 mm]"}},
@@ -185,8 +178,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
        {"materials.poisson_ratio", {"0.5", "-0.1", "\"0.3\""}},
        {"materials.youngs_modulus", {"0 GPa"}},
        {"materials", {"{screw: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}}"}},
-       {"contact",
-        {"3", "{hertz_constant: 3.6e5 N/mm^1.5}", "{hertz_constant: {roller: 1 N/m^1.5}}"}},
+       {"contact", {"3", "{hertz_constant: 3.6e5 N/mm^1.5}", "{hertz_constant: {roller: 1 N/m^1.5}}"}},
        {"model.bodies", {"beams"}},
        {"model.roller_shear", {"1", "\"true\""}},
        {"model.patch_points", {"0", "8"}},
@@ -198,53 +190,25 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
        {"load_cases[0].share", {"half"}},
        {"lubricant", {"{viscosity: 166.5}", "{name: iso-vg-99, temperature: 60 degC}"}},
        {"roughness", {"0 um", "0.2", "{screw: 0.2 um}"}},
-       {"friction",
-        {"jacod", "{}", "{model: glue}", "{coulomb: -0.1}", "{jacod: 1}",
-         "{model: jacod, coulomb: 0.1}"}},
-       {"operation",
-        {"{}", "{speed: 400}", "{speed: 400 rpm, slip_ratio: 1.1}", "{slip_ratio: 0.5}"}},
-       {"carrier",
-        {"{bearing: {length: 4 mm, diameter: 0 mm, radial_clearance: 9 um}}",
-         "{nut_torque: -3 N mm}"}}});
-  for (const char* keys :
-       {"temperature: 60, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}",
-        "temperature: 60 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 0}",
-        "temperature: 60 degC, density: 870 kg/m^3, walther: {slope: 3.7}",
-        "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}]",
-        "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}, "
-        "{viscosity: 6 mPa s}]",
-        "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}, "
-        "{temperature: 60 degC, viscosity: 26 mPa s}, {temperature: 90 degC, viscosity: 6 mPa s}]"})
+       {"friction", {"jacod", "{}", "{model: glue}", "{coulomb: -0.1}", "{jacod: 1}", "{model: jacod, coulomb: 0.1}"}},
+       {"operation", {"{}", "{speed: 400}", "{speed: 400 rpm, slip_ratio: 1.1}", "{slip_ratio: 0.5}"}},
+       {"carrier", {"{bearing: {length: 4 mm, diameter: 0 mm, radial_clearance: 9 um}}", "{nut_torque: -3 N mm}"}}});
+  for (const char* keys : {"temperature: 60, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}",
+                           "temperature: 60 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 0}",
+                           "temperature: 60 degC, density: 870 kg/m^3, walther: {slope: 3.7}",
+                           "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}]",
+                           "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}, "
+                           "{viscosity: 6 mPa s}]",
+                           "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}, "
+                           "{temperature: 60 degC, viscosity: 26 mPa s}, {temperature: 90 degC, viscosity: 6 mPa s}]"})
     samples.push_back({{lubricant(keys)}, false});
   expect_agreement(samples);
 }
 
-const std::vector<std::string> kValues{"",
-                                       "0",
-                                       "7",
-                                       "0.2",
-                                       "true",
-                                       "\"7\"",
-                                       "7 mm",
-                                       "0 mm",
-                                       "-7 mm",
-                                       "40 deg",
-                                       "20 deg",
-                                       "40 degC",
-                                       "-7 degC",
-                                       "0 degC",
-                                       "7 cSt",
-                                       "7 mPa s",
-                                       "20 kN",
-                                       "3 N m",
-                                       "straight",
-                                       "equal",
-                                       "tension",
-                                       "{}",
-                                       "[]",
-                                       "{convex: 5 mm}",
-                                       "{ring: 1 N/m}",
-                                       "{coulomb: 0.2}"};
+const std::vector<std::string> kValues{
+    "",         "0",      "7",       "0.2",     "true",   "\"7\"",          "7 mm",          "0 mm",          "-7 mm",
+    "40 deg",   "20 deg", "40 degC", "-7 degC", "0 degC", "7 cSt",          "7 mPa s",       "20 kN",         "3 N m",
+    "straight", "equal",  "tension", "{}",      "[]",     "{convex: 5 mm}", "{ring: 1 N/m}", "{coulomb: 0.2}"};
 
 /// Every value of the case replaced by each of many texts: whatever passes the reader must pass the
 /// schema, which is the more lenient of the two.
@@ -254,12 +218,12 @@ TEST(Schema, NeverRefusesWhatTheReaderTakes) {
   const std::string oil = lubricant(
       "temperature: 60 degC, density: 870 kg/m^3, viscosity_at: [{temperature: 30 degC, "
       "kinematic_viscosity: 46 cSt}, {temperature: 100 degC, viscosity: 6 mPa s}]");
-  const CaseInput input = read_case_input(
-      {"case.yaml",
-       kAbevi,
-       {oil, "friction={coulomb: 0.1}", "operation.speed=4 rpm", "roughness=0.2 um",
-        "carrier={bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}}"}},
-      Command::check);
+  const CaseInput input =
+      read_case_input({"case.yaml",
+                       kAbevi,
+                       {oil, "friction={coulomb: 0.1}", "operation.speed=4 rpm", "roughness=0.2 um",
+                        "carrier={bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}}"}},
+                      Command::check);
   std::vector<Sample> samples;
   for (const EchoEntry& entry : input.fields)
     for (const std::string& value : kValues) samples.push_back({{oil, entry.path + "=" + value}});
@@ -267,8 +231,7 @@ TEST(Schema, NeverRefusesWhatTheReaderTakes) {
   EXPECT_GT(samples.size(), 50u);
   const std::vector<bool> verdicts = schema_accepts(samples);
   ASSERT_EQ(verdicts.size(), samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    EXPECT_TRUE(verdicts[i]) << samples[i].overrides.back();
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_TRUE(verdicts[i]) << samples[i].overrides.back();
 }
 
 TEST(Schema, StatesDefaultsUnitsAndMeaning) {
@@ -278,9 +241,8 @@ TEST(Schema, StatesDefaultsUnitsAndMeaning) {
   EXPECT_EQ(mechanism["starts"]["properties"]["roller"]["default"], 1);
   EXPECT_FALSE(mechanism["type"].contains("default"));
   EXPECT_FALSE(mechanism["lead"].contains("default"));
-  EXPECT_EQ(
-      mechanism["lead"]["description"],
-      "Lead of screw and nut; > 0 right-handed. In mm, m, cm, um, nm, in, ft, uin; other than 0");
+  EXPECT_EQ(mechanism["lead"]["description"],
+            "Lead of screw and nut; > 0 right-handed. In mm, m, cm, um, nm, in, ft, uin; other than 0");
   const Json& screw = s["properties"]["structure"]["properties"]["screw"]["properties"];
   EXPECT_EQ(screw["bore"]["default"], "0 mm");
   const Json& carrier = s["properties"]["carrier"]["properties"];

@@ -17,11 +17,10 @@ double si(std::string_view text, const Dimension& dimension) {
 }
 
 TEST(Units, KnowsItsUnits) {
-  for (const char* unit : {"mm", "kN", "deg", "GPa", "mPa s", "N/mm^1.5", "rpm", "1/GPa", "in",
-                           "lbf", "lbf in", "psi", "ksi", "lb/in^3", "lb", "degF", "lbf/in"})
+  for (const char* unit : {"mm", "kN", "deg", "GPa", "mPa s", "N/mm^1.5", "rpm", "1/GPa", "in", "lbf", "lbf in", "psi",
+                           "ksi", "lb/in^3", "lb", "degF", "lbf/in"})
     EXPECT_TRUE(is_unit(unit)) << unit;
-  for (const char* unit : {"", " ", "lbs", "inches", "5", "Mm"})
-    EXPECT_FALSE(is_unit(unit)) << unit;
+  for (const char* unit : {"", " ", "lbs", "inches", "5", "Mm"}) EXPECT_FALSE(is_unit(unit)) << unit;
 }
 
 TEST(Units, EveryDimensionConvertsToSi) {
@@ -104,12 +103,11 @@ TEST(Units, DecimalLengthsAreTheNearestDoubles) {
 TEST(Units, FormattedValuesReadBackExactly) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> exponent(-4.0, 4.0);
-  for (const Dimension* d : {&unit::length, &unit::force, &unit::angle, &unit::pressure,
-                             &unit::viscosity, &unit::rotational_speed, &unit::hertz_constant,
-                             &unit::kinematic_viscosity, &unit::temperature})
+  for (const Dimension* d :
+       {&unit::length, &unit::force, &unit::angle, &unit::pressure, &unit::viscosity, &unit::rotational_speed,
+        &unit::hertz_constant, &unit::kinematic_viscosity, &unit::temperature})
     for (int i = 0; i < 200; ++i) {
-      const double value = si(
-          std::to_string(std::pow(10.0, exponent(random))) + " " + std::string(d->canonical), *d);
+      const double value = si(std::to_string(std::pow(10.0, exponent(random))) + " " + std::string(d->canonical), *d);
       EXPECT_EQ(si(format_quantity(value, *d), *d), value) << format_quantity(value, *d);
     }
 }
@@ -118,16 +116,15 @@ TEST(Units, FormattedValuesAreShort) {
   EXPECT_EQ(format_quantity(0.021, unit::length), "21 mm");
   EXPECT_EQ(format_quantity(si("54.3333333 mm", unit::length), unit::length), "54.3333333 mm");
   EXPECT_EQ(format_quantity(pi / 4, unit::angle), "45 deg");
-  EXPECT_EQ(format_quantity(si("400 rpm", unit::rotational_speed), unit::rotational_speed),
-            "400 rpm");
-  for (const char* text : {"0.1 degC", "40 degC", "-20 degC", "0 degC", "26.85 degC", "36.6 degC",
-                           "-273.15 degC", "123.456789 degC"})
+  EXPECT_EQ(format_quantity(si("400 rpm", unit::rotational_speed), unit::rotational_speed), "400 rpm");
+  for (const char* text :
+       {"0.1 degC", "40 degC", "-20 degC", "0 degC", "26.85 degC", "36.6 degC", "-273.15 degC", "123.456789 degC"})
     EXPECT_EQ(format_quantity(si(text, unit::temperature), unit::temperature), text);
 }
 
 TEST(Units, NumbersMayBeWrittenAsEngineersDo) {
-  for (const char* text : {"5 mm", "5mm", "+5 mm", "5.0 mm", "5. mm", "0.5e1 mm", "50E-1  mm",
-                           "5\u00A0mm", "5\u202Fmm"})
+  for (const char* text :
+       {"5 mm", "5mm", "+5 mm", "5.0 mm", "5. mm", "0.5e1 mm", "50E-1  mm", "5\u00A0mm", "5\u202Fmm"})
     EXPECT_EQ(si(text, unit::length), 0.005) << text;
   EXPECT_EQ(si("-.5 mm", unit::length), -0.0005);
 }
@@ -138,27 +135,26 @@ TEST(Units, InchesMayHaveAFraction) {
   EXPECT_EQ(si("5/8 in", unit::length), 0.015875);
   EXPECT_EQ(si("+2 1/2 ft", unit::length), 0.762);
   EXPECT_EQ(number_in("1 1/4 in", "mm"), 31.75);
-  for (const char* text : {"1 5/4 in", "1.5 1/4 in", "1/0 in", "1 1/4 mm", "1 1/4", "1/4/2 in",
-                           "1e1/4 in", "1  1/4 in", "/4 in", "1 -1/4 in", "1000000000/8 in"})
+  for (const char* text : {"1 5/4 in", "1.5 1/4 in", "1/0 in", "1 1/4 mm", "1 1/4", "1/4/2 in", "1e1/4 in", "1  1/4 in",
+                           "/4 in", "1 -1/4 in", "1000000000/8 in"})
     EXPECT_FALSE(parse_quantity(text, unit::length).value) << text;
   EXPECT_NEAR(si("400 1/min", unit::rotational_speed), 400 * pi / 30, 1e-12);
   EXPECT_FALSE(parse_quantity("1/4 in/s", unit::rotational_speed).value);
 }
 
 TEST(Units, WhatMeansAnotherSpellingIsToldIt) {
-  for (const auto& [text, dimension, hint] :
-       {std::tuple{"400 RPM", &unit::rotational_speed, "write `rpm`"},
-        {"400 U/min", &unit::rotational_speed, "write `rpm`"},
-        {"5 MM", &unit::length, "write `mm`"},
-        {"1 inch", &unit::length, "write `in`"},
-        {"1\"", &unit::length, "write `in`"},
-        {"100 kgf", &unit::force, "write `N`; 1 kgf is 9.80665 N"},
-        {"10 KN", &unit::force, "write `kN`"},
-        {"100 lb", &unit::force, "write `lbf`"},
-        {"210 mPa", &unit::pressure, "did you mean `MPa`?"},
-        {"46 mm2/s", &unit::kinematic_viscosity, "write `mm^2/s`"},
-        {"7810 kg/m³", &unit::density, "write `kg/m^3`"},
-        {"3e5 N/mm^1,5", &unit::hertz_constant, "use one of the units "}}) {
+  for (const auto& [text, dimension, hint] : {std::tuple{"400 RPM", &unit::rotational_speed, "write `rpm`"},
+                                              {"400 U/min", &unit::rotational_speed, "write `rpm`"},
+                                              {"5 MM", &unit::length, "write `mm`"},
+                                              {"1 inch", &unit::length, "write `in`"},
+                                              {"1\"", &unit::length, "write `in`"},
+                                              {"100 kgf", &unit::force, "write `N`; 1 kgf is 9.80665 N"},
+                                              {"10 KN", &unit::force, "write `kN`"},
+                                              {"100 lb", &unit::force, "write `lbf`"},
+                                              {"210 mPa", &unit::pressure, "did you mean `MPa`?"},
+                                              {"46 mm2/s", &unit::kinematic_viscosity, "write `mm^2/s`"},
+                                              {"7810 kg/m³", &unit::density, "write `kg/m^3`"},
+                                              {"3e5 N/mm^1,5", &unit::hertz_constant, "use one of the units "}}) {
     const ParsedQuantity parsed = parse_quantity(text, *dimension);
     EXPECT_FALSE(parsed.value) << text;
     EXPECT_NE(parsed.hint.find(hint), std::string::npos) << parsed.hint;
@@ -168,20 +164,16 @@ TEST(Units, WhatMeansAnotherSpellingIsToldIt) {
 
 TEST(Units, WhatIsNoQuantityIsRefused) {
   for (const char* text :
-       {"",        "mm",          "5",        "5 kN",      "5 MM",   "5 mm mm", "5 mm ",
-        " 5 mm",   "5,0 mm",      "1_000 mm", "0x5 mm",    "nan mm", ".nan mm", "inf mm",
-        "-inf mm", "infinity mm", "1e999 mm", "1e-999 mm", "1e31 m", "1e-31 m", "+-5 mm",
-        "--5 mm",  "5 e mm",      "5e mm",    "5\tmm",     "five mm"})
+       {"",         "mm",      "5",      "5 kN",    "5 MM",   "5 mm mm", "5 mm ",       " 5 mm",    "5,0 mm",
+        "1_000 mm", "0x5 mm",  "nan mm", ".nan mm", "inf mm", "-inf mm", "infinity mm", "1e999 mm", "1e-999 mm",
+        "1e31 m",   "1e-31 m", "+-5 mm", "--5 mm",  "5 e mm", "5e mm",   "5\tmm",       "five mm"})
     EXPECT_FALSE(parse_quantity(text, unit::length).value) << text;
 }
 
 TEST(Units, HintsTellUnitAndDimension) {
-  EXPECT_NE(parse_quantity("5", unit::length).hint.find("write the unit, for example `5 mm`"),
-            std::string::npos);
-  EXPECT_NE(parse_quantity("5 kN", unit::length).hint.find("`kN` is the unit of a force"),
-            std::string::npos);
-  EXPECT_NE(parse_quantity("5 furlong", unit::length).hint.find("not a known unit"),
-            std::string::npos);
+  EXPECT_NE(parse_quantity("5", unit::length).hint.find("write the unit, for example `5 mm`"), std::string::npos);
+  EXPECT_NE(parse_quantity("5 kN", unit::length).hint.find("`kN` is the unit of a force"), std::string::npos);
+  EXPECT_NE(parse_quantity("5 furlong", unit::length).hint.find("not a known unit"), std::string::npos);
 }
 
 TEST(Units, TheLocaleDoesNotMatter) {

@@ -18,8 +18,7 @@ using testing::StartsWith;
 
 std::vector<std::string> warnings_of(const std::string& file, std::vector<std::string> overrides) {
   return sentences(
-      read_case_input(load_source(PRS_SOURCE_DIR "/" + file, std::move(overrides)), Command::check)
-          .warnings);
+      read_case_input(load_source(PRS_SOURCE_DIR "/" + file, std::move(overrides)), Command::check).warnings);
 }
 
 /// Of the only warning under one override: the key, the value as written, the unit that fits.
@@ -30,9 +29,8 @@ struct OddValue {
 TEST(UsualValues, ANutThatHangsOnNothingIsNamed) {
   for (const char* way : {"axial", "lateral"}) {
     const std::string path = std::string("structure.nut.housing.") + way;
-    EXPECT_THAT(
-        warnings_of("configs/24_misalignment.yaml", {path + "=1e-3 N/mm"}),
-        ElementsAre(AllOf(StartsWith(path + ": got 1e-3 N/mm; usual is "), HasSubstr("check"))));
+    EXPECT_THAT(warnings_of("configs/24_misalignment.yaml", {path + "=1e-3 N/mm"}),
+                ElementsAre(AllOf(StartsWith(path + ": got 1e-3 N/mm; usual is "), HasSubstr("check"))));
     EXPECT_THAT(warnings_of("configs/24_misalignment.yaml", {path + "=200 kN/mm"}), IsEmpty());
   }
 }
@@ -65,8 +63,8 @@ TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
     if (fitting.empty())
       EXPECT_THAT(warnings, IsEmpty()) << path;
     else
-      EXPECT_THAT(warnings, ElementsAre(AllOf(StartsWith(path + ": got " + written + "; usual is "),
-                                              HasSubstr(fitting))))
+      EXPECT_THAT(warnings,
+                  ElementsAre(AllOf(StartsWith(path + ": got " + written + "; usual is "), HasSubstr(fitting))))
           << path;
   }
 }
@@ -74,24 +72,20 @@ TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
 TEST(UsualValues, EachPartAndEachEndOfARangeCounts) {
   EXPECT_THAT(warnings_of("configs/15_sensitivity.yaml", {"materials.nut.youngs_modulus=210 MPa"}),
               ElementsAre(StartsWith("materials.nut.youngs_modulus: got 210 MPa")));
-  EXPECT_THAT(warnings_of("configs/03_load_sweep.yaml",
-                          {"load_cases[0].axial_force={from: 1 kN, to: 1e6 kN, steps: 3}"}),
-              ElementsAre(StartsWith(
-                  "load_cases[0].axial_force: got {from: 1 kN, to: 1e6 kN, steps: 3};")));
+  EXPECT_THAT(
+      warnings_of("configs/03_load_sweep.yaml", {"load_cases[0].axial_force={from: 1 kN, to: 1e6 kN, steps: 3}"}),
+      ElementsAre(StartsWith("load_cases[0].axial_force: got {from: 1 kN, to: 1e6 kN, steps: 3};")));
 }
 
 TEST(UsualValues, ATemperatureInKelvinIsTakenForOneInCelsius) {
   EXPECT_THAT(warnings_of("configs/11_real_parts.yaml", {"deviations.temperature.screw=40 K"}),
-              ElementsAre(AllOf(StartsWith("deviations.temperature.screw: got 40 K"),
-                                HasSubstr("`40 degC`?"))));
+              ElementsAre(AllOf(StartsWith("deviations.temperature.screw: got 40 K"), HasSubstr("`40 degC`?"))));
 }
 
 TEST(UsualValues, LessonsAndPublishedScrewsHaveThem) {
   for (const char* folder : {"/configs", "/validation"})
-    for (const auto& file :
-         std::filesystem::recursive_directory_iterator(std::string(PRS_SOURCE_DIR) + folder)) {
-      if (file.path().extension() != ".yaml" || file.path().filename() == "reference.yaml")
-        continue;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(std::string(PRS_SOURCE_DIR) + folder)) {
+      if (file.path().extension() != ".yaml" || file.path().filename() == "reference.yaml") continue;
       const Source source = load_source(file.path().string(), {});
       ErrorList errors(source);
       if (!find(read_document(source, errors), "mechanism")) continue;  // A requirement.

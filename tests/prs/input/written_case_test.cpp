@@ -17,23 +17,19 @@ Source lesson_with(const std::string& name, std::vector<std::string> overrides) 
 
 TEST(WrittenCase, IsTheCaseOfItsOverrides) {
   const Source source = lesson_with(
-      "24_misalignment.yaml",
-      {"mechanism.rollers=9", "structure.nut.length=95 mm", "load_cases[0].axial_force=20 kN",
-       "load_cases[0].misalignment.nut_tilt.z=0.05 deg", "load_cases[1].side_force={y: 100 N}",
-       "deviations.crowning=2 um", "mechanism.profile.roller={convex: 5 mm}"});
+      "24_misalignment.yaml", {"mechanism.rollers=9", "structure.nut.length=95 mm", "load_cases[0].axial_force=20 kN",
+                               "load_cases[0].misalignment.nut_tilt.z=0.05 deg", "load_cases[1].side_force={y: 100 N}",
+                               "deviations.crowning=2 um", "mechanism.profile.roller={convex: 5 mm}"});
   const auto text = written_case(source);
   ASSERT_TRUE(text);
-  EXPECT_EQ(resolved_input(source_of_text(source.name, *text, {}, source.folder)),
-            resolved_input(source));
+  EXPECT_EQ(resolved_input(source_of_text(source.name, *text, {}, source.folder)), resolved_input(source));
   EXPECT_THAT(*text, StartsWith(source.text.substr(0, source.text.find('\n'))));
 }
 
 TEST(WrittenCase, LeavesTheRestAsItStands) {
-  const Source source =
-      source_of_text("case.yaml", "# mine\na: {b: 1 mm}  # why\nc:\n  - d: \"x\"\n    e: 2\n",
-                     {"a.b=2 mm", "c[0].d='y'", "c[0].f=3", "g.h=4"});
-  EXPECT_EQ(written_case(source),
-            "# mine\ng: {h: 4}\na: {b: 2 mm}  # why\nc:\n  - f: 3\n    d: 'y'\n    e: 2\n");
+  const Source source = source_of_text("case.yaml", "# mine\na: {b: 1 mm}  # why\nc:\n  - d: \"x\"\n    e: 2\n",
+                                       {"a.b=2 mm", "c[0].d='y'", "c[0].f=3", "g.h=4"});
+  EXPECT_EQ(written_case(source), "# mine\ng: {h: 4}\na: {b: 2 mm}  # why\nc:\n  - f: 3\n    d: 'y'\n    e: 2\n");
 }
 
 TEST(WrittenCase, GivesUpWhereOtherValuesWouldFollow) {
@@ -42,8 +38,7 @@ TEST(WrittenCase, GivesUpWhereOtherValuesWouldFollow) {
 
 TEST(WrittenCase, GivesUpWhereAValueDoesNotStandBetweenBraces) {
   for (const char* next : {"c=3", "a.b=2"})
-    EXPECT_EQ(written_case(source_of_text("case.yaml", "a: {b: 1}\nc: 2\n", {"a.b=x] y", next})),
-              std::nullopt);
+    EXPECT_EQ(written_case(source_of_text("case.yaml", "a: {b: 1}\nc: 2\n", {"a.b=x] y", next})), std::nullopt);
 }
 
 TEST(WrittenCase, WithoutOverridesIsTheFile) {

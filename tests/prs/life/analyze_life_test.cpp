@@ -30,8 +30,7 @@ constexpr int kRollers = 11, kThreads = 20;
 
 /// The screw of Abevi 2015 in CONFIG 2 with a block `life`.
 Case life_case(const std::string& life, const std::vector<std::string>& overrides = {}) {
-  return input::read_case_text(input::kAbevi + "life: " + life + "\n", "test.yaml", overrides,
-                               Command::life);
+  return input::read_case_text(input::kAbevi + "life: " + life + "\n", "test.yaml", overrides, Command::life);
 }
 
 std::string spectrum(const std::string& loads, const std::string& more = "") {
@@ -46,8 +45,7 @@ const std::string kMixed = R"({force: 4 kN, direction: tension, revolutions: 5e4
 /// A file's forces, each over the same way.
 LoadHistory history(std::vector<double> force) {
   LoadHistory h;
-  for (std::size_t k = 0; k < force.size(); ++k)
-    h.position.push_back(1e-3 * static_cast<double>(k));
+  for (std::size_t k = 0; k < force.size(); ++k) h.position.push_back(1e-3 * static_cast<double>(k));
   h.force = std::move(force);
   return h;
 }
@@ -59,8 +57,8 @@ Case history_case() {
 }
 
 TEST(AnalyzeLife, EqualSharesGiveTheCatalogueLife) {
-  const LifeResult r = analyze_life(
-      life_case(spectrum("{force: 12 kN, direction: tension, revolutions: 10}", ", share: equal")));
+  const LifeResult r =
+      analyze_life(life_case(spectrum("{force: 12 kN, direction: tension, revolutions: 10}", ", share: equal")));
   ASSERT_TRUE(r.converged());
   EXPECT_NEAR(r.mean_load, 12e3, 1e-9);
   EXPECT_NEAR(r.system_life / rating_life(r.dynamic_capacity, 12e3), 1.0, 1e-13);
@@ -108,12 +106,11 @@ Direct direct(const LifeResult& r, Case c, Direction d) {
   double hazard = 0.0;
   for (const Interface i : kInterfaces)
     for (std::size_t k = 0; k < kThreads; ++k) {
-      const double load =
-          std::cbrt(cubes[k + (i == Interface::nut ? kThreads : 0)] / r.revolutions);
+      const double load = std::cbrt(cubes[k + (i == Interface::nut ? kThreads : 0)] / r.revolutions);
       answer.equivalent[i].push_back(load);
       // Capacity of a contact: C_a over the contacts, with the share of its ring.
-      const double capacity = r.dynamic_capacity / (kRollers * kThreads) *
-                              std::pow(kThreads / r.failure_shares[i], 0.3);
+      const double capacity =
+          r.dynamic_capacity / (kRollers * kThreads) * std::pow(kThreads / r.failure_shares[i], 0.3);
       hazard += std::pow(1e6 * std::pow(capacity / load, 3), -10.0 / 9);
     }
   answer.life = std::pow(hazard, -0.9);
@@ -144,8 +141,7 @@ TEST(AnalyzeLife, OfARandomHistoryIsThatOfItsSamples) {
   for (double& f : forces) f = force(random);
   const Case c = history_case();
   const LifeResult r = analyze_life(c, history(forces));
-  for (const Direction d : kDirections)
-    EXPECT_NEAR(r.flanks[d]->life / direct(r, c, d).life, 1.0, 1e-7);
+  for (const Direction d : kDirections) EXPECT_NEAR(r.flanks[d]->life / direct(r, c, d).life, 1.0, 1e-7);
 }
 
 TEST(AnalyzeLife, WeakestThreadHasTheShortestLife) {
@@ -180,19 +176,17 @@ TEST(AnalyzeLife, StaticCapacityGivesTheLimitPressure) {
     const Result solved = analyze(at_capacity);
     double pressure = 0.0;
     for (const Interface i : kInterfaces)
-      for (const double p : (*solved.load_cases[0].threads)[i].peak_pressure)
-        pressure = std::max(pressure, p);
+      for (const double p : (*solved.load_cases[0].threads)[i].peak_pressure) pressure = std::max(pressure, p);
     EXPECT_NEAR(pressure / kStaticPressureLimit, 1.0, 1e-9);
   }
   EXPECT_NEAR(*r.static_safety(),
-              std::min(*r.flanks.tension->static_capacity / 30e3,
-                       *r.flanks.compression->static_capacity / 12e3),
+              std::min(*r.flanks.tension->static_capacity / 30e3, *r.flanks.compression->static_capacity / 12e3),
               1e-12);
 }
 
 TEST(AnalyzeLife, StaticCapacityOfEqualSharesScalesWithTheCubeOfPressure) {
-  const LifeResult r = analyze_life(
-      life_case(spectrum("{force: 10 kN, direction: tension, share: 1}", ", share: equal")));
+  const LifeResult r =
+      analyze_life(life_case(spectrum("{force: 10 kN, direction: tension, share: 1}", ", share: equal")));
   const FlankLife& flank = *r.flanks.tension;
   const double pressure = std::max(*flank.peak_pressure.screw, *flank.peak_pressure.nut);
   const double expected = 10e3 * std::pow(kStaticPressureLimit / pressure, 3);
@@ -201,9 +195,9 @@ TEST(AnalyzeLife, StaticCapacityOfEqualSharesScalesWithTheCubeOfPressure) {
 }
 
 TEST(AnalyzeLife, CapacitiesOfACatalogueComeFirst) {
-  const LifeResult r = analyze_life(
-      life_case(spectrum("{force: 10 kN, direction: tension, share: 1}",
-                         ", share: equal, dynamic_capacity: 50 kN, static_capacity: 90 kN")));
+  const LifeResult r =
+      analyze_life(life_case(spectrum("{force: 10 kN, direction: tension, share: 1}",
+                                      ", share: equal, dynamic_capacity: 50 kN, static_capacity: 90 kN")));
   EXPECT_FALSE(r.lemor);
   EXPECT_NEAR(r.system_life, 125e6, 1e-5);
   EXPECT_NEAR(*r.static_safety(), 9.0, 1e-14);
@@ -252,9 +246,7 @@ TEST(AnalyzeLife, EquivalentRangesAreThoseOfTheThreadLoads) {
     for (const Interface i : kInterfaces)
       for (std::size_t k = 0; k < kThreads; ++k)
         // Each flank is loaded from nothing to its largest load.
-        EXPECT_NEAR(
-            r.flanks[d]->threads[i].equivalent_range[k] / r.flanks[d]->threads[i].largest_load[k],
-            1.0, 1e-12);
+        EXPECT_NEAR(r.flanks[d]->threads[i].equivalent_range[k] / r.flanks[d]->threads[i].largest_load[k], 1.0, 1e-12);
 }
 
 TEST(AnalyzeLife, ThreadLoadsSumToTheForce) {
@@ -279,8 +271,7 @@ TEST(AnalyzeLife, RefusesLoadsWithoutLife) {
   LoadHistory still = history({1e3, 2e3});
   still.position = {0.0, 0.0};
   EXPECT_THAT(refused(history_case(), still).second, testing::HasSubstr("does not turn"));
-  EXPECT_THAT(refused(history_case(), history({0.0, 0.0})).second,
-              testing::HasSubstr("no load other than 0"));
+  EXPECT_THAT(refused(history_case(), history({0.0, 0.0})).second, testing::HasSubstr("no load other than 0"));
   Case c = history_case();
   c.structure->nut.thrust.compression.reset();
   EXPECT_EQ(refused(c, history({1e3, -1e3})).first, "structure.nut.thrust.compression");
@@ -301,11 +292,9 @@ TEST(AnalyzeLife, RefusesRatiosBeyondTheFactorUnlessTheCapacityIsGiven) {
 }
 
 TEST(AnalyzeLife, WarnsOfLoadsBeyondTheFormula) {
-  const LifeResult r =
-      analyze_life(life_case(spectrum("{force: 60 kN, direction: tension, share: 1}")));
+  const LifeResult r = analyze_life(life_case(spectrum("{force: 60 kN, direction: tension, share: 1}")));
   EXPECT_THAT(sentences(r.warnings), testing::Contains(testing::HasSubstr("exceeds 4 GPa")));
-  EXPECT_THAT(sentences(r.warnings),
-              testing::Contains(testing::HasSubstr("92.9 % of the dynamic capacity")));
+  EXPECT_THAT(sentences(r.warnings), testing::Contains(testing::HasSubstr("92.9 % of the dynamic capacity")));
 }
 
 /// Paths that a case text is refused for.
@@ -321,11 +310,9 @@ std::string input_error(const std::string& life, const std::vector<std::string>&
 TEST(LifeInput, SaysWhatIsWrongWithASpectrum) {
   using testing::HasSubstr;
   EXPECT_THAT(input_error("{position: 10 mm}"), HasSubstr("life.spectrum: missing"));
-  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension}")),
-              HasSubstr("life.spectrum[0].share: missing"));
-  EXPECT_THAT(
-      input_error(spectrum("{force: 1 kN, direction: tension, share: 0.5, revolutions: 3}")),
-      HasSubstr("life.spectrum[0].share"));
+  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension}")), HasSubstr("life.spectrum[0].share: missing"));
+  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension, share: 0.5, revolutions: 3}")),
+              HasSubstr("life.spectrum[0].share"));
   EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension, share: 0.5},"
                                    "{force: 1 kN, direction: tension, revolutions: 3}")),
               HasSubstr("life.spectrum[1]: mixes `share`"));
@@ -340,28 +327,24 @@ TEST(LifeInput, SaysWhatIsWrongWithASpectrum) {
   EXPECT_THAT(input_error("{position: 80 mm, spectrum: [{force: 1 kN, direction: tension, "
                           "share: 1}]}"),
               HasSubstr("life.position: got 80 mm; expected 0 mm to 58.33333 mm"));
-  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension, share: 1}"),
-                          {"structure.nut.thrust={compression: 80 mm}",
-                           "load_cases=[{axial_force: 1 kN, share: equal}]"}),
-              HasSubstr("structure.nut.thrust.tension: missing"));
+  EXPECT_THAT(
+      input_error(spectrum("{force: 1 kN, direction: tension, share: 1}"),
+                  {"structure.nut.thrust={compression: 80 mm}", "load_cases=[{axial_force: 1 kN, share: equal}]"}),
+      HasSubstr("structure.nut.thrust.tension: missing"));
 }
 
 TEST(LifeInput, SaysWhatAHistoryLacks) {
   using testing::HasSubstr;
   const std::string head = "{position: 10 mm, history: {file: f.csv, force: {column: F, unit: N}";
-  EXPECT_THAT(input_error(head + "}}"),
-              HasSubstr("life.history: got neither `position` nor a clock"));
-  EXPECT_THAT(input_error(head + ", interval: 1 s}}"),
-              HasSubstr("life.history: got neither `position` nor a speed"));
-  EXPECT_THAT(input_error(head + ", interval: 1 s, time: {column: t, unit: s}}}"),
-              HasSubstr("life.history.interval"));
+  EXPECT_THAT(input_error(head + "}}"), HasSubstr("life.history: got neither `position` nor a clock"));
+  EXPECT_THAT(input_error(head + ", interval: 1 s}}"), HasSubstr("life.history: got neither `position` nor a speed"));
+  EXPECT_THAT(input_error(head + ", interval: 1 s, time: {column: t, unit: s}}}"), HasSubstr("life.history.interval"));
   EXPECT_EQ(input_error(head + ", interval: 1 s}}", {"operation={speed: 100 rpm}"}), "no error");
   EXPECT_EQ(input_error(head + ", position: {column: x, unit: mm}}}"), "no error");
 }
 
 TEST(LifeOutput, SaysTheSameInEveryForm) {
-  const LifeResult r =
-      analyze_life(history_case(), history({1e3, 15e3, -4e3, 9e3, 2e3, 12e3, -8e3, 0.0}));
+  const LifeResult r = analyze_life(history_case(), history({1e3, 15e3, -4e3, 9e3, 2e3, 12e3, -8e3, 0.0}));
   const auto json = document_of(life_analysis(), r, {})["life"];
   EXPECT_NEAR(json["system"]["l10_revolutions"].get<double>(), r.system_life, 1.0);
   EXPECT_NEAR(json["system"]["l10_travel_km"].get<double>(), r.system_life * kLead * 1e-3, 1e-6);
@@ -396,12 +379,11 @@ TEST(AnalyzeLife, StaticSafetyNamesItsLimit) {
   for (const Direction d : kDirections) {
     const FlankLife& flank = *r.flanks[d];
     EXPECT_EQ(flank.static_rating->force, std::min(*flank.static_capacity, *flank.flank_edge_load));
-    EXPECT_NEAR(json[name(d)]["static_safety"].get<double>(),
-                flank.static_rating->force / flank.largest_force, 1e-12);
+    EXPECT_NEAR(json[name(d)]["static_safety"].get<double>(), flank.static_rating->force / flank.largest_force, 1e-12);
   }
   // A stated capacity rules both directions as it rules the whole.
-  const LifeResult given = analyze_life(life_case(
-      spectrum("{force: 10 kN, direction: tension, share: 1}", ", static_capacity: 20 kN")));
+  const LifeResult given =
+      analyze_life(life_case(spectrum("{force: 10 kN, direction: tension, share: 1}", ", static_capacity: 20 kN")));
   EXPECT_EQ(document_of(life_analysis(), given, {})["life"]["tension"]["static_safety"], 2.0);
   EXPECT_EQ(given.static_safety_limit(), StaticLimit::given);
 }
@@ -413,8 +395,7 @@ TEST(AnalyzeLife, PressuresInRunningAreThoseUnderLoadsThatTurn) {
   const FlankLife& flank = *r.flanks.tension;
   EXPECT_LT(*flank.running_peak_pressure.screw, 0.7 * *flank.peak_pressure.screw);
   EXPECT_GT(*flank.peak_pressure.screw, kRunningPressureLimit);
-  EXPECT_THAT(sentences(r.warnings),
-              ::testing::Not(::testing::Contains(::testing::HasSubstr("run"))));
+  EXPECT_THAT(sentences(r.warnings), ::testing::Not(::testing::Contains(::testing::HasSubstr("run"))));
 }
 
 /// Each L10 of the document with what stands next to it.
@@ -430,8 +411,7 @@ void expect_rated(const nlohmann::ordered_json& object, double factor, int& foun
     }
     ASSERT_EQ(rated.size(), value.size());
     for (std::size_t k = 0; k < value.size(); ++k)
-      EXPECT_NEAR(rated[k].get<double>(), factor * value[k].get<double>(),
-                  1e-12 * value[k].get<double>());
+      EXPECT_NEAR(rated[k].get<double>(), factor * value[k].get<double>(), 1e-12 * value[k].get<double>());
   }
 }
 
@@ -444,8 +424,7 @@ TEST(LifeOutput, HasTheRatedLifeNextToEachL10) {
   int found = 0;
   expect_rated(json, 0.47 * 3.0, found);
   EXPECT_GT(found, 25);
-  const auto plain =
-      document_of(life_analysis(), analyze_life(life_case(spectrum(kMixed))), {})["life"];
+  const auto plain = document_of(life_analysis(), analyze_life(life_case(spectrum(kMixed))), {})["life"];
   EXPECT_EQ(plain["reliability_factor"], 1.0);
   EXPECT_EQ(plain["system"]["rated_revolutions"], plain["system"]["l10_revolutions"]);
   EXPECT_EQ(plain["system"]["l10_revolutions"], json["system"]["l10_revolutions"]);
@@ -465,16 +444,15 @@ TEST(PreloadedLife, WithoutPreloadIsThatOfTheFlanksAlone) {
   for (const Direction d : kDirections)
     for (const Interface i : kInterfaces)
       for (std::size_t k = 0; k < kThreads; ++k)
-        EXPECT_NEAR(with.flanks[d]->threads[i].equivalent_load[k] /
-                        without.flanks[d]->threads[i].equivalent_load[k],
+        EXPECT_NEAR(with.flanks[d]->threads[i].equivalent_load[k] / without.flanks[d]->threads[i].equivalent_load[k],
                     1.0, 1e-7);
 }
 
 TEST(PreloadedLife, ShortensWithThePreload) {
   double last = std::numeric_limits<double>::infinity();
   for (const char* force : {"1 N", "6 kN", "12 kN"}) {
-    const LifeResult r = analyze_life(
-        life_case(spectrum("{force: 10 kN, direction: tension, share: 1}"), {preload(force)}));
+    const LifeResult r =
+        analyze_life(life_case(spectrum("{force: 10 kN, direction: tension, share: 1}"), {preload(force)}));
     ASSERT_TRUE(r.converged());
     EXPECT_LT(r.system_life, last);
     last = r.system_life;
@@ -486,15 +464,13 @@ TEST(PreloadedLife, ShortensWithThePreload) {
 /// carries the force.
 TEST(PreloadedLife, OfOneThreadIsThatOfFourContacts) {
   const double p = 3e3, f = 60e3;
-  const LifeResult r =
-      analyze_life(life_case("{position: 29.1666667 mm, dynamic_capacity: 40 kN, spectrum: ["
-                             "{force: 0.001 N, direction: tension, share: 0.75},"
-                             "{force: 60 kN, direction: tension, share: 0.25}]}",
-                             {preload("3 kN"), "mechanism.contacts_per_roller=1",
-                              "contact={normal_angle: {screw: 44 deg, nut: 46 deg}}"}));
+  const LifeResult r = analyze_life(life_case(
+      "{position: 29.1666667 mm, dynamic_capacity: 40 kN, spectrum: ["
+      "{force: 0.001 N, direction: tension, share: 0.75},"
+      "{force: 60 kN, direction: tension, share: 0.25}]}",
+      {preload("3 kN"), "mechanism.contacts_per_roller=1", "contact={normal_angle: {screw: 44 deg, nut: 46 deg}}"}));
   ASSERT_TRUE(r.converged());
-  const double at_nut =
-      p * std::tan(44 * std::numbers::pi / 180) / std::tan(46 * std::numbers::pi / 180);
+  const double at_nut = p * std::tan(44 * std::numbers::pi / 180) / std::tan(46 * std::numbers::pi / 180);
   const double screw_pulled = std::cbrt(0.75 * p * p * p + 0.25 * f * f * f);
   const double nut_pulled = std::cbrt(0.75 * at_nut * at_nut * at_nut + 0.25 * f * f * f);
   double hazard = 0.0;
@@ -506,8 +482,7 @@ TEST(PreloadedLife, OfOneThreadIsThatOfFourContacts) {
   add(std::cbrt(0.75) * p, r.failure_shares.screw);
   add(std::cbrt(0.75) * at_nut, r.failure_shares.nut);
   EXPECT_NEAR(r.system_life / std::pow(hazard, -0.9), 1.0, 1e-7);
-  EXPECT_NEAR(r.flanks.compression->threads.screw.equivalent_load[0] * kRollers,
-              std::cbrt(0.75) * p, 1e-6 * p);
+  EXPECT_NEAR(r.flanks.compression->threads.screw.equivalent_load[0] * kRollers, std::cbrt(0.75) * p, 1e-6 * p);
 }
 
 /// Where many forces are interpolated, and where each is solved.
@@ -527,19 +502,14 @@ TEST(PreloadedLife, OfAHistoryIsThatOfItsSamples) {
     const double turns = k == 0 || k + 1 == samples.size() ? 0.5 : 1.0;
     Case one = c;
     one.life->history.reset();
-    one.life->spectrum = {{std::abs(samples[k]),
-                           samples[k] < 0.0 ? Direction::compression : Direction::tension,
-                           1.0,
-                           {},
-                           {},
-                           {}}};
+    one.life->spectrum = {
+        {std::abs(samples[k]), samples[k] < 0.0 ? Direction::compression : Direction::tension, 1.0, {}, {}, {}}};
     const LifeResult alone = analyze_life(one);
     for (const Direction d : kDirections)
       cubes[d] += turns * std::pow(alone.flanks[d]->threads.screw.equivalent_load[3], 3);
   }
   for (const Direction d : kDirections)
-    EXPECT_NEAR(r.flanks[d]->threads.screw.equivalent_load[3] / std::cbrt(cubes[d] / 59.0), 1.0,
-                1e-5);
+    EXPECT_NEAR(r.flanks[d]->threads.screw.equivalent_load[3] / std::cbrt(cubes[d] / 59.0), 1.0, 1e-5);
 }
 
 /// The screw with all rollers, guided where a sector guides its own.
@@ -576,8 +546,7 @@ TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
        "29.1666667 mm, side_force: {y: 200 N, z: 0 N}, orbit: {steps: 2, exponent: 5}}]"});
   const LifeResult r = analyze_life(c);
   ASSERT_TRUE(r.converged());
-  PerInterface<std::vector<double>> cubes = {std::vector<double>(5 * kFew, 0.0),
-                                             std::vector<double>(5 * kFew, 0.0)};
+  PerInterface<std::vector<double>> cubes = {std::vector<double>(5 * kFew, 0.0), std::vector<double>(5 * kFew, 0.0)};
   for (const auto& [force, share] : {std::pair{3e3, 0.8}, std::pair{9e3, 0.2}})
     for (int m = 0; m < 5 * kSteps; ++m) {
       Case at = c;
@@ -587,14 +556,12 @@ TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
       const Result solved = analyze(at);
       for (const Interface i : kInterfaces)
         for (std::size_t k = 0; k < 5 * kFew; ++k)
-          cubes[i][k] +=
-              share / (5 * kSteps) * std::pow((*solved.load_cases[0].threads)[i].axial_load[k], 3);
+          cubes[i][k] += share / (5 * kSteps) * std::pow((*solved.load_cases[0].threads)[i].axial_load[k], 3);
     }
   double hazard = 0.0;
   const auto add = [&](double load, double contacts_of_capacity, double share) {
     const double whole = load * 5 * kFew;  // The mechanism's load at equal shares.
-    hazard += share / contacts_of_capacity *
-              std::pow(1e6 * std::pow(r.dynamic_capacity / whole, 3), -10.0 / 9);
+    hazard += share / contacts_of_capacity * std::pow(1e6 * std::pow(r.dynamic_capacity / whole, 3), -10.0 / 9);
   };
   for (const Interface i : kInterfaces) {
     const ThreadLives& t = r.flanks.tension->threads[i];
@@ -604,8 +571,7 @@ TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
       for (std::size_t j = 0; j < 5; ++j) {
         const double own = cubes[i][j * kFew + k];
         all += own / 5.0;
-        EXPECT_NEAR(t.rollers->equivalent_load[j * kFew + k], std::cbrt(own),
-                    1e-8 * t.largest_load[0]);
+        EXPECT_NEAR(t.rollers->equivalent_load[j * kFew + k], std::cbrt(own), 1e-8 * t.largest_load[0]);
         add(std::cbrt(own), 5.0 * kFew, r.failure_shares[i] * rollers);
       }
       EXPECT_NEAR(t.equivalent_load[k], std::cbrt(all), 1e-8 * t.largest_load[0]);
@@ -629,40 +595,36 @@ TEST(FullLife, OfManyLoadsIsThatOfTheirHalves) {
   const auto life_of = [](int first, int last) {
     std::string loads;
     for (int k = first; k < last; ++k)
-      loads += fmt::format("{}{{force: {} N, direction: tension, share: {}}}",
-                           loads.empty() ? "" : ", ", 200 + 150 * k, 1.0 / (last - first));
-    return analyze_life(life_case(
-        "{position: 29.1666667 mm, spectrum: [" + loads + "]}",
-        {"model={mechanism: full}", "mechanism.rollers=5", "mechanism.contacts_per_roller=4",
-         "deviations={roller_diameter: [20 um, 0 um, 0 um, -1 um, 0 um]}",
-         "load_cases=[{name: aside, axial_force: 9 kN, direction: tension, position: "
-         "29.1666667 mm, side_force: {y: 2 N, z: 0 N}, orbit: {steps: 2}}]"}));
+      loads += fmt::format("{}{{force: {} N, direction: tension, share: {}}}", loads.empty() ? "" : ", ", 200 + 150 * k,
+                           1.0 / (last - first));
+    return analyze_life(life_case("{position: 29.1666667 mm, spectrum: [" + loads + "]}",
+                                  {"model={mechanism: full}", "mechanism.rollers=5", "mechanism.contacts_per_roller=4",
+                                   "deviations={roller_diameter: [20 um, 0 um, 0 um, -1 um, 0 um]}",
+                                   "load_cases=[{name: aside, axial_force: 9 kN, direction: tension, position: "
+                                   "29.1666667 mm, side_force: {y: 2 N, z: 0 N}, orbit: {steps: 2}}]"}));
   };
-  const LifeResult all = life_of(0, kMany), low = life_of(0, kMany / 2),
-                   high = life_of(kMany / 2, kMany);
+  const LifeResult all = life_of(0, kMany), low = life_of(0, kMany / 2), high = life_of(kMany / 2, kMany);
   ASSERT_TRUE(all.converged() && low.converged() && high.converged());
   EXPECT_EQ(low.flanks.tension->interpolation_error, 0.0);
   EXPECT_GT(all.flanks.tension->interpolation_error, 0.0);
   const auto mean = [](double a, double b) { return std::cbrt(0.5 * (a * a * a + b * b * b)); };
   for (const Interface i : kInterfaces) {
-    const RollerLives &a = *all.flanks.tension->threads[i].rollers,
-                      &b = *low.flanks.tension->threads[i].rollers,
+    const RollerLives &a = *all.flanks.tension->threads[i].rollers, &b = *low.flanks.tension->threads[i].rollers,
                       &c = *high.flanks.tension->threads[i].rollers;
     const double largest = std::ranges::max(a.equivalent_load);
     for (std::size_t k = 0; k < a.equivalent_load.size(); ++k)
-      EXPECT_NEAR(a.equivalent_load[k], mean(b.equivalent_load[k], c.equivalent_load[k]),
-                  2e-4 * largest);
+      EXPECT_NEAR(a.equivalent_load[k], mean(b.equivalent_load[k], c.equivalent_load[k]), 2e-4 * largest);
   }
 }
 
 TEST(FullLife, SaysWhichLoadIsNotHeldAndWhere) {
-  const LifeResult r = analyze_life(life_case(
-      "{position: 29.1666667 mm, spectrum: [{force: 9 kN, direction: tension, share: 0.5}, "
-      "{force: 500 N, direction: tension, share: 0.5}]}",
-      {"model={mechanism: full}",
-       "load_cases=[{name: aside, axial_force: 9 kN, direction: "
-       "tension, position: 29.1666667 mm, side_force: {y: 400 N, z: 0 "
-       "N}}]"}));
+  const LifeResult r =
+      analyze_life(life_case("{position: 29.1666667 mm, spectrum: [{force: 9 kN, direction: tension, share: 0.5}, "
+                             "{force: 500 N, direction: tension, share: 0.5}]}",
+                             {"model={mechanism: full}",
+                              "load_cases=[{name: aside, axial_force: 9 kN, direction: "
+                              "tension, position: 29.1666667 mm, side_force: {y: 400 N, z: 0 "
+                              "N}}]"}));
   ASSERT_FALSE(r.converged());
   EXPECT_THAT(*r.failure, testing::HasSubstr("under 500 N in tension"));
   EXPECT_THAT(*r.failure, testing::HasSubstr("no equilibrium: flanks that only push"));
@@ -681,10 +643,8 @@ TEST(FullLife, AsksWhichSideLoadsActWhereTheyDiffer) {
       "{name: aside, axial_force: 9 kN, direction: tension, position: 29 mm, "
       "side_force: {y: 200 N, z: 0 N}}]";
   const std::string block = spectrum("{force: 3 kN, direction: tension, share: 1}");
-  EXPECT_THAT(input_error(block, {"model={mechanism: full}", loads}),
-              testing::HasSubstr("life.load_case: missing"));
-  EXPECT_EQ(input_error(block, {"model={mechanism: full}", loads, "life.load_case=aside"}),
-            "no error");
+  EXPECT_THAT(input_error(block, {"model={mechanism: full}", loads}), testing::HasSubstr("life.load_case: missing"));
+  EXPECT_EQ(input_error(block, {"model={mechanism: full}", loads, "life.load_case=aside"}), "no error");
   EXPECT_THAT(input_error(block, {"model={mechanism: full}", loads, "life.load_case=askew"}),
               testing::HasSubstr("got askew; expected the name of a load case that is solved: "
                                  "straight, aside"));

@@ -51,8 +51,7 @@ TEST(ForceHistory, ReadsColumnsByNameInSiUnits) {
   const LoadHistory h = parse("t,n,other,load\n0,60,x,1.5\n250,-30,,-2e1\n");
   EXPECT_THAT(h.force, ElementsAre(1500.0, -20e3));
   EXPECT_THAT(h.time, ElementsAre(0.0, 0.25));
-  EXPECT_THAT(h.speed, ElementsAre(testing::DoubleEq(2 * std::numbers::pi),
-                                   testing::DoubleEq(-std::numbers::pi)));
+  EXPECT_THAT(h.speed, ElementsAre(testing::DoubleEq(2 * std::numbers::pi), testing::DoubleEq(-std::numbers::pi)));
   EXPECT_TRUE(h.position.empty());
 }
 
@@ -87,8 +86,7 @@ TEST(ForceHistory, NamesFileLineAndValueOfWhatIsNoNumber) {
 }
 
 TEST(ForceHistory, SeparatorsInQuotesSeparateNothing) {
-  const LoadHistory h =
-      parse("\"place, date\",load,t,n\n\"1, 2\",10,0,60\n\"a \"\"b\"\",\n4, 5\",20,1,60\n");
+  const LoadHistory h = parse("\"place, date\",load,t,n\n\"1, 2\",10,0,60\n\"a \"\"b\"\",\n4, 5\",20,1,60\n");
   EXPECT_THAT(h.force, ElementsAre(10e3, 20e3));
   EXPECT_THAT(h.time, ElementsAre(0.0, 1e-3));
   EXPECT_THAT(parse("\"x;y\",load,t,n\n0,10,0,60\n0,20,1,60\n").force, ElementsAre(10e3, 20e3));
@@ -111,10 +109,9 @@ TEST(ForceHistory, RefusesRowsWiderThanTheHeading) {
 }
 
 TEST(ForceHistory, RefusesDecimalCommas) {
-  EXPECT_THAT(
-      error_of("t;load;n\n0;1,5;2,5\n1;2;3\n"),
-      AllOf(StartsWith("dir/flight.csv:2:3: error: load: got 1,5; expected a finite number"),
-            HasSubstr("write the decimal mark as a point")));
+  EXPECT_THAT(error_of("t;load;n\n0;1,5;2,5\n1;2;3\n"),
+              AllOf(StartsWith("dir/flight.csv:2:3: error: load: got 1,5; expected a finite number"),
+                    HasSubstr("write the decimal mark as a point")));
   EXPECT_THAT(error_of("t;load;n\n0;1.000,5;2\n1;2;3\n"), HasSubstr("got 1.000,5; expected"));
 }
 
@@ -142,8 +139,7 @@ TEST(ForceHistory, NamesTheInputWhereAUnitDoesNotFit) {
   HistorySource h = wanted();
   h.force.unit = "mm";
   EXPECT_THAT(error_of("t,load,n\n0,1,2\n", h),
-              AllOf(StartsWith("dir/case.yaml:4:33: error: life.history.force.unit: got mm;"),
-                    HasSubstr("N, kN, MN")));
+              AllOf(StartsWith("dir/case.yaml:4:33: error: life.history.force.unit: got mm;"), HasSubstr("N, kN, MN")));
 }
 
 TEST(ForceHistory, StandsBesideTheInput) {
@@ -181,21 +177,20 @@ TEST(ForceHistory, LiesInTheFolderOfTheInputUnlessAnOverrideNamesIt) {
     h.file = file;
     return read_force_history(h, source).force;
   };
-  for (const std::string& inside :
-       {std::string("data/flight.csv"), std::string("./data/../data/flight.csv"),
-        (directory.path() / "data" / "flight.csv").string()})
+  for (const std::string& inside : {std::string("data/flight.csv"), std::string("./data/../data/flight.csv"),
+                                    (directory.path() / "data" / "flight.csv").string()})
     EXPECT_THAT(read(inside, {}), ElementsAre(1e3, 2e3)) << inside;
 
   const std::string relative = std::filesystem::relative(outside, directory.path()).string();
-  for (const std::string& file : {outside.string(), relative, std::string("link.csv"),
-                                  (elsewhere.path() / "missing.csv").string()}) {
+  for (const std::string& file :
+       {outside.string(), relative, std::string("link.csv"), (elsewhere.path() / "missing.csv").string()}) {
     try {
       read(file, {});
       ADD_FAILURE() << file;
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), AllOf(HasSubstr("case.yaml:3:11: error: life.history.file: got "),
-                                      HasSubstr("expected a file in the folder of the case"),
-                                      HasSubstr("--set life.history.file=")));
+      EXPECT_THAT(error.what(),
+                  AllOf(HasSubstr("case.yaml:3:11: error: life.history.file: got "),
+                        HasSubstr("expected a file in the folder of the case"), HasSubstr("--set life.history.file=")));
     }
   }
   for (const std::string& file : {outside.string(), relative, std::string("link.csv")})

@@ -35,14 +35,12 @@ TEST_F(LifeCommand, WritesWhatItPrints) {
   const Outcome run = prs("life configs/14_flight_spectrum.yaml --output '" + files.string() + "'");
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("mechanism, real thread loads"));
-  for (const char* name :
-       {"life.json", "life_threads.csv", "cycles.csv", "cycle_matrix.csv", "plots/loads.svg",
-        "plots/rainflow.svg", "plots/thread_lives.svg", "plots/thread_loads.svg"})
+  for (const char* name : {"life.json", "life_threads.csv", "cycles.csv", "cycle_matrix.csv", "plots/loads.svg",
+                           "plots/rainflow.svg", "plots/thread_lives.svg", "plots/thread_loads.svg"})
     EXPECT_TRUE(fs::exists(files / name)) << name;
   const Outcome json = prs("life configs/14_flight_spectrum.yaml --json --quiet");
   EXPECT_EQ(json.err, "");
-  EXPECT_EQ(nlohmann::json::parse(json.out),
-            nlohmann::json::parse(test::content_of(files / "life.json")));
+  EXPECT_EQ(nlohmann::json::parse(json.out), nlohmann::json::parse(test::content_of(files / "life.json")));
 }
 
 /// The lesson's data are what the heading of its file says.
@@ -54,17 +52,14 @@ TEST_F(LifeCommand, LessonHasTheDataOfItsHeading) {
     const auto sine = [t](double period) { return std::sin(2 * M_PI * t / period); };
     const double q = std::min({1.0, t / 300, (3600 - t) / 300});
     const double x = 30 * sine(600) + 12 * sine(47) + 5 * sine(7.3) + 2 * sine(1.9);
-    force.push_back(1e3 * (q * (0.30 * x + 4 * sine(3.1) * sine(211) + 2) +
-                           0.8 * std::cos(2 * M_PI * t / 7.3)));
+    force.push_back(1e3 * (q * (0.30 * x + 4 * sine(3.1) * sine(211) + 2) + 0.8 * std::cos(2 * M_PI * t / 7.3)));
     if (k > 0) way += std::abs(x - before);
     before = x;
   }
-  const auto json =
-      nlohmann::json::parse(prs("life configs/14_flight_spectrum.yaml --json").out)["life"];
+  const auto json = nlohmann::json::parse(prs("life configs/14_flight_spectrum.yaml --json").out)["life"];
   // Printed to 0.1 N and 1 um.
   EXPECT_NEAR(json["loads"]["travel_m"].get<double>(), way * 1e-3, 7200e-6);
-  EXPECT_NEAR(json["loads"]["largest_force_N"].get<double>(),
-              *std::max_element(force.begin(), force.end()), 0.06);
+  EXPECT_NEAR(json["loads"]["largest_force_N"].get<double>(), *std::max_element(force.begin(), force.end()), 0.06);
   EXPECT_NEAR(json["cycles"]["count"].get<double>(), prs::count(prs::rainflow(force, 50.0)), 1.0);
 }
 
@@ -92,8 +87,7 @@ TEST_F(LifeCommand, RefusesWhatIsWrongWhereItStands) {
            {"--set life.history.force.unit=mm", "life.history.force.unit: got mm"},
            {"--set life.history.force.column=forc", "did you mean `force_kN`?"},
            {"--set life.position='70 mm'", "life.position"},
-           {"--set structure.nut.thrust='{tension: 10 mm}'",
-            "structure.nut.thrust.compression: missing"}}) {
+           {"--set structure.nut.thrust='{tension: 10 mm}'", "structure.nut.thrust.compression: missing"}}) {
     const Outcome run = prs(lesson + set);
     EXPECT_EQ(run.status, 2) << set;
     EXPECT_EQ(run.out, "") << set;

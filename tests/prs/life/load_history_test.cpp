@@ -18,8 +18,7 @@ TEST(LoadSteps, TravelInEitherSenseTurnsTheScrew) {
   LoadHistory h;
   h.force = {1e3, 2e3, -3e3};
   h.position = {0.0, 10e-3, 5e-3};
-  const std::vector<LoadStep> steps =
-      load_steps(h, -5e-3, std::nullopt, HistorySource::DrivenBy::screw);
+  const std::vector<LoadStep> steps = load_steps(h, -5e-3, std::nullopt, HistorySource::DrivenBy::screw);
   // 2 revolutions, then 1 back; each sample has half of its neighbours' steps.
   EXPECT_NEAR(steps[0].revolutions, 1.0, 1e-15);
   EXPECT_NEAR(steps[1].revolutions, 1.5, 1e-15);
@@ -33,18 +32,13 @@ TEST(LoadSteps, SpeedAndTimeTurnTheScrew) {
   h.force = {1e3, 1e3, 1e3};
   h.time = {2.0, 3.0, 5.0};
   h.speed = {0.0, 4 * std::numbers::pi, -4 * std::numbers::pi};
-  EXPECT_NEAR(revolutions(load_steps(h, 5e-3, std::nullopt, HistorySource::DrivenBy::screw)),
-              1.0 + 4.0, 1e-14);
+  EXPECT_NEAR(revolutions(load_steps(h, 5e-3, std::nullopt, HistorySource::DrivenBy::screw)), 1.0 + 4.0, 1e-14);
   EXPECT_EQ(*duration(h), 3.0);
   h.speed.clear();
-  EXPECT_NEAR(
-      revolutions(load_steps(h, 5e-3, 2 * std::numbers::pi, HistorySource::DrivenBy::screw)), 3.0,
-      1e-14);
+  EXPECT_NEAR(revolutions(load_steps(h, 5e-3, 2 * std::numbers::pi, HistorySource::DrivenBy::screw)), 3.0, 1e-14);
   h.time.clear();
   h.interval = 0.5;
-  EXPECT_NEAR(
-      revolutions(load_steps(h, 5e-3, 2 * std::numbers::pi, HistorySource::DrivenBy::screw)), 1.0,
-      1e-14);
+  EXPECT_NEAR(revolutions(load_steps(h, 5e-3, 2 * std::numbers::pi, HistorySource::DrivenBy::screw)), 1.0, 1e-14);
   EXPECT_EQ(*duration(h), 1.0);
 }
 
@@ -54,8 +48,7 @@ TEST(LoadSteps, SpeedAlongTheAxisTurnsTheScrewByTheLead) {
   h.interval = 2.0;
   h.speed = {-20e-3, 20e-3};
   h.speed_along_axis = true;
-  EXPECT_NEAR(revolutions(load_steps(h, -5e-3, std::nullopt, HistorySource::DrivenBy::screw)), 8.0,
-              1e-14);
+  EXPECT_NEAR(revolutions(load_steps(h, -5e-3, std::nullopt, HistorySource::DrivenBy::screw)), 8.0, 1e-14);
 }
 
 SpectrumLoad load(double force, Direction direction) {

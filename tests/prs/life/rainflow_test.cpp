@@ -39,13 +39,9 @@ TEST(Rainflow, CountsTheExampleOfTheStandard) {
   const std::vector<Cycle> cycles = rainflow(kStandardHistory);
   EXPECT_EQ(counts_of(cycles), (Counts{{3, 0.5}, {4, 1.5}, {6, 0.5}, {8, 1.0}, {9, 0.5}}));
   // Events A-B, B-C, E-F, C-D, D-G, then what is left: G-H, H-I.
-  EXPECT_EQ(plain(cycles), (std::vector<Plain>{{-2, 1, 0.5},
-                                               {1, -3, 0.5},
-                                               {-1, 3, 1.0},
-                                               {-3, 5, 0.5},
-                                               {5, -4, 0.5},
-                                               {-4, 4, 0.5},
-                                               {4, -2, 0.5}}));
+  EXPECT_EQ(plain(cycles),
+            (std::vector<Plain>{
+                {-2, 1, 0.5}, {1, -3, 0.5}, {-1, 3, 1.0}, {-3, 5, 0.5}, {5, -4, 0.5}, {-4, 4, 0.5}, {4, -2, 0.5}}));
   EXPECT_EQ(cycles[2].mean(), 1.0);
   EXPECT_EQ(cycles[2].start.index, 4u);
   EXPECT_EQ(cycles[2].end.index, 5u);
@@ -99,8 +95,7 @@ std::vector<double> peaks_and_valleys(std::vector<double> history) {
   std::vector<double> points;
   for (std::size_t k = 0; k < history.size(); ++k) {
     const bool inside = k > 0 && k + 1 < history.size();
-    if (!inside || (history[k] - history[k - 1]) * (history[k + 1] - history[k]) < 0.0)
-      points.push_back(history[k]);
+    if (!inside || (history[k] - history[k - 1]) * (history[k + 1] - history[k]) < 0.0) points.push_back(history[k]);
   }
   return points;
 }
@@ -116,8 +111,7 @@ std::vector<double> random_history(std::mt19937& random, int length, int spread)
 TEST(Rainflow, IsTheStandardWordByWord) {
   std::mt19937 random(1);
   for (int k = 0; k < test::samples(2000, 100'000); ++k) {
-    const std::vector<double> history =
-        random_history(random, 1 + k % 60, 1 + static_cast<int>(random() % 30));
+    const std::vector<double> history = random_history(random, 1 + k % 60, 1 + static_cast<int>(random() % 30));
     EXPECT_EQ(counts_of(rainflow(history)), counted_word_by_word(peaks_and_valleys(history)));
   }
 }
@@ -131,8 +125,7 @@ Counts counted_peak_by_peak(const std::vector<double>& points) {
     if (points[k] < points[k - 1]) continue;
     double left = points[k], right = points[k];
     for (std::size_t i = k; i-- > 0 && points[i] <= points[k];) left = std::min(left, points[i]);
-    for (std::size_t i = k + 1; i < points.size() && points[i] < points[k]; ++i)
-      right = std::min(right, points[i]);
+    for (std::size_t i = k + 1; i < points.size() && points[i] < points[k]; ++i) right = std::min(right, points[i]);
     counts[points[k] - std::max(left, right)] += 1.0;
   }
   return counts;
@@ -168,8 +161,7 @@ TEST(Rainflow, DoesNotSeeSamplesBetweenTurningPoints) {
   const std::vector<double> history = random_history(random, 300, 50);
   std::vector<double> fine;
   for (std::size_t i = 1; i < history.size(); ++i)
-    for (int part = 0; part < 4; ++part)
-      fine.push_back(history[i - 1] + 0.25 * part * (history[i] - history[i - 1]));
+    for (int part = 0; part < 4; ++part) fine.push_back(history[i - 1] + 0.25 * part * (history[i] - history[i - 1]));
   fine.push_back(history.back());
   EXPECT_EQ(counts_of(rainflow(fine)), counts_of(rainflow(history)));
 }
@@ -199,11 +191,9 @@ TEST(TurningPoints, StandAtTheFirstSampleOfAPlateau) {
 }
 
 TEST(TurningPoints, PassOverSwingsWithinTheHysteresis) {
-  EXPECT_THAT(values(turning_points({0, 10, 9, 11, 4, 5, 0, 8}, 1.0)),
-              testing::ElementsAre(0, 11, 0, 8));
+  EXPECT_THAT(values(turning_points({0, 10, 9, 11, 4, 5, 0, 8}, 1.0)), testing::ElementsAre(0, 11, 0, 8));
   // At the start too: -0.9 and 1.1 are two apart, 0 is within.
-  EXPECT_THAT(values(turning_points({0, 0.9, -0.9, 1.1, -5}, 1.9)),
-              testing::ElementsAre(-0.9, 1.1, -5));
+  EXPECT_THAT(values(turning_points({0, 0.9, -0.9, 1.1, -5}, 1.9)), testing::ElementsAre(-0.9, 1.1, -5));
   EXPECT_TRUE(turning_points({0, 1, 0, 1, 0}, 1.0).empty());
 }
 
@@ -230,8 +220,7 @@ TEST(CycleMatrix, HoldsEveryCycleInItsBin) {
     for (int i = 0; i < 16; ++i)
       for (int k = 0; k < 16; ++k) {
         const double range = i * m.range_width(), mean = m.mean_from + k * m.mean_width();
-        const bool in_range =
-            c.range() >= range && (c.range() < range + m.range_width() || i == 15);
+        const bool in_range = c.range() >= range && (c.range() < range + m.range_width() || i == 15);
         const bool in_mean = c.mean() >= mean && (c.mean() < mean + m.mean_width() || k == 15);
         if (in_range && in_mean) expected[static_cast<std::size_t>(16 * i + k)] += c.count;
       }

@@ -27,15 +27,12 @@ TEST(MeanLoad, IsTheCubicMeanOverRevolutions) {
 TEST(MeanLoad, GivesTheLifeOfMinersSum) {
   const LoadStep steps[] = {{10e3, 0.2}, {25e3, 0.5}, {-4e3, 0.3}};
   double damage = 0.0;
-  for (const LoadStep& s : steps)
-    damage += s.revolutions / rating_life(60e3, std::abs(s.axial_force));
+  for (const LoadStep& s : steps) damage += s.revolutions / rating_life(60e3, std::abs(s.axial_force));
   EXPECT_NEAR(rating_life(60e3, mean_load(steps)) * damage, 1.0, 1e-14);
 }
 
 /// Share that survives `revolutions` of what has the life L10.
-double survival(double revolutions, double life) {
-  return std::pow(0.9, std::pow(revolutions / life, kWeibullSlope));
-}
+double survival(double revolutions, double life) { return std::pow(0.9, std::pow(revolutions / life, kWeibullSlope)); }
 
 TEST(CombinedLife, IsWhereNineOfTenHaveNoFailedPart) {
   const double lives[] = {3e6, 8e6, 8e6, 50e6};
@@ -71,8 +68,7 @@ TEST(FailureShares, AreThoseOfTheRingsOfAThrustBallBearing) {
 TEST(ReliabilityFactor, IsThatOfTheStandard) {
   const std::pair<double, double> table[] = {{0.90, 1.0},  {0.95, 0.64}, {0.96, 0.55},
                                              {0.97, 0.47}, {0.98, 0.37}, {0.99, 0.25}};
-  for (const auto& [reliability, factor] : table)
-    EXPECT_NEAR(reliability_factor(reliability), factor, 1e-15);
+  for (const auto& [reliability, factor] : table) EXPECT_NEAR(reliability_factor(reliability), factor, 1e-15);
 }
 
 TEST(ReliabilityFactor, FollowsAWeibullLineBetween) {
@@ -101,8 +97,7 @@ TEST(ThreadLife, OfEqualThreadsCombinesToTheRatingLife) {
       const PerInterface<double> shares = failure_shares(gamma);
       std::vector<double> lives;
       for (const Interface i : kInterfaces)
-        for (int k = 0; k < threads; ++k)
-          lives.push_back(thread_life(64e3, 11e3, shares[i], threads));
+        for (int k = 0; k < threads; ++k) lives.push_back(thread_life(64e3, 11e3, shares[i], threads));
       EXPECT_NEAR(combined_life(lives) / rating_life(64e3, 11e3), 1.0, 1e-13);
     }
 }

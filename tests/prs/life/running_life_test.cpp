@@ -12,8 +12,7 @@ namespace {
 
 /// The screw of 25 mm x 5 mm that `prs new` designs for 20 kN, bodies of bars.
 Case base() {
-  const auto all =
-      nlohmann::json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
+  const auto all = nlohmann::json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
   nlohmann::json input = all["cases"][0]["input"];
   input["mechanism"]["contacts_per_roller"] = 50;
   input["structure"]["nut"]["length"] = "73 mm";
@@ -62,8 +61,7 @@ TEST(RunningLife, OfBothSensesLiesBetweenThem) {
   };
   const double screw = life_of(DrivenBy::screw, DrivenBy::screw);
   const double load = life_of(DrivenBy::load, DrivenBy::load);
-  EXPECT_NEAR(life_of(DrivenBy::screw, DrivenBy::load), 2.0 / (1.0 / screw + 1.0 / load),
-              1e-9 * screw);
+  EXPECT_NEAR(life_of(DrivenBy::screw, DrivenBy::load), 2.0 / (1.0 / screw + 1.0 / load), 1e-9 * screw);
 }
 
 /// Position grows as the screw moves out at its loaded end, along tension.
@@ -74,8 +72,7 @@ TEST(RunningLife, TravelTellsWhoDrives) {
   using By = HistorySource::DrivenBy;
   const auto driven = [&](By by) {
     std::vector<double> share;
-    for (const LoadStep& step : load_steps(h, 5e-3, {}, by))
-      share.push_back(step.driven_by_load / step.revolutions);
+    for (const LoadStep& step : load_steps(h, 5e-3, {}, by)) share.push_back(step.driven_by_load / step.revolutions);
     return share;
   };
   EXPECT_EQ(driven(By::travel), (std::vector<double>{1.0, 1.0, 0.0}));

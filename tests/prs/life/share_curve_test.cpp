@@ -15,8 +15,7 @@ namespace {
 using Shares = std::vector<double>;
 
 /// Largest deviation of the curve from what it interpolates, at random loads, of shares and cubes.
-double deviation(const ShareCurve& curve, const ShareCurve::Solve& solve, double least,
-                 double greatest, int loads) {
+double deviation(const ShareCurve& curve, const ShareCurve::Solve& solve, double least, double greatest, int loads) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> position(std::log(least), std::log(greatest));
   double largest = 0.0;
@@ -30,8 +29,7 @@ double deviation(const ShareCurve& curve, const ShareCurve::Solve& solve, double
       double cube = 0.0;
       for (std::size_t j = 0; j < ShareCurve::kNodes; ++j)
         cube += place.weights[j] * std::pow(curve.shares(place.first + j)[k], 3);
-      largest = std::max(
-          {largest, std::abs(shares[k] - solved[k]), std::abs(cube - std::pow(solved[k], 3))});
+      largest = std::max({largest, std::abs(shares[k] - solved[k]), std::abs(cube - std::pow(solved[k], 3))});
     }
   }
   return largest;
@@ -71,9 +69,7 @@ TEST(ShareCurve, OfASingleLoadIsThatLoad) {
 }
 
 TEST(ShareCurve, HoldsItsEndsBeyondThem) {
-  const ShareCurve::Solve solve = [](double force) -> std::optional<Shares> {
-    return Shares{std::cbrt(force)};
-  };
+  const ShareCurve::Solve solve = [](double force) -> std::optional<Shares> { return Shares{std::cbrt(force)}; };
   const ShareCurve curve(solve, 1.0, 1e3);
   Shares shares(1);
   curve.shares_at(1e-6, shares);
@@ -99,8 +95,7 @@ ShareCurve::Solve sector_shares(SectorSolver& solver) {
     const Sector& s = solver.sector();
     Shares shares;
     for (const Interface i : kInterfaces)
-      for (const double n : loads.normal_load[i])
-        shares.push_back(n * s.cosine[i] * s.contacts() * s.rollers / force);
+      for (const double n : loads.normal_load[i]) shares.push_back(n * s.cosine[i] * s.contacts() * s.rollers / force);
     return shares;
   };
 }

@@ -27,11 +27,9 @@ Raceway inner_raceway(double diameter, double gamma, double conformity) {
 TEST(PermanentDeformation, IsHarrisFormOfABallOnItsInnerRaceway) {
   // Harris: 5.25e-7 Q^2/D^3 (1 + gamma/(1 - gamma)) (1 - 1/(2 f)) [mm, N], rounded from 4 x 1.3e-7.
   const double diameter = 12.0, load = 5e3, gamma = 0.18, f = 0.53;
-  const double harris = 5.25e-7 * load * load / std::pow(diameter, 3) *
-                        (1.0 + gamma / (1.0 - gamma)) * (1.0 - 0.5 / f);
+  const double harris = 5.25e-7 * load * load / std::pow(diameter, 3) * (1.0 + gamma / (1.0 - gamma)) * (1.0 - 0.5 / f);
   const Raceway r = inner_raceway(diameter * 1e-3, gamma, f);
-  const double found =
-      load_at_permanent_deformation(diameter * 1e-3, r.kappa_1, r.kappa_2, harris / diameter);
+  const double found = load_at_permanent_deformation(diameter * 1e-3, r.kappa_1, r.kappa_2, harris / diameter);
   EXPECT_NEAR(found / load, 1.0, 0.005);
 }
 
@@ -69,8 +67,7 @@ TEST(StaticLimits, NotesSayWhatMakersDoNotBuild) {
   EXPECT_FALSE(dynamic_above_static(98e3, 130e3));
   EXPECT_TRUE(dynamic_above_static(131e3, 130e3));
   EXPECT_FALSE(beyond_static_rating(130e3, {130e3, StaticLimit::pressure}));
-  EXPECT_NE(beyond_static_rating(131e3, {130e3, StaticLimit::pressure})->what.find("4.0 GPa"),
-            std::string::npos);
+  EXPECT_NE(beyond_static_rating(131e3, {130e3, StaticLimit::pressure})->what.find("4.0 GPa"), std::string::npos);
 }
 
 TEST(PermanentDeformation, OnlyAConvexFlankHasARollingElement) {

@@ -26,9 +26,7 @@ Case lesson(const std::string& name, const std::vector<std::string>& overrides =
 
 TEST(Analyze, EveryLessonConverges) {
   for (const auto& entry : std::filesystem::directory_iterator(kConfigs)) {
-    if (entry.path().extension() != ".yaml" ||
-        other_file(input::load_source(entry.path().string(), {})))
-      continue;
+    if (entry.path().extension() != ".yaml" || other_file(input::load_source(entry.path().string(), {}))) continue;
     const Result result = analyze(lesson(entry.path().filename().string()));
     EXPECT_FALSE(result.load_cases.empty()) << entry.path();
     for (const LoadCaseResult& r : result.load_cases)
@@ -54,11 +52,8 @@ TEST(Analyze, LoadRatesAreAxialLoadsOverForcePerRollerAndSumToOne) {
       const InterfaceLoads& loads = (*r.threads)[i];
       EXPECT_NEAR(sum(loads.load_rate), 1.0, 1e-10);
       for (std::size_t k = 0; k < loads.axial_load.size(); ++k) {
-        EXPECT_NEAR(loads.axial_load[k] / (loads.normal_load[k] * std::cos(loads.normal_angle)),
-                    1.0, 1e-14);
-        EXPECT_NEAR(
-            loads.normal_load[k] / (*loads.hertz_constant * std::pow(loads.approach[k], 1.5)), 1.0,
-            1e-13);
+        EXPECT_NEAR(loads.axial_load[k] / (loads.normal_load[k] * std::cos(loads.normal_angle)), 1.0, 1e-14);
+        EXPECT_NEAR(loads.normal_load[k] / (*loads.hertz_constant * std::pow(loads.approach[k], 1.5)), 1.0, 1e-13);
       }
     }
 }
@@ -74,8 +69,7 @@ TEST(Analyze, PressuresFollowFromGeometryAlsoWithOverrides) {
     };
     EXPECT_NEAR(pressure_per_cbrt(with) / pressure_per_cbrt(without), 1.0, 1e-14);
     EXPECT_EQ((*with.load_cases[0].threads).screw.hertz_constant, 3.6062e5 * std::pow(1e3, 1.5));
-    EXPECT_EQ((*without.load_cases[0].threads)[i].hertz_constant,
-              without.contacts.interfaces[i].hertz.hertz_constant);
+    EXPECT_EQ((*without.load_cases[0].threads)[i].hertz_constant, without.contacts.interfaces[i].hertz.hertz_constant);
   }
 }
 
@@ -85,9 +79,8 @@ TEST(Analyze, PressureTimesEllipseIsTheNormalLoad) {
     for (const Interface i : kInterfaces) {
       const InterfaceLoads& l = (*r.threads)[i];
       for (std::size_t k = 0; k < l.normal_load.size(); ++k)
-        EXPECT_NEAR(2.0 / 3.0 * M_PI * l.semi_major[k] * l.semi_minor[k] * l.peak_pressure[k] /
-                        l.normal_load[k],
-                    1.0, 1e-13);
+        EXPECT_NEAR(2.0 / 3.0 * M_PI * l.semi_major[k] * l.semi_minor[k] * l.peak_pressure[k] / l.normal_load[k], 1.0,
+                    1e-13);
     }
 }
 
@@ -130,8 +123,7 @@ TEST(Analyze, DesignedMechanismIsSolvedAsTheSameOneGivenByItsRadii) {
   c.mechanism.backlash = {20e-6, 30e-6};
   const Result designed = analyze(c);
   for (const Interface i : kInterfaces)
-    EXPECT_NEAR(designed.contacts.interfaces[i].geometry.point.backlash, c.mechanism.backlash[i],
-                1e-12);
+    EXPECT_NEAR(designed.contacts.interfaces[i].geometry.point.backlash, c.mechanism.backlash[i], 1e-12);
 
   Case given = c;
   given.mechanism = designed.contacts.mechanism;
@@ -191,8 +183,7 @@ TEST(Analyze, ImpossibleThreadsAreAnErrorUnlessTheContactIsGiven) {
     FAIL();
   } catch (const CaseError& error) {
     EXPECT_EQ(error.path(), "mechanism.thread.roller");
-    EXPECT_NE(std::string(error.what()).find("from -2.5000 to 4.0000 mm"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("from -2.5000 to 4.0000 mm"), std::string::npos) << error.what();
   }
 }
 
@@ -221,8 +212,7 @@ TEST(Analyze, EllipsesThatPassTheFlankAreWarnedOf) {
 }
 
 TEST(Analyze, AbeviContactsAreThoseOfASecondComputation) {
-  const PerInterface<InterfaceContact> contacts =
-      analyze(lesson("04_contacts_from_geometry.yaml")).contacts.interfaces;
+  const PerInterface<InterfaceContact> contacts = analyze(lesson("04_contacts_from_geometry.yaml")).contacts.interfaces;
   const double per_m = std::pow(1e3, 1.5), degree = M_PI / 180;
   const PerInterface<std::pair<double, double>> printed = {{318655, 45.1636}, {361611, 45.0592}};
   for (const Interface i : kInterfaces) {
@@ -266,14 +256,13 @@ TEST(Analyze, WarnsOfPressuresBeyondTheStaticLimit) {
 /// A body that is pushed gives way.
 TEST(Analyze, ScrewsTooSoftForTheEffectOfPoissonsRatioHaveNoStiffness) {
   const auto pushed = [](const char* modulus, const char* poisson) {
-    return analyze(
-               lesson("01_config_1_to_3.yaml",
-                      {"model={bodies: refined, refined: {poisson: " + std::string(poisson) + "}}",
-                       "materials={screw: {youngs_modulus: " + std::string(modulus) +
-                           ", poisson_ratio: 0.4}, roller: {youngs_modulus: 209 GPa, "
-                           "poisson_ratio: 0.3}, nut: {youngs_modulus: 209 GPa, "
-                           "poisson_ratio: 0.3}}",
-                       "structure.screw.free_length=0 mm", "load_cases[5].axial_force=1 kN"}))
+    return analyze(lesson("01_config_1_to_3.yaml",
+                          {"model={bodies: refined, refined: {poisson: " + std::string(poisson) + "}}",
+                           "materials={screw: {youngs_modulus: " + std::string(modulus) +
+                               ", poisson_ratio: 0.4}, roller: {youngs_modulus: 209 GPa, "
+                               "poisson_ratio: 0.3}, nut: {youngs_modulus: 209 GPa, "
+                               "poisson_ratio: 0.3}}",
+                           "structure.screw.free_length=0 mm", "load_cases[5].axial_force=1 kN"}))
         .load_cases[5];
   };
   const LoadCaseResult steel = pushed("209 GPa", "true"), soft = pushed("1 MPa", "true"),
@@ -283,8 +272,7 @@ TEST(Analyze, ScrewsTooSoftForTheEffectOfPoissonsRatioHaveNoStiffness) {
   EXPECT_THAT(sentences(steel.warnings), ::testing::IsEmpty());
   ASSERT_TRUE(soft.converged());
   EXPECT_FALSE(soft.axial_displacement || soft.axial_stiffness || soft.tangent_stiffness);
-  EXPECT_THAT(sentences(soft.warnings),
-              ::testing::Contains(::testing::StartsWith("model.refined.poisson: ")));
+  EXPECT_THAT(sentences(soft.warnings), ::testing::Contains(::testing::StartsWith("model.refined.poisson: ")));
 }
 
 /// 1e-5 mm of interference is more than rounding and reads as a number: with flanks of 45 deg in
@@ -293,8 +281,7 @@ TEST(Contacts, ASmallInterferenceIsToldInItsOwnDigits) {
   Case c = lesson("01_config_1_to_3.yaml");
   c.mechanism.centre_distance = *c.mechanism.centre_distance - 0.5e-8;
   const auto contacts = find_contacts(c.mechanism, c.materials);
-  EXPECT_THAT(sentences(contacts.warnings),
-              ::testing::Contains(::testing::HasSubstr("backlash -1e-05 mm")));
+  EXPECT_THAT(sentences(contacts.warnings), ::testing::Contains(::testing::HasSubstr("backlash -1e-05 mm")));
 }
 
 }  // namespace

@@ -21,10 +21,8 @@ TEST(CaseGroups, LongListsAreCutShort) {
 
 TEST(CaseGroups, DirectionsOfOneConfigurationFindEachOther) {
   const std::vector<LoadCaseResult> results = {
-      solved_case("c-tension", 1e3, Direction::tension),
-      solved_case("c-compression", 1e3, Direction::compression),
-      solved_case("tension", 1e3, Direction::tension),
-      solved_case("c-compression", 1e3, Direction::tension)};
+      solved_case("c-tension", 1e3, Direction::tension), solved_case("c-compression", 1e3, Direction::compression),
+      solved_case("tension", 1e3, Direction::tension), solved_case("c-compression", 1e3, Direction::tension)};
   const auto found = loaded_configurations(results, 1, [](const LoadCaseResult&) { return true; });
   ASSERT_EQ(found.size(), 3);
   EXPECT_EQ(found[0].name, "c");

@@ -45,8 +45,7 @@ Case truncated() {
 }
 
 std::vector<Case> variants() {
-  return {abevi_contacts(), left_handed(abevi_contacts()), standard(), left_handed(standard()),
-          truncated()};
+  return {abevi_contacts(), left_handed(abevi_contacts()), standard(), left_handed(standard()), truncated()};
 }
 
 std::optional<Figure> contact_picture(const Result& result, const char* name) {
@@ -57,11 +56,11 @@ Figures all_figures(const Result& result) { return figures(contact_pictures(resu
 
 /// The line of the panel whose legend entry is `title`.
 const Series& series_of(const Figure& figure, const Panel& panel, const std::string& title) {
-  const auto entry = std::find_if(figure.legend.begin(), figure.legend.end(),
-                                  [&](const LegendEntry& e) { return e.title == title; });
+  const auto entry =
+      std::find_if(figure.legend.begin(), figure.legend.end(), [&](const LegendEntry& e) { return e.title == title; });
   EXPECT_NE(entry, figure.legend.end()) << title;
-  const auto line = std::find_if(panel.series.begin(), panel.series.end(),
-                                 [&](const Series& l) { return l.style == entry->style; });
+  const auto line =
+      std::find_if(panel.series.begin(), panel.series.end(), [&](const Series& l) { return l.style == entry->style; });
   EXPECT_NE(line, panel.series.end()) << title;
   return *line;
 }
@@ -76,15 +75,13 @@ struct Outlines {
 
 Outlines outlines_at(const Figure& section, Interface i) {
   const std::vector<Series>& lines = section.panels[0].series;
-  return i == Interface::screw
-             ? Outlines{lines[kOutlines].parts[0], lines[kOutlines + 1].parts[0]}
-             : Outlines{lines[kOutlines + 2].parts[0], lines[kOutlines + 1].parts[1]};
+  return i == Interface::screw ? Outlines{lines[kOutlines].parts[0], lines[kOutlines + 1].parts[0]}
+                               : Outlines{lines[kOutlines + 2].parts[0], lines[kOutlines + 1].parts[1]};
 }
 
 /// x of an outline at z.
 double at(const Polyline& outline, double z) {
-  const auto above = std::find_if(outline.begin(), outline.end(),
-                                  [&](const auto& point) { return point[0] >= z; });
+  const auto above = std::find_if(outline.begin(), outline.end(), [&](const auto& point) { return point[0] >= z; });
   const auto& [z1, x1] = *above;
   const auto& [z0, x0] = *std::prev(above);
   return x0 + (x1 - x0) * (z - z0) / (z1 - z0);
@@ -123,10 +120,8 @@ TEST(ContactSection, ThreadsStandWhereTheirAxialPositionsAre) {
   const Result result = analyze_contacts(abevi_contacts());
   const contact::MechanismGeometry& threads = result.contacts.threads;
   const auto positions = contact::axial_positions(
-      threads, contact::mechanism_contact(threads, contact::Configuration::i1_j2),
-      contact::Configuration::i1_j2);
-  const Polyline screw =
-      outlines_at(*contact_picture(result, "contact_axial_section"), Interface::screw).body;
+      threads, contact::mechanism_contact(threads, contact::Configuration::i1_j2), contact::Configuration::i1_j2);
+  const Polyline screw = outlines_at(*contact_picture(result, "contact_axial_section"), Interface::screw).body;
   const auto root = std::min_element(screw.begin(), screw.end(), [](const auto& a, const auto& b) {
     return std::lround(a[1] * 1e6) < std::lround(b[1] * 1e6);
   });
@@ -146,8 +141,7 @@ TEST(ContactSection, PartsOfDifferentPitchTouchAtOneThread) {
     EXPECT_NEAR(gap(outlines_at(*figure, i), i, points[0][0]), 0.0, kChord);
   }
   for (const Panel& panel : figure->panels)
-    for (const Label& label : panel.labels)
-      EXPECT_EQ(label.text.find("backlash"), std::string::npos);
+    for (const Label& label : panel.labels) EXPECT_EQ(label.text.find("backlash"), std::string::npos);
 }
 
 TEST(ContactXy, MarksStandAtTheContactPoints) {
@@ -173,15 +167,14 @@ TEST(ContactXy, AllRollersAreDrawn) {
 }
 
 TEST(ContactEllipses, AreThoseOfTheLargestLoad) {
-  const Result result = analyze_contacts(abevi_contacts(
-      {equal_share("small", 5e3), equal_share("large", -45e3), equal_share("some", 20e3)}));
+  const Result result = analyze_contacts(
+      abevi_contacts({equal_share("small", 5e3), equal_share("large", -45e3), equal_share("some", 20e3)}));
   const auto figure = contact_picture(result, "contact_ellipses");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->title, "Contact ellipses, load case large");
   for (const Interface i : kInterfaces) {
     const std::size_t index = i == Interface::screw ? 0 : 1;
-    const Polyline& ellipse =
-        series_of(*figure, figure->panels[index], "contact ellipse").parts.at(0);
+    const Polyline& ellipse = series_of(*figure, figure->panels[index], "contact ellipse").parts.at(0);
     const InterfaceLoads& loads = (*result.load_cases[1].threads)[i];
     const double angle = result.contacts.interfaces[i].geometry.relative.angle;
     EXPECT_NEAR(std::hypot(ellipse[0][0], ellipse[0][1]) * mm, loads.semi_major[0], 1e-12);
@@ -217,8 +210,7 @@ void expect_finite(const Figure& figure) {
   for (const Panel& panel : figure.panels)
     for (const Series& line : panel.series)
       for (const Polyline& part : line.parts)
-        for (const auto& [x, y] : part)
-          ASSERT_TRUE(std::isfinite(x) && std::isfinite(y)) << figure.name;
+        for (const auto& [x, y] : part) ASSERT_TRUE(std::isfinite(x) && std::isfinite(y)) << figure.name;
 }
 
 TEST(ContactFigures, AllCoordinatesAreFinite) {

@@ -65,15 +65,12 @@ TEST(TableUnits, EveryUnitThatIsReplacedIsOneOfDocumentsAndKeepsItsValue) {
   };
   // NIST SP 811, appendix B.8, to the digits that it prints.
   constexpr Same sames[] = {
-      {"mm", "in", 25.4, 1.0},           {"µm", "µin", 0.0254, 1.0},
-      {"nm", "µin", 25.4, 1.0},          {"kN", "lbf", 4.448222e-3, 1.0},
-      {"N", "lbf", 4.448222, 1.0},       {"MPa", "ksi", 6.894757, 1.0},
-      {"GPa", "ksi", 6.894757e-3, 1.0},  {"N/µm", "lbf/µin", 175.1268, 1.0},
-      {"N m", "lbf in", 0.1129848, 1.0}, {"N mm", "lbf in", 112.9848, 1.0},
-      {"kg", "lb", 0.4535924, 1.0},      {"cm³", "in³", 16.38706, 1.0},
-      {"kg/m", "lb/in", 17.85797, 1.0},  {"kg mm²", "lb in²", 292.6397, 1.0},
-      {"mm/s", "in/s", 25.4, 1.0},       {"km", "10^6 in", 25.4, 1.0},
-      {"W/mm²", "W/in²", 1.0, 645.16},   {"W", "W", 1.0, 1.0},
+      {"mm", "in", 25.4, 1.0},           {"µm", "µin", 0.0254, 1.0},          {"nm", "µin", 25.4, 1.0},
+      {"kN", "lbf", 4.448222e-3, 1.0},   {"N", "lbf", 4.448222, 1.0},         {"MPa", "ksi", 6.894757, 1.0},
+      {"GPa", "ksi", 6.894757e-3, 1.0},  {"N/µm", "lbf/µin", 175.1268, 1.0},  {"N m", "lbf in", 0.1129848, 1.0},
+      {"N mm", "lbf in", 112.9848, 1.0}, {"kg", "lb", 0.4535924, 1.0},        {"cm³", "in³", 16.38706, 1.0},
+      {"kg/m", "lb/in", 17.85797, 1.0},  {"kg mm²", "lb in²", 292.6397, 1.0}, {"mm/s", "in/s", 25.4, 1.0},
+      {"km", "10^6 in", 25.4, 1.0},      {"W/mm²", "W/in²", 1.0, 645.16},     {"W", "W", 1.0, 1.0},
       {"rpm", "rpm", 1.0, 1.0},          {"kN/kg", "lbf/lb", 9.80665e-3, 1.0}};
   const TableUnits units(UnitSystem::us);
   for (const ShownUnit& unit : kShownUnits)
@@ -89,8 +86,7 @@ TEST(TableUnits, EveryUnitThatIsReplacedIsOneOfDocumentsAndKeepsItsValue) {
 }
 
 TEST(TableUnits, SentencesHaveThemToo) {
-  const std::string told =
-      "a: got 0.2 to 0.5 mm, 12.5 kN (4.0 GPa); write `b: 5 mm`; 9 mm/min, -1e-3 N/µm";
+  const std::string told = "a: got 0.2 to 0.5 mm, 12.5 kN (4.0 GPa); write `b: 5 mm`; 9 mm/min, -1e-3 N/µm";
   EXPECT_EQ(in_table_units(told), told);
   const TableUnits units(UnitSystem::us);
   // 1 lbf = 4.448222 N, 1 ksi = 6.894757 MPa (NIST SP 811, appendix B.8).
@@ -133,8 +129,7 @@ TEST(ContactTable, PitchesThatRoundingTellsApartHaveABacklash) {
 TEST(ContactTable, LoadCasesShowWhatOneThreadBears) {
   const std::string text = table(abevi_contacts({equal_share("equal", -45e3)}));
   EXPECT_EQ(row(text, "thread"), "thread normal a b peak approach shear depth");
-  EXPECT_TRUE(
-      row(text, "equal screw").starts_with("equal screw 204.55 290.10 0.2271 0.1778 3430.0"));
+  EXPECT_TRUE(row(text, "equal screw").starts_with("equal screw 204.55 290.10 0.2271 0.1778 3430.0"));
 }
 
 TEST(ContactTable, WarningsOfMechanismAndCasesStandBelow) {
@@ -147,8 +142,7 @@ TEST(ContactTable, WarningsOfMechanismAndCasesStandBelow) {
 
 TEST(ContactTable, FitsInto100ColumnsWhateverTheNames) {
   std::vector<LoadCase> cases;
-  for (int k = 0; k < 40; ++k)
-    cases.push_back(equal_share("range[" + std::to_string(k) + ']', 1e6 * (k + 1)));
+  for (int k = 0; k < 40; ++k) cases.push_back(equal_share("range[" + std::to_string(k) + ']', 1e6 * (k + 1)));
   cases.push_back(equal_share(std::string(300, 'x'), 1.0));
   cases.push_back(equal_share("\x1b[2J\n\xff", 1.0));
   const std::string text = table(abevi_contacts(cases));

@@ -28,8 +28,8 @@ Result result_of(std::vector<LoadCaseResult> load_cases) {
 }
 
 TEST(Csv, OneRowALoadCase) {
-  const auto rows = parse(load_cases_csv(result_of(
-      {solved_case("a", 45e3, Direction::tension), failed_case("b"), equal_share_case("c")})));
+  const auto rows = parse(
+      load_cases_csv(result_of({solved_case("a", 45e3, Direction::tension), failed_case("b"), equal_share_case("c")})));
   ASSERT_EQ(rows.size(), 3);
   EXPECT_EQ(rows[0].at("case"), "a");
   EXPECT_EQ(std::stod(rows[0].at("axial_stiffness_N_per_um")), 800.0);
@@ -46,8 +46,7 @@ TEST(Csv, OneRowALoadCase) {
 
 TEST(Csv, OneRowAThreadOfEveryAnswer) {
   const LoadCaseResult load_case = solved_case("a", 45e3, Direction::tension);
-  const auto rows =
-      parse(load_distribution_csv(result_of({load_case, failed_case("b"), equal_share_case("c")})));
+  const auto rows = parse(load_distribution_csv(result_of({load_case, failed_case("b"), equal_share_case("c")})));
   ASSERT_EQ(rows.size(), 20 + 4);
   EXPECT_EQ(rows[19].at("thread"), "20");
   EXPECT_EQ(rows[20].at("case"), "c");
@@ -63,8 +62,7 @@ TEST(Csv, FieldsAreWrittenAsTheirTypesSay) {
 
 TEST(Csv, NumbersKeepAllDigits) {
   const LoadCaseResult load_case = solved_case("a", 12345.678, Direction::tension);
-  const auto rows =
-      parse(load_distribution_csv(result_of({load_case}), {.digits = CsvStyle::kAllDigits}));
+  const auto rows = parse(load_distribution_csv(result_of({load_case}), {.digits = CsvStyle::kAllDigits}));
   for (std::size_t k = 0; k < rows.size(); ++k)
     EXPECT_EQ(std::stod(rows[k].at("nut_axial_load_N")), load_case.threads->nut.axial_load[k]);
 }
@@ -105,16 +103,15 @@ TEST(Csv, EuropeanFilesHaveSemicolonsDecimalCommasAndTheMarkOfUtf8) {
 }
 
 TEST(Csv, NamesThatSpreadsheetsWouldComputeGetAnApostrophe) {
-  for (const char* name : {"=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "\n=1",
-                           "-", "=\"x\"", "-1 mm!A1", "- 5 mm"}) {
+  for (const char* name : {"=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "\n=1", "-", "=\"x\"",
+                           "-1 mm!A1", "- 5 mm"}) {
     const std::string csv = load_cases_csv(result_of({failed_case(name)}));
     EXPECT_NE(csv.find("\n\"'"), std::string::npos) << csv;
     EXPECT_EQ(parse(csv)[0].at("case"), std::string("'") + name);
   }
   for (const char* name : {"a=b", "-5", "+5.5e-3", "-0.02 mm", "-3 N/mm^1.5", "'=1", " =1"})
     EXPECT_EQ(parse(load_cases_csv(result_of({failed_case(name)})))[0].at("case"), name);
-  const auto row =
-      parse(load_cases_csv(result_of({solved_case("a", -45e3, Direction::tension)})))[0];
+  const auto row = parse(load_cases_csv(result_of({solved_case("a", -45e3, Direction::tension)})))[0];
   EXPECT_EQ(row.at("axial_force_N"), "-45000");
 }
 

@@ -99,8 +99,8 @@ TEST(Json, EqualSharesConvergeWithoutASolve) {
   const auto json = case_json(equal_share_case("equal"));
   EXPECT_EQ(json.at("converged"), true);
   EXPECT_EQ(json.at("status"), "converged");
-  for (const char* key : {"direction", "position_mm", "iterations", "relative_residual",
-                          "axial_stiffness_N_per_um", "newton_history"})
+  for (const char* key :
+       {"direction", "position_mm", "iterations", "relative_residual", "axial_stiffness_N_per_um", "newton_history"})
     EXPECT_FALSE(json.contains(key)) << key;
   EXPECT_EQ(json.at("screw").at("axial_load_N").size(), 4);
   EXPECT_FALSE(json.at("screw").contains("peak_pressure_MPa"));
@@ -129,8 +129,7 @@ std::string written(const Result& result) {
   std::string text;
   write_with_list(
       document_of(solve_analysis(), result, kInfo, false), "load_cases",
-      [&](std::size_t k) { return load_case_json(result, k); },
-      [&](std::string_view piece) { text += piece; });
+      [&](std::size_t k) { return load_case_json(result, k); }, [&](std::string_view piece) { text += piece; });
   return text;
 }
 
@@ -138,8 +137,8 @@ TEST(Json, WrittenLoadCaseByLoadCaseIsTheSameText) {
   Result result;
   result.warnings = {Warning{"", "", "\"load_cases\": []\n"}};
   EXPECT_EQ(written(result), json_text(document_of(solve_analysis(), result, kInfo)));
-  result.load_cases = {solved_case("a", 12345.678, Direction::compression),
-                       failed_case("\xff\"\n\u202e"), equal_share_case("equal")};
+  result.load_cases = {solved_case("a", 12345.678, Direction::compression), failed_case("\xff\"\n\u202e"),
+                       equal_share_case("equal")};
   result.heat_cycle.emplace();
   EXPECT_EQ(written(result), json_text(document_of(solve_analysis(), result, kInfo)));
   result.load_cases.resize(101, failed_case("many"));

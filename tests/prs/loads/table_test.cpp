@@ -29,8 +29,7 @@ TEST(LoadCaseTable, RowHoldsWhatADesignerAsksFirst) {
 TEST(LoadCaseTable, FailedCaseStandsOut) {
   Result result;
   result.load_cases = {failed_case("hopeless")};
-  EXPECT_TRUE(
-      contains(load_case_table(result), "NOT CONVERGED (line_search_failed), residual 3.2e-05"));
+  EXPECT_TRUE(contains(load_case_table(result), "NOT CONVERGED (line_search_failed), residual 3.2e-05"));
 }
 
 TEST(LoadCaseTable, AbsentQuantitiesAreDashes) {
@@ -46,9 +45,7 @@ TEST(LoadCaseTable, ColumnsLineUpAndFit) {
   const std::string table = load_case_table(result);
   EXPECT_LE(widest_line(table), 100);
   const auto rows = lines(table);
-  const auto before = [](const std::string& row) {
-    return width(row.substr(0, row.find("compression")));
-  };
+  const auto before = [](const std::string& row) { return width(row.substr(0, row.find("compression"))); };
   EXPECT_EQ(before(rows.at(4)), before(rows.at(5)));
 }
 
@@ -59,8 +56,7 @@ TEST(ComparisonTable, HasTheUnitsOfTables) {
   comparison.models = {result};
   const TableUnits units(UnitSystem::us);
   const std::vector<std::string> table = lines(comparison_table(comparison));
-  for (const char* unit : {"lbf/µin", "µin", "max. ksi"})
-    EXPECT_TRUE(contains(table.at(1), unit)) << table.at(1);
+  for (const char* unit : {"lbf/µin", "µin", "max. ksi"}) EXPECT_TRUE(contains(table.at(1), unit)) << table.at(1);
   EXPECT_TRUE(contains(table.at(2), " 4.5681 ")) << table.at(2);  // 175.126835 N/m each.
 }
 
@@ -90,8 +86,8 @@ TEST(LoadCaseTable, ManyPointsOfARangeFold) {
   result.load_cases[7].load_case.direction = Direction::tension;
   const std::string table = load_case_table(result);
   EXPECT_EQ(lines(table).size(), 2 + 2 + 3 + 1);
-  for (const char* part : {"sweep-tension[0]", "sweep-tension[22]", "sweep-tension[44]",
-                           "3 of 45 points", "NOT CONVERGED: sweep-tension[7]"})
+  for (const char* part : {"sweep-tension[0]", "sweep-tension[22]", "sweep-tension[44]", "3 of 45 points",
+                           "NOT CONVERGED: sweep-tension[7]"})
     EXPECT_TRUE(contains(table, part)) << part;
 }
 
@@ -120,8 +116,7 @@ TEST(LoadCaseTable, AWarningOnSeveralLoadsNamesTheirKeyOnce) {
   warn(1, "load_cases[4]");
   EXPECT_TRUE(contains(load_case_table(result), "  load_cases[4].axial_force: high\n"));
   warn(2, "load_cases[5]");
-  EXPECT_TRUE(
-      contains(load_case_table(result), "  load_cases[..].axial_force: high\n    in sweep[0–2]\n"));
+  EXPECT_TRUE(contains(load_case_table(result), "  load_cases[..].axial_force: high\n    in sweep[0–2]\n"));
 }
 
 TEST(LoadCaseTable, ControlCharactersDoNotReachTheTerminal) {
@@ -141,8 +136,7 @@ TEST(LoadDistributionChart, OneBarAThreadAndTheLargestIsLongest) {
 }
 
 TEST(LoadDistributionChart, FailedCaseSaysWhy) {
-  EXPECT_EQ(load_distribution_chart(failed_case("b")),
-            "b: no load distribution (line_search_failed)\n");
+  EXPECT_EQ(load_distribution_chart(failed_case("b")), "b: no load distribution (line_search_failed)\n");
 }
 
 }  // namespace

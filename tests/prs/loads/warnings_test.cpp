@@ -22,15 +22,15 @@ WarningGroup group_of(const std::vector<Warning>& warnings) {
 }
 
 Warning running(double gigapascals, int load_case = 0) {
-  return *running_pressure_warning("load_cases[" + std::to_string(load_case) + "].axial_force",
-                                   Interface::screw, gigapascals * 1e9);
+  return *running_pressure_warning("load_cases[" + std::to_string(load_case) + "].axial_force", Interface::screw,
+                                   gigapascals * 1e9);
 }
 
 Warning high(double value) { return Warning{"", "high", "high: {value}"}.with(value); }
 
 TEST(Warning, ItsTextHasPathNumbersAndFix) {
-  const Warning warning = Warning{"a.b", "code", "{value} exceeds {limit}", "lower it"}.with(
-      4.0449e9, 4e9, text_unit::gigapascal);
+  const Warning warning =
+      Warning{"a.b", "code", "{value} exceeds {limit}", "lower it"}.with(4.0449e9, 4e9, text_unit::gigapascal);
   EXPECT_EQ(sentence(warning), "a.b: 4.04 GPa exceeds 4 GPa; lower it");
   EXPECT_EQ(sentence(Warning{"", "code", "plain"}), "plain");
 }
@@ -38,17 +38,14 @@ TEST(Warning, ItsTextHasPathNumbersAndFix) {
 TEST(Warning, AValueNextToItsLimitHasTheDigitsThatTellThemApart) {
   EXPECT_EQ(sentence(Warning{"", "", "{value}, {limit}"}.with(3.500123, 3.5)), "3.5001, 3.5");
   EXPECT_EQ(sentence(Warning{"", "", "{value}, {limit}"}.with(3.5, 3.5)), "3.5, 3.5");
-  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(150345.0, {}, text_unit::newton_metre)),
-            "150345 N m");
-  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(-1.25e-5, {}, text_unit::millimetre)),
-            "-0.0125 mm");
+  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(150345.0, {}, text_unit::newton_metre)), "150345 N m");
+  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(-1.25e-5, {}, text_unit::millimetre)), "-0.0125 mm");
 }
 
 TEST(WarningGroups, TheWorstValueIsToldWithItsLoadCase) {
-  const WarningGroup group = group_of(
-      {in("low", running(2.57, 0)), in("high", running(3.99, 1)), in("pull", running(2.92, 2))});
-  EXPECT_NE(group.text().find("load_cases[1].axial_force: roller-screw peak pressure 3.99 GPa"),
-            std::string::npos)
+  const WarningGroup group =
+      group_of({in("low", running(2.57, 0)), in("high", running(3.99, 1)), in("pull", running(2.92, 2))});
+  EXPECT_NE(group.text().find("load_cases[1].axial_force: roller-screw peak pressure 3.99 GPa"), std::string::npos)
       << group.text();
   EXPECT_NE(group.text().find("4 GPa is the limit at rest"), std::string::npos) << group.text();
   EXPECT_EQ(group.where(), "worst in high, and 2 other load cases");
@@ -76,25 +73,21 @@ TEST(WarningGroups, OtherInterfacesAndPathsAreOtherGroups) {
 
 TEST(WarningGroups, WhereLessIsWorseTheSmallestIsWorst) {
   const auto film = [](double ratio) {
-    return Warning{"roughness", "film", "film over roughness is {value}"}.with(
-        ratio, 3.0, {}, Warning::Worse::smaller);
+    return Warning{"roughness", "film", "film over roughness is {value}"}.with(ratio, 3.0, {}, Warning::Worse::smaller);
   };
-  const WarningGroup group =
-      group_of({in("a", film(0.8)), in("b", film(0.07)), in("c", film(0.5))});
+  const WarningGroup group = group_of({in("a", film(0.8)), in("b", film(0.07)), in("c", film(0.5))});
   EXPECT_EQ(group.text(), "roughness: film over roughness is 0.07");
   EXPECT_EQ(group.worst.load_case, "b");
 }
 
 TEST(WarningGroups, TheLoadNearestToItsLimitIsWorst) {
   const auto near = [](double load) { return *flank_edge_near("an ellipse", 42.84e3, 70e3, load); };
-  EXPECT_EQ(group_of({in("high", near(40e3)), in("low", near(30e3))}).where(),
-            "worst in high, and 1 other load case");
+  EXPECT_EQ(group_of({in("high", near(40e3)), in("low", near(30e3))}).where(), "worst in high, and 1 other load case");
   const auto beyond = [](double load, double limit) {
     return *beyond_static_rating(load, {limit, StaticLimit::flank_edge});
   };
-  const WarningGroup group =
-      group_of({in("tension", beyond(200e3, 42.84e3)), in("compression", beyond(200e3, 38.8e3)),
-                in("small", beyond(50e3, 40e3))});
+  const WarningGroup group = group_of({in("tension", beyond(200e3, 42.84e3)), in("compression", beyond(200e3, 38.8e3)),
+                                       in("small", beyond(50e3, 40e3))});
   EXPECT_EQ(group.worst.load_case, "compression");
   EXPECT_EQ(group.text(),
             "the load is 5.155 times the static limit (ellipse at the edge of a flank): 200 kN "
@@ -104,8 +97,7 @@ TEST(WarningGroups, TheLoadNearestToItsLimitIsWorst) {
 /// The second command tells the same of the same load cases.
 TEST(WarningGroups, EqualTextsHaveNoWorstAndCasesStandOnce) {
   const Warning warning{"", "high", "high"};
-  const WarningGroup group =
-      group_of({in("a", warning), in("b", warning), in("a", warning), in("b", warning)});
+  const WarningGroup group = group_of({in("a", warning), in("b", warning), in("a", warning), in("b", warning)});
   EXPECT_EQ(group.where(), "in a, b");
   EXPECT_EQ(group_of({warning}).where(), "");
 }

@@ -102,16 +102,15 @@ TEST(SlipFigures, TemperaturesOfADutyStandOverItsTime) {
 
 TEST(SlipFigures, CasesWithoutAnAnswerHaveNone) {
   Result result;
-  result.load_cases = {without_equilibrium(solved_case("a", 45e3, Direction::tension)),
-                       failed_case("b"), equal_share_case("c")};
+  result.load_cases = {without_equilibrium(solved_case("a", 45e3, Direction::tension)), failed_case("b"),
+                       equal_share_case("c")};
   EXPECT_FALSE(slip_picture(result, "thread_power"));
   EXPECT_FALSE(slip_picture(result, "power_by_source"));
 }
 
 TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {
   const SlipPictures pictures = sample_pictures();
-  const Figure figure =
-      slip_patch_figure(with_slip(solved_case("a", 45e3, Direction::tension)), pictures);
+  const Figure figure = slip_patch_figure(with_slip(solved_case("a", 45e3, Direction::tension)), pictures);
   ASSERT_EQ(figure.panels.size(), 2);
   for (const Interface i : kInterfaces) {
     const PatchField& field = pictures.most_loaded_thread[i];
@@ -130,8 +129,8 @@ TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {
   }
   // Pure spin, counterclockwise: upwards on the right.
   const auto& spin = figure.panels[1].series[1].parts;
-  const auto right = std::max_element(
-      spin.begin(), spin.end(), [](const auto& a, const auto& b) { return a[0][0] < b[0][0]; });
+  const auto right =
+      std::max_element(spin.begin(), spin.end(), [](const auto& a, const auto& b) { return a[0][0] < b[0][0]; });
   EXPECT_GT((*right)[1][1], (*right)[0][1]);
 }
 
@@ -146,8 +145,7 @@ TEST(SlipFigures, EvenFrictionHasAColourRangeFromZero) {
 }
 
 TEST(SlipFigures, ResidueCurvesAddUpToTheirSum) {
-  const Figure figure =
-      slip_residue_figure(with_slip(solved_case("a", 45e3, Direction::tension)), sample_pictures());
+  const Figure figure = slip_residue_figure(with_slip(solved_case("a", 45e3, Direction::tension)), sample_pictures());
   ASSERT_EQ(figure.panels.size(), 2);
   for (const Panel& panel : figure.panels) {
     ASSERT_EQ(panel.series.size(), 5);
@@ -180,8 +178,7 @@ TEST(SlipFigures, SweepIsSortedAndBrokenWhereThereIsNoAnswer) {
   const SlipResult good = *with_slip(solved_case("a", 45e3, Direction::tension)).slip;
   SlipResult bad = good;
   bad.status = SlipStatus::no_equilibrium;
-  const Figure figure =
-      power_by_source_figure({5, 4, 3, 2, 1}, {"x"}, {good, good, bad, good, good}, {});
+  const Figure figure = power_by_source_figure({5, 4, 3, 2, 1}, {"x"}, {good, good, bad, good, good}, {});
   EXPECT_EQ(figure.x.from, 1.0);
   EXPECT_EQ(figure.x.to, 5.0);
   EXPECT_EQ(figure.panels[1].series[0].parts.size(), 2);
@@ -194,8 +191,7 @@ TEST(SlipFigures, ReferencesStandInBothPanels) {
   options.references = {{"reference", 20.0, slip.power.total(), 0.786}};
   options.comparison_title = "other model";
   options.comparison = {{10.0, 0.7}, {30.0, 0.8}};
-  const Figure figure =
-      power_by_source_figure({10, 20, 30}, {"Screw diameter", "mm"}, {slip, slip, slip}, options);
+  const Figure figure = power_by_source_figure({10, 20, 30}, {"Screw diameter", "mm"}, {slip, slip, slip}, options);
   for (const Panel& panel : figure.panels) EXPECT_TRUE(has_style(figure, panel, "reference"));
   EXPECT_TRUE(has_style(figure, figure.panels[1], "other model"));
   EXPECT_NEAR(figure.panels[0].series.back().parts[0][0][1], 100.0, 1e-9);

@@ -47,8 +47,7 @@ TEST(SlipJson, ValuesHaveTheUnitOfTheirKey) {
   const auto& equal = json.at("equal_shares");
   EXPECT_EQ(equal.at("slip_ratio"), 0.372950);
   EXPECT_EQ(equal.at("power_loss_W"), slip.equal_shares->power_loss);
-  EXPECT_DOUBLE_EQ(equal.at("max_power_density_W_per_mm2"),
-                   slip.equal_shares->max_power_density * 1e-6);
+  EXPECT_DOUBLE_EQ(equal.at("max_power_density_W_per_mm2"), slip.equal_shares->max_power_density * 1e-6);
 }
 
 TEST(SlipJson, TheLoadThatDrivesSaysWhatHoldsIt) {
@@ -126,8 +125,8 @@ TEST(SlipJson, WhatTheCaseDoesNotDefineIsAbsent) {
   slip.power = {};
   for (const Interface i : kInterfaces) slip.threads[i].film_thickness.clear();
   const auto json = object_of(slip);
-  for (const char* key : {"efficiency", "efficiency_fit", "bearing_eccentricity_ratio",
-                          "share_percent", "not_computed"})
+  for (const char* key :
+       {"efficiency", "efficiency_fit", "bearing_eccentricity_ratio", "share_percent", "not_computed"})
     EXPECT_FALSE(json.contains(key)) << key;
   EXPECT_FALSE(json.at("slip_ratio_estimates").contains("jones"));
   EXPECT_FALSE(json.at("equal_shares").contains("efficiency"));
@@ -147,8 +146,7 @@ TEST(SlipJson, ImposedSlipRatioCountsAsConverged) {
 }
 
 TEST(SlipJson, SlipWithoutEquilibriumKeepsHowItEnded) {
-  const auto json =
-      object_of(*without_equilibrium(solved_case("a", 45e3, Direction::tension)).slip);
+  const auto json = object_of(*without_equilibrium(solved_case("a", 45e3, Direction::tension)).slip);
   EXPECT_EQ(json.at("converged"), false);
   EXPECT_EQ(json.at("status"), "no_equilibrium");
   EXPECT_EQ(json.at("evaluations"), 2);
@@ -158,8 +156,7 @@ TEST(SlipJson, SlipWithoutEquilibriumKeepsHowItEnded) {
 
 TEST(SlipJson, StandsInTheLoadCaseWhereItWasAskedFor) {
   Result result;
-  result.load_cases = {with_slip(solved_case("a", 45e3, Direction::tension)), equal_share_case("b"),
-                       failed_case("c")};
+  result.load_cases = {with_slip(solved_case("a", 45e3, Direction::tension)), equal_share_case("b"), failed_case("c")};
   const auto cases = document_of(slip_analysis(), result, {"1", "1", ""}).at("load_cases");
   EXPECT_EQ(cases.at(0).at("slip").at("slip_ratio"), 0.372956);
   EXPECT_TRUE(cases.at(0).contains("screw"));

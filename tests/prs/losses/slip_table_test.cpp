@@ -31,21 +31,18 @@ Result sweep(int points) {
 }
 
 TEST(SlipTable, BlockHoldsWhatADesignerAsksFirst) {
-  const std::string table =
-      slip_table(result_of({with_slip(solved_case("config1", 45e3, Direction::tension))}), true);
-  for (const char* part :
-       {"config1: 45.000 kN, tension, static loads, 400 rpm", "0.372956", "0.373134",
-        "99.5 % of the way from pure sliding", "80.00", "Sandu's fit 79.00 %", "12.50", "-12.25",
-        "roller-screw", "carrier-screw", "film by Sandu, nm", "310", "central film, nm", "260",
-        "hottest thread", "screw 1", "thread loads", "+2.04 %"})
+  const std::string table = slip_table(result_of({with_slip(solved_case("config1", 45e3, Direction::tension))}), true);
+  for (const char* part : {"config1: 45.000 kN, tension, static loads, 400 rpm", "0.372956", "0.373134",
+                           "99.5 % of the way from pure sliding", "80.00", "Sandu's fit 79.00 %", "12.50", "-12.25",
+                           "roller-screw", "carrier-screw", "film by Sandu, nm", "310", "central film, nm", "260",
+                           "hottest thread", "screw 1", "thread loads", "+2.04 %"})
     EXPECT_TRUE(contains(table, part)) << part << " in\n" << table;
   EXPECT_FALSE(contains(table, "carrier-nut"));
   EXPECT_LE(widest_line(table), 100);
 }
 
 TEST(SlipTable, OneEfficiencyUnlessAllIsAskedFor) {
-  const std::string table =
-      slip_table(result_of({with_slip(solved_case("config1", 45e3, Direction::tension))}));
+  const std::string table = slip_table(result_of({with_slip(solved_case("config1", 45e3, Direction::tension))}));
   for (const char* part : {"Sandu's fit", "thread loads", "+2.04 %"})
     EXPECT_FALSE(contains(table, part)) << part << " in\n" << table;
   EXPECT_TRUE(contains(table, "efficiency, %"));
@@ -60,8 +57,7 @@ TEST(SlipTable, AbsentQuantitiesHaveNoLine) {
   slip.holding_torque = 1.25;
   slip.estimates.jones.reset();
   slip.equal_shares.reset();
-  for (const Interface i : kInterfaces)
-    slip.threads[i].film_thickness = slip.threads[i].central_film = {};
+  for (const Interface i : kInterfaces) slip.threads[i].film_thickness = slip.threads[i].central_film = {};
   const std::string table = slip_table(result_of({load_case}));
   EXPECT_TRUE(contains(table, "self-locking"));
   EXPECT_TRUE(contains(table, "1.250   releases the screw"));
@@ -90,13 +86,12 @@ TEST(SlipTable, ImposedSlipRatioShowsTheMomentLeft) {
   LoadCaseResult load_case = with_slip(equal_share_case("equal"));
   load_case.slip->status = SlipStatus::imposed;
   load_case.slip->moments = {0.5, 0.0, 0.0, 0.0};
-  EXPECT_TRUE(
-      contains(slip_table(result_of({load_case})), "imposed; moment left on a roller 500.0"));
+  EXPECT_TRUE(contains(slip_table(result_of({load_case})), "imposed; moment left on a roller 500.0"));
 }
 
 TEST(SlipTable, FailedCaseStandsOut) {
-  const std::string table = slip_table(
-      result_of({without_equilibrium(equal_share_case("none")), failed_case("hopeless")}));
+  const std::string table =
+      slip_table(result_of({without_equilibrium(equal_share_case("none")), failed_case("hopeless")}));
   EXPECT_TRUE(contains(table, "NOT CONVERGED (no_equilibrium), residue 2.5e-01"));
   EXPECT_TRUE(contains(table, "NOT CONVERGED (line_search_failed)"));
 }
@@ -137,8 +132,7 @@ TEST(SlipChart, OneBarAThreadAndTheLargestIsLongest) {
 }
 
 TEST(SlipChart, FailedCaseSaysWhy) {
-  EXPECT_EQ(slip_chart(without_equilibrium(equal_share_case("b"))),
-            "b: no power at the threads (no_equilibrium)\n");
+  EXPECT_EQ(slip_chart(without_equilibrium(equal_share_case("b"))), "b: no power at the threads (no_equilibrium)\n");
 }
 
 }  // namespace

@@ -33,9 +33,8 @@ constexpr int kContacts = 220;
 
 /// The screw of Abevi 2015 of steel with a density, and everything that measures can ask for.
 Case abevi(const std::vector<std::string>& overrides = {}) {
-  Case c = input::read_case_text(
-      input::abevi_with("poisson_ratio: 0.3", "poisson_ratio: 0.3\n  density: 7810 kg/m^3"),
-      "test.yaml", overrides, Command::solve);
+  Case c = input::read_case_text(input::abevi_with("poisson_ratio: 0.3", "poisson_ratio: 0.3\n  density: 7810 kg/m^3"),
+                                 "test.yaml", overrides, Command::solve);
   c.load_cases.resize(2);  // pull, push under 1 kN
   c.measures = MeasureOptions{.loaded_width = 2e-3,
                               .friction_coefficient = 0.01,
@@ -44,9 +43,7 @@ Case abevi(const std::vector<std::string>& overrides = {}) {
   return c;
 }
 
-Measures measures(const Case& c) {
-  return measures_of(c, find_contacts(c.mechanism, c.materials, Detail::numbers));
-}
+Measures measures(const Case& c) { return measures_of(c, find_contacts(c.mechanism, c.materials, Detail::numbers)); }
 
 LoadMeasures load_measures(const Case& c, std::size_t load_case) {
   const Result r = analyze(c);
@@ -132,9 +129,8 @@ TEST(Measures, CapacitiesAreThoseOfLife) {
   EXPECT_NEAR(*m.dynamic_capacity / life.dynamic_capacity, 1.0, 1e-13);
   EXPECT_NEAR(*m.dynamic_capacity_low / life.dynamic_capacity_range.least, 1.0, 1e-13);
   EXPECT_NEAR(*m.dynamic_capacity_high / life.dynamic_capacity_range.greatest, 1.0, 1e-13);
-  EXPECT_NEAR(std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) /
-                  *life.equal_shares_static_capacity,
-              1.0, 1e-13);
+  EXPECT_NEAR(std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) / *life.equal_shares_static_capacity, 1.0,
+              1e-13);
   const LoadMeasures pull = load_measures(abevi(), 0);
   EXPECT_NEAR(*pull.life / life.catalogue_life, 1.0, 1e-12);
   EXPECT_NEAR(*pull.life_travel, *pull.life * 5e-3, 1e-9 * *pull.life_travel);
@@ -181,8 +177,7 @@ TEST(Measures, EquivalentInertiaIsThatOfItsParts) {
   const Measures m = measures(c);
   const double speed = 30.0, velocity = speed * 5e-3 / (2.0 * pi);
   const double screw = *m.screw_weight_per_length * c.measures->shaft->length;
-  EXPECT_NEAR(*m.travel_inertia * speed * speed, (*m.roller_weight + screw) * velocity * velocity,
-              1e-12);
+  EXPECT_NEAR(*m.travel_inertia * speed * speed, (*m.roller_weight + screw) * velocity * velocity, 1e-12);
   EXPECT_NEAR(*m.equivalent_inertia, *m.nut_inertia + *m.roller_inertia + *m.travel_inertia, 1e-18);
   // Rollers: their axes at r_N/2 times the speed of the nut, c = 14 mm, omega_R = r_N/(2 r_R).
   const double mass = *m.roller_weight / 11.0, axis = 0.5 * 17.5e-3 * speed;
@@ -200,8 +195,7 @@ TEST(Measures, EquivalentInertiaIsThatOfItsParts) {
   c.mechanism.starts.screw = 5;
   c.mechanism.pitch_diameter.screw = 21e-3;
   const Measures standard = measures(c);
-  EXPECT_NEAR(*standard.travel_inertia * speed * speed, *standard.weight * velocity * velocity,
-              1e-12);
+  EXPECT_NEAR(*standard.travel_inertia * speed * speed, *standard.weight * velocity * velocity, 1e-12);
   EXPECT_NEAR(*standard.equivalent_inertia,
               *standard.screw_inertia + *standard.roller_inertia + *standard.travel_inertia, 1e-18);
 }
@@ -217,9 +211,8 @@ TEST(Measures, FrictionOfAContactIsNotThatOfTheMechanism) {
 TEST(Measures, StatedCapacityComesBeforeTheLeastOfTheOthers) {
   Case c = abevi();
   const Measures m = measures(c);
-  EXPECT_EQ(*m.static_capacity,
-            std::min({*m.deformation_capacity.screw, *m.deformation_capacity.nut,
-                      *m.pressure_capacity.screw, *m.pressure_capacity.nut}));
+  EXPECT_EQ(*m.static_capacity, std::min({*m.deformation_capacity.screw, *m.deformation_capacity.nut,
+                                          *m.pressure_capacity.screw, *m.pressure_capacity.nut}));
   EXPECT_NEAR(*load_measures(c, 0).static_safety, *m.static_capacity / 45e3, 1e-12);
   c.life = Life{};
   c.life->static_capacity = 90e3;
@@ -253,9 +246,9 @@ std::size_t ellipses_beyond_flanks(const Case& c, double force) {
   Case loaded = c;
   loaded.load_cases[0].axial_force = force;
   const Result r = analyze_contacts(loaded);
-  return static_cast<std::size_t>(std::ranges::count_if(
-      sentences(r.load_cases[0].warnings),
-      [](const std::string& w) { return w.find("ellipse reaches") != std::string::npos; }));
+  return static_cast<std::size_t>(std::ranges::count_if(sentences(r.load_cases[0].warnings), [](const std::string& w) {
+    return w.find("ellipse reaches") != std::string::npos;
+  }));
 }
 
 TEST(Measures, AtTheFlankEdgeLoadTheFirstEllipseReachesTheEndOfAFlank) {
@@ -278,8 +271,7 @@ TEST(Measures, StaticSafetyStandsOnTheFlankWhereItEndsBeforeThePressureLimit) {
   EXPECT_NEAR(*pull.static_safety, *m.flank_edge_load / 30e3, 1e-12 * *pull.static_safety);
   EXPECT_EQ(pull.static_safety_limit, StaticLimit::flank_edge);
   EXPECT_EQ(pull.thread_static_safety_limit, StaticLimit::flank_edge);
-  EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load),
-              Contains(HasSubstr("ellipse at the edge of a flank")));
+  EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load), Contains(HasSubstr("ellipse at the edge of a flank")));
   const auto near = Contains(HasSubstr("ellipse reaches the end of a flank"));
   EXPECT_THAT(load_warnings(c, 0.99 * *m.flank_edge_load), near);
   EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load / kUsualStaticSafety), near);
@@ -315,8 +307,7 @@ TEST(Measures, StaticSafetyOfALoadCaseIsThatOfLifeUnderItsForce) {
     step.share = 1.0;
     const LifeResult life = analyze_life(c);
     const LoadMeasures m = *analyze_measures(c).load_measures[k];
-    EXPECT_NEAR(*m.solved_static_safety, 20.0 * *life.static_safety(),
-                1e-8 * *m.solved_static_safety);
+    EXPECT_NEAR(*m.solved_static_safety, 20.0 * *life.static_safety(), 1e-8 * *m.solved_static_safety);
     EXPECT_EQ(m.solved_static_safety_limit, life.static_safety_limit());
     EXPECT_LT(*m.solved_static_safety, *m.static_safety);  // Threads share unevenly.
   }
@@ -325,14 +316,12 @@ TEST(Measures, StaticSafetyOfALoadCaseIsThatOfLifeUnderItsForce) {
 TEST(Measures, OnlyAScrewThatTurnsIsToldOfItsPressure) {
   Case c = abevi();
   const Measures m = measures(c);
-  const double at_3_GPa =
-      std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) * std::pow(0.75, 3.0);
+  const double at_3_GPa = std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) * std::pow(0.75, 3.0);
   EXPECT_THAT(load_warnings(c, at_3_GPa), Not(Contains(HasSubstr("flanks that run"))));
   c.operation = Operation{};
   c.operation->speed = -10.0;
   EXPECT_THAT(load_warnings(c, at_3_GPa), Contains(HasSubstr("flanks that run")));
-  EXPECT_THAT(load_warnings(c, at_3_GPa * std::pow(2.4 / 3.0, 3.0)),
-              Not(Contains(HasSubstr("flanks that run"))));
+  EXPECT_THAT(load_warnings(c, at_3_GPa * std::pow(2.4 / 3.0, 3.0)), Not(Contains(HasSubstr("flanks that run"))));
 }
 
 /// Hertz contacts in series with bodies are softer than alone; only teeth on top can turn that.
@@ -344,8 +333,7 @@ TEST(Measures, ThreadsAreStifferThanTheWholeScrewUnlessTeethCount) {
     const LoadMeasures l = load_measures_of(c, r.contacts, m, r.load_cases[0]);
     const auto notes = unusual_load_measures(c, m, l, r.load_cases[0]);
     const bool softer = *l.thread_stiffness < *r.load_cases[0].axial_stiffness;
-    const bool told = std::ranges::any_of(
-        notes, [](const Warning& warning) { return warning.code == "soft_threads"; });
+    const bool told = std::ranges::any_of(notes, [](const Warning& warning) { return warning.code == "soft_threads"; });
     EXPECT_EQ(softer, told);
     return softer;
   };
@@ -377,8 +365,7 @@ TEST(LoadMeasures, ThreadsAreSofterThanEitherInterface) {
   const LoadMeasures with_teeth = load_measures(c, 0);
   c.measures->loaded_width.reset();
   const LoadMeasures m = load_measures(c, 0);
-  EXPECT_NEAR(1.0 / *m.thread_stiffness,
-              1.0 / *m.hertz_stiffness.screw + 1.0 / *m.hertz_stiffness.nut,
+  EXPECT_NEAR(1.0 / *m.thread_stiffness, 1.0 / *m.hertz_stiffness.screw + 1.0 / *m.hertz_stiffness.nut,
               1e-13 / *m.thread_stiffness);
   EXPECT_LT(*with_teeth.thread_stiffness, *m.thread_stiffness);
   EXPECT_FALSE(m.root_shear_stress.screw);
@@ -388,8 +375,7 @@ TEST(LoadMeasures, HertzStiffnessIsThatOfTheModelWithEqualShares) {
   Case c = abevi();
   c.load_cases[0].share = LoadCase::Share::equal;
   const Result r = analyze(c);
-  const LoadMeasures m =
-      load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
+  const LoadMeasures m = load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
   for (const Interface i : kInterfaces) {
     const InterfaceLoads& loads = (*r.load_cases[0].threads)[i];
     const double axial = loads.approach[0] / std::cos(loads.normal_angle);
@@ -409,14 +395,12 @@ TEST(LoadMeasures, YangIsTheModelWhoseRollerTeethAreBalls) {
   }
   const auto largest_difference = [&] {
     const Result r = analyze(c);
-    const LoadMeasures m =
-        load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
+    const LoadMeasures m = load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
     EXPECT_EQ(m.yang_load_rate.size(), 20U);
     double difference = 0.0;
     for (const Interface i : kInterfaces)
       for (std::size_t k = 0; k < m.yang_load_rate.size(); ++k)
-        difference = std::max(
-            difference, std::abs((*r.load_cases[0].threads)[i].load_rate[k] - m.yang_load_rate[k]));
+        difference = std::max(difference, std::abs((*r.load_cases[0].threads)[i].load_rate[k] - m.yang_load_rate[k]));
     return difference;
   };
   // A real roller evens out what differs between both interfaces.
@@ -428,8 +412,7 @@ TEST(LoadMeasures, YangIsTheModelWhoseRollerTeethAreBalls) {
 TEST(LoadMeasures, MostLoadedThreadRulesStressAndSafety) {
   const Case c = abevi();
   const Result r = analyze(c);
-  const LoadMeasures m =
-      load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
+  const LoadMeasures m = load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
   EXPECT_LT(*m.thread_static_safety, *m.static_safety);
   EXPECT_GT(*m.largest_peak_pressure.screw, *m.mean_peak_pressure.screw);
   for (const Interface i : kInterfaces) {
@@ -437,8 +420,7 @@ TEST(LoadMeasures, MostLoadedThreadRulesStressAndSafety) {
     EXPECT_EQ(*m.largest_load_rate[i], *std::ranges::max_element(rates));
   }
   // The roller's teeth, as wide at the root, take the larger load of both interfaces.
-  EXPECT_NEAR(*m.root_shear_stress.roller,
-              std::max(*m.root_shear_stress.screw, *m.root_shear_stress.nut), 1.0);
+  EXPECT_NEAR(*m.root_shear_stress.roller, std::max(*m.root_shear_stress.screw, *m.root_shear_stress.nut), 1.0);
   EXPECT_NEAR(*m.root_shear_stress.screw / *m.root_shear_stress.nut,
               *m.largest_load_rate.screw / *m.largest_load_rate.nut, 1e-12);
 }
@@ -470,8 +452,7 @@ TEST(LoadMeasures, SpeedGivesHoursAndAStandardScrewItsMargin) {
   LoadCaseResult result;
   result.load_case = c.load_cases[0];
   const Measures design = measures_of(c, contacts);
-  EXPECT_NEAR(*load_measures_of(c, contacts, design, result).speed_safety,
-              *design.critical_speed / 80.0, 1e-9);
+  EXPECT_NEAR(*load_measures_of(c, contacts, design, result).speed_safety, *design.critical_speed / 80.0, 1e-9);
 }
 
 TEST(LoadMeasures, ACaseThatDidNotConvergeKeepsItsMeanValues) {
@@ -492,14 +473,13 @@ TEST(MeasureQuantities, EveryMeasureHasOneKey) {
   const auto design = record_of<Measures>().quantities;
   const auto load = record_of<LoadMeasures>().quantities;
   const auto count = [&](Kind kind) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        load, [&](const Quantity<LoadMeasures>& q) { return q.value.kind == kind; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(load, [&](const Quantity<LoadMeasures>& q) { return q.value.kind == kind; }));
   };
   EXPECT_EQ(sizeof(Measures), design.size() * sizeof(Number));
-  EXPECT_EQ(sizeof(LoadMeasures), (count(Kind::number) - 1) * sizeof(Number) +
-                                      count(Kind::text) * sizeof(std::optional<StaticLimit>) +
-                                      count(Kind::series) * sizeof(std::vector<double>) +
-                                      sizeof(LoadMeasures::system_stiffness));
+  EXPECT_EQ(sizeof(LoadMeasures),
+            (count(Kind::number) - 1) * sizeof(Number) + count(Kind::text) * sizeof(std::optional<StaticLimit>) +
+                count(Kind::series) * sizeof(std::vector<double>) + sizeof(LoadMeasures::system_stiffness));
   std::set<std::string_view> keys;
   for (const Quantity<Measures>& q : design) keys.insert(q.key);
   for (const Quantity<LoadMeasures>& q : load) keys.insert(q.key);
@@ -525,8 +505,7 @@ TEST(MeasureQuantities, EstimatesAreKeysOfMeasures) {
 
 TEST(MeasureQuantities, SayWhatTheyAre) {
   const auto complete = [](const auto& q) {
-    return !q.title.empty() && !q.group.empty() && !q.meaning.empty() && !q.validity.empty() &&
-           !q.source.empty();
+    return !q.title.empty() && !q.group.empty() && !q.meaning.empty() && !q.validity.empty() && !q.source.empty();
   };
   EXPECT_TRUE(std::ranges::all_of(record_of<Measures>().quantities, complete));
   EXPECT_TRUE(std::ranges::all_of(record_of<LoadMeasures>().quantities, complete));

@@ -28,12 +28,11 @@ struct CatalogueScrew {
 /// The standard screws of a maker's series SRS-C whose threads are printed, by a public
 /// configurator: github.com/vdimichele-helix/email-roller-screw-configuration, commit beed04e3,
 /// srsCTechnicalData.jsx.
-constexpr CatalogueScrew kCatalogue[] = {
-    {12, 5, 5, 12.3, 11.5},  {18, 5, 5, 18.3, 17.5},  {21, 5, 5, 21.3, 20.5},
-    {21, 10, 5, 21.6, 20.0}, {24, 12, 6, 24.6, 23.0}, {24, 5, 5, 24.3, 23.5},
-    {30, 10, 5, 30.6, 29.0}, {36, 9, 6, 36.5, 35.3},  {39, 5, 5, 39.4, 38.5},
-    {44, 12, 6, 44.7, 43.0}, {48, 5, 5, 48.4, 47.5},  {60, 20, 5, 61.3, 58.0},
-    {75, 10, 5, 75.7, 74.1}};
+constexpr CatalogueScrew kCatalogue[] = {{12, 5, 5, 12.3, 11.5},  {18, 5, 5, 18.3, 17.5},  {21, 5, 5, 21.3, 20.5},
+                                         {21, 10, 5, 21.6, 20.0}, {24, 12, 6, 24.6, 23.0}, {24, 5, 5, 24.3, 23.5},
+                                         {30, 10, 5, 30.6, 29.0}, {36, 9, 6, 36.5, 35.3},  {39, 5, 5, 39.4, 38.5},
+                                         {44, 12, 6, 44.7, 43.0}, {48, 5, 5, 48.4, 47.5},  {60, 20, 5, 61.3, 58.0},
+                                         {75, 10, 5, 75.7, 74.1}};
 
 TEST(CoreSection, HasTheRootDiameterOfACatalogue) {
   int to_the_last_digit = 0;
@@ -103,8 +102,7 @@ TEST(CriticalSpeed, RootsAreThoseOfTheBeamsEquations) {
     const double speed = critical_speed(kCore, kModulus, kDensity, {length, ends});
     return length * std::sqrt(speed / std::sqrt(kModulus * kInertia / (kDensity * kArea)));
   };
-  const double free = root(Ends::fixed_free), supported = root(Ends::fixed_supported),
-               fixed = root(Ends::fixed_fixed);
+  const double free = root(Ends::fixed_free), supported = root(Ends::fixed_supported), fixed = root(Ends::fixed_fixed);
   EXPECT_NEAR(std::cos(free) * std::cosh(free), -1.0, 1e-13);
   EXPECT_NEAR(root(Ends::supported_supported), pi, 1e-14);
   EXPECT_NEAR(std::tan(supported), std::tanh(supported), 1e-13);

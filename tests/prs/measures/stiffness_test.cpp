@@ -18,12 +18,10 @@ TEST(SectionStiffness, IsThatOfTheBarsOfTheSectorTogether) {
   const Sector sector = c.build();
   // The screw's second bar lies between threads 1 and 2; a beam between them is p long, not 2 p.
   const fe::Bar& screw = sector.model.bars[1].bar;
-  EXPECT_NEAR(section.screw / (c.mechanism.rollers * screw.axial_rigidity / screw.length), 1.0,
-              1e-13);
+  EXPECT_NEAR(section.screw / (c.mechanism.rollers * screw.axial_rigidity / screw.length), 1.0, 1e-13);
   const fe::Beam& roller = sector.model.beams[2].beam;
-  EXPECT_NEAR(section.roller /
-                  (0.5 * c.mechanism.rollers * roller.axial_rigidity / axial_pitch(c.mechanism)),
-              1.0, 1e-13);
+  EXPECT_NEAR(section.roller / (0.5 * c.mechanism.rollers * roller.axial_rigidity / axial_pitch(c.mechanism)), 1.0,
+              1e-13);
   const double nut_area = pi / 4.0 * (46e-3 * 46e-3 - 35e-3 * 35e-3);
   EXPECT_NEAR(section.nut / (209e9 * nut_area / (5e-3 / 3)), 1.0, 1e-13);
 }
@@ -34,8 +32,8 @@ TEST(ThreadStiffness, IsHertzAlongTheAxisWithoutTeeth) {
   EXPECT_NEAR(thread_stiffness(force, 5, axial_hertz_coefficient(k_0, 0.0), 0.0), force / approach,
               1e-13 * force / approach);
   // At 60 deg the normal load is twice the axial one and the axis twice as far as the normal.
-  EXPECT_NEAR(axial_hertz_coefficient(k_0, pi / 3.0) / axial_hertz_coefficient(k_0, 0.0),
-              std::pow(2.0, 5.0 / 3.0), 1e-14);
+  EXPECT_NEAR(axial_hertz_coefficient(k_0, pi / 3.0) / axial_hertz_coefficient(k_0, 0.0), std::pow(2.0, 5.0 / 3.0),
+              1e-14);
 }
 
 TEST(ThreadStiffness, AddsComplianceOfTeethInSeries) {

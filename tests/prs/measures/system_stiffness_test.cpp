@@ -15,8 +15,7 @@ SystemStiffness stiffness(const System& system) {
 
 System shaft(std::optional<double> from_bearing = {}) {
   System system;
-  system.shaft = {
-      0.3, from_bearing ? System::Axial::both_ends : System::Axial::one_end, from_bearing, {}};
+  system.shaft = {0.3, from_bearing ? System::Axial::both_ends : System::Axial::one_end, from_bearing, {}};
   return system;
 }
 
@@ -40,17 +39,15 @@ TEST(SystemStiffness, WindUpOfAFullShaftIsAShareOfItsStretch) {
 }
 
 TEST(SystemStiffness, MiddleOfTwoBearingsIsFourTimesAsStiff) {
-  const auto stretch = [](const System& system) {
-    return stiffness(system).contributions.shaft->stiffness;
-  };
+  const auto stretch = [](const System& system) { return stiffness(system).contributions.shaft->stiffness; };
   EXPECT_NEAR(stretch(shaft(0.15)) / stretch(shaft()), 4.0, 1e-14);
 }
 
 TEST(SystemStiffness, PartsThatAreLeftOutAreRigid) {
   const SystemStiffness s = stiffness({});
   EXPECT_EQ(s.total, 700e6);
-  EXPECT_FALSE(s.contributions.shaft || s.contributions.wind_up ||
-               s.contributions.support_bearing || s.contributions.housing);
+  EXPECT_FALSE(s.contributions.shaft || s.contributions.wind_up || s.contributions.support_bearing ||
+               s.contributions.housing);
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ TEST(Efficiency, IsThatOfAThreadWithSmallFriction) {
   const double slope = std::atan(lead / (pi * diameter)), angle = std::atan(friction);
   EXPECT_NEAR(efficiency(lead, diameter, friction), std::tan(slope) / std::tan(slope + angle),
               friction * std::tan(slope));
-  EXPECT_NEAR(*back_driving_efficiency(lead, diameter, friction),
-              std::tan(slope - angle) / std::tan(slope), 2.0 * friction * std::tan(slope));
+  EXPECT_NEAR(*back_driving_efficiency(lead, diameter, friction), std::tan(slope - angle) / std::tan(slope),
+              2.0 * friction * std::tan(slope));
 }
 
 TEST(Efficiency, BackDrivingIsTwoLessTheReciprocal) {
@@ -84,8 +84,7 @@ TEST(Efficiency, BackDrivingEstimateMissesAMakersValuesByUpToSevenHundredths) {
   for (const auto& [forward, backward] :
        {std::pair{0.89, 0.87}, {0.83, 0.82}, {0.80, 0.79}, {0.79, 0.79}, {0.77, 0.77}}) {
     const double lead = 10e-3, diameter = 30e-3;
-    const double miss =
-        *back_driving_efficiency(lead, diameter, friction_of(forward, lead, diameter)) - backward;
+    const double miss = *back_driving_efficiency(lead, diameter, friction_of(forward, lead, diameter)) - backward;
     lowest = std::min(lowest, miss);
     highest = std::max(highest, miss);
   }
@@ -106,8 +105,7 @@ TEST(Efficiency, BackDrivingEstimateLiesBelowThatOfContacts) {
   EXPECT_FALSE(back_driving_efficiency(heated, loaded.contacts, loaded.load_cases[0]));
   c.friction.reset();
   EXPECT_FALSE(analyze_measures(c).load_measures[0]->back_driving_efficiency);
-  const double miss =
-      *back_driving_efficiency(lead, diameter, friction_of(forward, lead, diameter)) - backward;
+  const double miss = *back_driving_efficiency(lead, diameter, friction_of(forward, lead, diameter)) - backward;
   EXPECT_LT(miss, -0.03);
   EXPECT_GT(miss, -0.07);
 }
@@ -133,8 +131,7 @@ TEST(DriveTorque, DoesTheWorkOfTheLoadAndItsLosses) {
 }
 
 TEST(Inertia, OfRollersThatTurnWithTheirCarrierIsSteiners) {
-  EXPECT_NEAR(roller_inertia(9, 0.02, 3e-7, 14e-3, {1.0, 1.0}), 9 * (3e-7 + 0.02 * 14e-3 * 14e-3),
-              1e-18);
+  EXPECT_NEAR(roller_inertia(9, 0.02, 3e-7, 14e-3, {1.0, 1.0}), 9 * (3e-7 + 0.02 * 14e-3 * 14e-3), 1e-18);
 }
 
 TEST(Inertia, OfTravelHasTheKineticEnergyOfTheMass) {

@@ -26,8 +26,7 @@ std::vector<ThreadGap> opposite_side(std::size_t threads, double screw, double n
 
 /// Largest error of w_k - w_(k+1) = S_(k+1) (c_S + c_N behind) - P_k c_N before over the largest
 /// approach.
-double equation_error(const std::vector<double>& loads, double h,
-                      const std::vector<ThreadGap>& gaps) {
+double equation_error(const std::vector<double>& loads, double h, const std::vector<ThreadGap>& gaps) {
   const auto approach = [&](double load) { return h * std::pow(load, 2.0 / 3.0); };
   const double force = sum(loads);
   const double largest = approach(*std::max_element(loads.begin(), loads.end()));
@@ -35,8 +34,7 @@ double equation_error(const std::vector<double>& loads, double h,
   for (std::size_t k = 0; k + 1 < loads.size(); ++k) {
     before += loads[k];
     const double behind = force - before;
-    const double stretch =
-        behind * (gaps[k].screw + gaps[k].nut_behind_thrust) - before * gaps[k].nut_before_thrust;
+    const double stretch = behind * (gaps[k].screw + gaps[k].nut_behind_thrust) - before * gaps[k].nut_before_thrust;
     const double difference = approach(loads[k]) - approach(loads[k + 1]);
     error = std::max(error, std::abs(difference - stretch) / largest);
   }
@@ -58,8 +56,7 @@ TEST(YangDistribution, TwoThreadsHaveTheCompliancesThatTheirLoadsAskFor) {
 }
 
 TEST(YangDistribution, RigidShaftsShareEqually) {
-  for (const double load : yang_distribution(3e3, 2e-8, same_side(20, 0.0, 0.0)))
-    EXPECT_NEAR(load, 150.0, 1e-10);
+  for (const double load : yang_distribution(3e3, 2e-8, same_side(20, 0.0, 0.0))) EXPECT_NEAR(load, 150.0, 1e-10);
 }
 
 TEST(YangDistribution, OneThreadCarriesEverything) {
@@ -76,8 +73,7 @@ TEST(YangDistribution, SmallLoadsDifferAsTheCubeRootOfTheLoad) {
     const double mean = force / static_cast<double>(n);
     const auto loads = yang_distribution(force, h, same_side(n, c, 0.0));
     for (std::size_t k = 0; k + 1 < n; ++k) {
-      const double first_order =
-          1.5 * c / h * std::cbrt(mean) * static_cast<double>(n - 1 - k) * mean;
+      const double first_order = 1.5 * c / h * std::cbrt(mean) * static_cast<double>(n - 1 - k) * mean;
       EXPECT_NEAR((loads[k] - loads[k + 1]) / first_order, 1.0, 0.01) << k;
     }
   }
@@ -98,9 +94,7 @@ TEST(YangDistribution, OppositeThrustIsMoreEvenThanSameSide) {
 
 TEST(YangDistribution, RandomScrewsObeyTheEquationAndSumToTheForce) {
   std::mt19937_64 random(7);
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   for (int sample = 0; sample < test::count(500, 50'000); ++sample) {
     std::vector<ThreadGap> gaps(static_cast<std::size_t>(uniform(1.0, 60.0)));
     const auto threads = static_cast<double>(gaps.size());
@@ -121,8 +115,7 @@ TEST(YangDistribution, RandomScrewsObeyTheEquationAndSumToTheForce) {
 
 TEST(YangDistribution, WhatRoundingCannotResolveIsRefused) {
   for (const double compliance : {1e-8, 1e-6, 1e-4, 1e-2}) {
-    for (const auto& gaps :
-         {same_side(200, compliance, compliance), opposite_side(200, compliance, compliance)}) {
+    for (const auto& gaps : {same_side(200, compliance, compliance), opposite_side(200, compliance, compliance)}) {
       const auto loads = yang_distribution(1e5, 2e-8, gaps);
       if (loads.empty()) continue;
       EXPECT_NEAR(sum(loads) / 1e5, 1.0, 1e-9) << compliance;
@@ -144,13 +137,11 @@ std::vector<double> sector_loads(test::SectorCase c, double force, Interface i) 
 
 std::vector<double> yang_loads(const test::SectorCase& c, double force) {
   double h = 0.0;
-  for (const Interface i : kInterfaces)
-    h += axial_hertz_coefficient(c.laws[i].hertz_constant, c.laws[i].normal_angle);
+  for (const Interface i : kInterfaces) h += axial_hertz_coefficient(c.laws[i].hertz_constant, c.laws[i].normal_angle);
   const Structure::Thrust& t = c.structure.nut.thrust;
-  return yang_distribution(
-      force / c.mechanism.rollers, h,
-      thread_gaps(c.mechanism, c.structure, c.materials,
-                  c.direction == Direction::tension ? *t.tension : *t.compression, c.position));
+  return yang_distribution(force / c.mechanism.rollers, h,
+                           thread_gaps(c.mechanism, c.structure, c.materials,
+                                       c.direction == Direction::tension ? *t.tension : *t.compression, c.position));
 }
 
 TEST(YangDistribution, IsTheSectorModelWhoseRollerTeethAreBalls) {

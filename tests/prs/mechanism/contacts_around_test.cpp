@@ -21,8 +21,7 @@ double azimuth(Index roller) {
 
 /// Three threads at each interface; the screw moves along and across, the nut stands.
 struct SmallScrew {
-  VectorXd along = VectorXd::Zero(kContacts), across = along,
-           roller = VectorXd::Constant(kContacts, 0.7);
+  VectorXd along = VectorXd::Zero(kContacts), across = along, roller = VectorXd::Constant(kContacts, 0.7);
   ContactsAround contacts;
   ContactsAroundOptions options{.force = kAxialForce, .length = 1e-6, .stiffness = 2e8};
 
@@ -44,8 +43,7 @@ struct SmallScrew {
                       {any(), roller, MatrixXd::Zero(1, 1), 0}};
     for (std::size_t w = 0; w < 5; ++w) {
       const std::size_t mode = (w + 1) / 2;
-      ContactsAround::Wave wave{mode, VectorXd(kAround),
-                                VectorXd::Zero(contacts.modes[mode].rigid.cols())};
+      ContactsAround::Wave wave{mode, VectorXd(kAround), VectorXd::Zero(contacts.modes[mode].rigid.cols())};
       for (Index j = 0; j < kAround; ++j) {
         const double angle = static_cast<double>(mode) * azimuth(j);
         wave.shape[j] = w == 0 || w % 2 == 1 ? std::cos(angle) : std::sin(angle);
@@ -64,8 +62,7 @@ struct SmallScrew {
   MatrixXd between(Index a, Index b) const {
     MatrixXd g = contacts.modes[0].flexibility;
     for (std::size_t m = 1; m < 3; ++m)
-      g += 2.0 * std::cos(static_cast<double>(m) * (azimuth(a) - azimuth(b))) *
-           contacts.modes[m].flexibility;
+      g += 2.0 * std::cos(static_cast<double>(m) * (azimuth(a) - azimuth(b))) * contacts.modes[m].flexibility;
     return g / static_cast<double>(kAround);
   }
 
@@ -84,11 +81,9 @@ struct SmallScrew {
         continue;
       }
       double own = 0.0;  // Motion of the roller along its axis.
-      for (std::size_t w = 0; w < 5; ++w)
-        own += contacts.waves[w].shape[j] * s.motion[w][s.motion[w].size() - 1];
-      VectorXd w =
-          along * s.motion[0][0] + roller * own +
-          across * (s.motion[1][0] * std::cos(azimuth(j)) + s.motion[2][0] * std::sin(azimuth(j)));
+      for (std::size_t w = 0; w < 5; ++w) own += contacts.waves[w].shape[j] * s.motion[w][s.motion[w].size() - 1];
+      VectorXd w = along * s.motion[0][0] + roller * own +
+                   across * (s.motion[1][0] * std::cos(azimuth(j)) + s.motion[2][0] * std::sin(azimuth(j)));
       for (Index l = 0; l < kAround; ++l) w -= between(j, l) * s.normal_load.col(l);
       for (Index k = 0; k < kContacts; ++k) {
         const double y = w[k] - contacts.gap(k, j);
@@ -131,8 +126,7 @@ TEST(ContactsAround, ComplianceIsTheSlopeOfTheMotions) {
   SmallScrew screw;
   screw.contacts.present[3] = false;
   const std::vector<WaveMotion> motions{{0, 0}, {1, 0}, {2, 0}};
-  const MatrixXd c =
-      compliance(screw.contacts, solve(screw.contacts, screw.options), screw.options, motions);
+  const MatrixXd c = compliance(screw.contacts, solve(screw.contacts, screw.options), screw.options, motions);
   EXPECT_LT((c - c.transpose()).norm(), 1e-10 * c.norm());
   for (std::size_t j = 0; j < 3; ++j) {
     const auto at = [&](double change) {
@@ -143,8 +137,8 @@ TEST(ContactsAround, ComplianceIsTheSlopeOfTheMotions) {
     const double step = 0.1;
     const auto more = at(step), less = at(-step);
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR((more[i][0] - less[i][0]) / (2.0 * step),
-                  c(static_cast<Index>(i), static_cast<Index>(j)), 1e-6 * c.norm());
+      EXPECT_NEAR((more[i][0] - less[i][0]) / (2.0 * step), c(static_cast<Index>(i), static_cast<Index>(j)),
+                  1e-6 * c.norm());
   }
 }
 

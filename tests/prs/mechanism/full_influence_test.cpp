@@ -33,8 +33,8 @@ struct FullScrew {
     load.position = parts.position;
   }
   FullModel model() const {
-    return full_model(parts.mechanism, parts.structure, parts.materials, parts.options, parts.laws,
-                      load, parts.deviations);
+    return full_model(parts.mechanism, parts.structure, parts.materials, parts.options, parts.laws, load,
+                      parts.deviations);
   }
 };
 
@@ -46,16 +46,15 @@ class BeamBodies {
     fe::Model model = s_.model;
     const SpatialNode& end = s_.screw[static_cast<std::size_t>(s_.loaded)];
     for (const int node : {end.y_plane, end.z_plane})
-      for (const fe::Dof dof : {fe::Dof::u, fe::Dof::v, fe::Dof::theta})
-        model.fixed_supports.push_back({node, dof});
+      for (const fe::Dof dof : {fe::Dof::u, fe::Dof::v, fe::Dof::theta}) model.fixed_supports.push_back({node, dof});
     for (const FullStructure::Roller& r : s_.rollers)
       model.fixed_supports.push_back({r.contacts.screw.front(), fe::Dof::u});
     const fe::Equations equations(model);
     const fe::SparseSymmetric& k = equations.linear_stiffness();
     MatrixXd dense = MatrixXd::Zero(k.size(), k.size());
     for (int j = 0; j < k.size(); ++j)
-      for (int e = k.column_start[static_cast<std::size_t>(j)];
-           e < k.column_start[static_cast<std::size_t>(j + 1)]; ++e) {
+      for (int e = k.column_start[static_cast<std::size_t>(j)]; e < k.column_start[static_cast<std::size_t>(j + 1)];
+           ++e) {
         const int i = k.row[static_cast<std::size_t>(e)];
         dense(i, j) = dense(j, i) = k.value[static_cast<std::size_t>(e)];
       }
@@ -63,9 +62,8 @@ class BeamBodies {
     const std::vector<double> stations = screw_stations(f_);
     stations_ = MatrixXd::Zero(k.size(), 2 * static_cast<Index>(stations.size()));
     for (std::size_t i = 0; i < stations.size(); ++i) {
-      const SpatialNode& node = *std::ranges::min_element(s_.screw, {}, [&](const SpatialNode& n) {
-        return std::abs(n.x - f_.loaded_section - stations[i]);
-      });
+      const SpatialNode& node = *std::ranges::min_element(
+          s_.screw, {}, [&](const SpatialNode& n) { return std::abs(n.x - f_.loaded_section - stations[i]); });
       for (const fe::Dof dof : {fe::Dof::v, fe::Dof::theta})
         if (const int e = equations.number(node.y_plane, dof); e >= 0 && e < equations.size())
           stations_(e, 2 * static_cast<Index>(i) + (dof == fe::Dof::v ? 0 : 1)) = 1.0;
@@ -89,8 +87,7 @@ class BeamBodies {
     b.screw.sections = stations_.transpose() * by_stations;
     b.nut = around(nut_, Interface::nut);
     const Index threads = f_.threads();
-    const MatrixXd of_roller =
-        (1.0 - (screw_ + nut_).array()).matrix().asDiagonal() * springs_.leftCols(2 * threads);
+    const MatrixXd of_roller = (1.0 - (screw_ + nut_).array()).matrix().asDiagonal() * springs_.leftCols(2 * threads);
     b.roller = of_roller.transpose() * compliance_.solve(of_roller);
     return b;
   }
@@ -102,14 +99,12 @@ class BeamBodies {
     for (FullModel::Roller& r : f.present) r.azimuth -= f.load.carrier_angle;
     return f;
   }
-  static Eigen::VectorXd rows_of(const fe::Equations& equations,
-                                 const std::vector<SpatialNode>& nodes) {
+  static Eigen::VectorXd rows_of(const fe::Equations& equations, const std::vector<SpatialNode>& nodes) {
     Eigen::VectorXd rows = Eigen::VectorXd::Zero(equations.size());
     for (const SpatialNode& n : nodes)
       for (const int node : {n.y_plane, n.z_plane})
         for (const fe::Dof dof : {fe::Dof::u, fe::Dof::v, fe::Dof::theta})
-          if (const int e = equations.number(node, dof); e >= 0 && e < equations.size())
-            rows[e] = 1.0;
+          if (const int e = equations.number(node, dof); e >= 0 && e < equations.size()) rows[e] = 1.0;
     return rows;
   }
 
@@ -142,23 +137,20 @@ class BeamBodies {
 
 double largest_of(const RollerThreads& loads) {
   double value = 0.0;
-  for (const std::vector<double>& roller : loads)
-    value = std::max(value, *std::ranges::max_element(roller));
+  for (const std::vector<double>& roller : loads) value = std::max(value, *std::ranges::max_element(roller));
   return value;
 }
 
 void expect_same(const FullDistribution& a, const FullDistribution& b, double share) {
   for (const FullDistribution* d : {&a, &b})
-    ASSERT_TRUE(d->solve.converged()) << fe::name(d->solve.status) << ", residual "
-                                      << d->solve.relative_residual << (d == &a ? "" : ", beams");
+    ASSERT_TRUE(d->solve.converged()) << fe::name(d->solve.status) << ", residual " << d->solve.relative_residual
+                                      << (d == &a ? "" : ", beams");
   for (const Interface i : kInterfaces)
     for (std::size_t j = 0; j < a.normal_load[i].size(); ++j)
       for (std::size_t k = 0; k < a.normal_load[i][j].size(); ++k)
-        EXPECT_NEAR(a.normal_load[i][j][k], b.normal_load[i][j][k],
-                    share * largest_of(b.normal_load[i]));
+        EXPECT_NEAR(a.normal_load[i][j][k], b.normal_load[i][j][k], share * largest_of(b.normal_load[i]));
   EXPECT_NEAR(a.axial_displacement, b.axial_displacement, share * b.axial_displacement);
-  EXPECT_LT((a.screw_end.displacement - b.screw_end.displacement).norm(),
-            share * b.screw_end.displacement.norm());
+  EXPECT_LT((a.screw_end.displacement - b.screw_end.displacement).norm(), share * b.screw_end.displacement.norm());
   EXPECT_LT((a.nut.force - b.nut.force).norm(), share * 45e3);
   EXPECT_NEAR(a.nut.moment.y, b.nut.moment.y, share * 45.0);
   EXPECT_NEAR(a.nut.moment.z, b.nut.moment.z, share * 45.0);
@@ -180,8 +172,7 @@ void expect_same_stiffness(const FullDistribution& a, const FullDistribution& b)
   const Eigen::VectorXd size = b.screw_end.compliance.diagonal().cwiseSqrt();
   for (Index i = 0; i < size.size(); ++i)
     for (Index j = 0; j < size.size(); ++j)
-      EXPECT_NEAR(a.screw_end.compliance(i, j), b.screw_end.compliance(i, j),
-                  1e-9 * size[i] * size[j]);
+      EXPECT_NEAR(a.screw_end.compliance(i, j), b.screw_end.compliance(i, j), 1e-9 * size[i] * size[j]);
 }
 
 /// Rings on the housing at the outer nodes guide rollers as lines, so that nothing is neglected.
@@ -249,8 +240,7 @@ TEST(FullInfluence, BearingsAndPlacesOfLoadsAreThoseOfTheBeamModel) {
     expect_same(dense, bars, 1e-10);
     expect_same_stiffness(dense, bars);
   };
-  const double first = screw.parts.position,
-               last = first + 19.0 * axial_pitch(screw.parts.mechanism);
+  const double first = screw.parts.position, last = first + 19.0 * axial_pitch(screw.parts.mechanism);
   SpatialLoad& load = screw.load.spatial;
   load.side_force = {{800.0, -300.0}, first - 12e-3};
   load.moment = {{20.0, 10.0}, last + 40e-3};
@@ -307,18 +297,16 @@ struct CoarseBodies {
 
   CoarseBodies() {
     const PerInterface<HertzPatch> patches{{0.227e-3, 0.178e-3}, {0.198e-3, 0.242e-3}};
-    geometry = body_geometry(screw.parts.mechanism, screw.parts.structure, screw.parts.materials,
-                             screw.parts.laws, patches, screw.parts.direction, screw.parts.options);
+    geometry = body_geometry(screw.parts.mechanism, screw.parts.structure, screw.parts.materials, screw.parts.laws,
+                             patches, screw.parts.direction, screw.parts.options);
   }
   BodyFlexibilities alike() {
-    return body_flexibilities(geometry, screw.parts.direction, screw.parts.position,
-                              test::coarse_bodies(), cache);
+    return body_flexibilities(geometry, screw.parts.direction, screw.parts.position, test::coarse_bodies(), cache);
   }
   FullBodies full(const std::vector<double>& on_screw, const std::vector<double>& on_nut) {
     const BodyFlexibilities sector = alike();
     return {screw_around(geometry, screw.parts.direction, on_screw, test::coarse_bodies(), cache),
-            nut_around(geometry, screw.parts.direction, screw.parts.position, on_nut,
-                       test::coarse_bodies(), cache),
+            nut_around(geometry, screw.parts.direction, screw.parts.position, on_nut, test::coarse_bodies(), cache),
             sector.roller.matrix, sector.nut.face};
   }
 };
@@ -330,11 +318,9 @@ TEST(FullInfluence, IsTheInfluenceModelWhereAllRollersAreAlike) {
   screw.parts.structure.roller.rings.carrier = Rings::Carrier::nut;
   const FullModel f = screw.model();
   const std::array<double, 2> at = guide_places(f);
-  const FullDistribution full =
-      solve(f, bodies.full({}, {std::max(at[0], 0.0), std::min(at[1], f.sector.nut_length)}));
+  const FullDistribution full = solve(f, bodies.full({}, {std::max(at[0], 0.0), std::min(at[1], f.sector.nut_length)}));
   const LoadDistribution one =
-      InfluenceSolver(bodies.alike(), f.rollers, screw.parts.laws, f.present[0].gaps)
-          .solve(f.axial_force);
+      InfluenceSolver(bodies.alike(), f.rollers, screw.parts.laws, f.present[0].gaps).solve(f.axial_force);
   ASSERT_TRUE(full.solve.converged() && one.solve.converged());
   EXPECT_NEAR(full.axial_displacement, one.axial_displacement, 1e-10 * one.axial_displacement);
   EXPECT_NEAR(*full.tangent_stiffness, *one.tangent_stiffness, 1e-9 * *one.tangent_stiffness);
@@ -364,15 +350,13 @@ TEST(FlexibilityAround, IsTheSameForTwiceAsManyRollers) {
   for (const Part part : {Part::screw, Part::nut}) {
     const auto at = [&](int rollers) {
       g.rollers = rollers;
-      return part == Part::screw
-                 ? screw_around(g, c.direction, {}, test::coarse_bodies(), bodies.cache)
-                 : nut_around(g, c.direction, c.position, {}, test::coarse_bodies(), bodies.cache);
+      return part == Part::screw ? screw_around(g, c.direction, {}, test::coarse_bodies(), bodies.cache)
+                                 : nut_around(g, c.direction, c.position, {}, test::coarse_bodies(), bodies.cache);
     };
     const FlexibilityAround seven = at(7), fourteen = at(14);
     const double own = between(seven, 0, 7).diagonal().cwiseAbs().maxCoeff();
     for (int d = 0; d <= 3; ++d)
-      EXPECT_LT((between(seven, d, 7) - between(fourteen, 2 * d, 14)).cwiseAbs().maxCoeff(),
-                0.01 * own)
+      EXPECT_LT((between(seven, d, 7) - between(fourteen, 2 * d, 14)).cwiseAbs().maxCoeff(), 0.01 * own)
           << name(part) << d;
   }
 }
@@ -383,8 +367,7 @@ TEST(FlexibilityAround, TheScrewBendsAsABeam) {
   SKIP_UNDER_SANITIZERS();
   const test::SectorCase c = test::abevi();
   const PerInterface<HertzPatch> patches{{0.227e-3, 0.178e-3}, {0.198e-3, 0.242e-3}};
-  const BodyGeometry g =
-      body_geometry(c.mechanism, c.structure, c.materials, c.laws, patches, c.direction, c.options);
+  const BodyGeometry g = body_geometry(c.mechanism, c.structure, c.materials, c.laws, patches, c.direction, c.options);
   const double end = 41e-3;
   const FlexibilityAround f = screw_around(g, c.direction, {end}, test::coarse_bodies());
   const Groove& groove = g.grooves.screw;
@@ -415,17 +398,15 @@ TEST(FlexibilityAround, TheScrewBendsAsABeam) {
 TEST(FlexibilityAround, TheScrewGoesOnBehindItsThread) {
   CoarseBodies bodies;
   const test::SectorCase& c = bodies.screw.parts;
-  const double end =
-      c.structure.screw.free_length + 5.0 * bodies.geometry.pitch() + 3.0 * bodies.geometry.pitch();
+  const double end = c.structure.screw.free_length + 5.0 * bodies.geometry.pitch() + 3.0 * bodies.geometry.pitch();
   const double length = 50e-3;
-  const FlexibilityAround f = screw_around(bodies.geometry, c.direction, {end, end + length},
-                                           test::coarse_bodies(), bodies.cache);
-  const RollerSection<double> beam = ring_rigidity(
-      c.materials.screw, *c.mechanism.pitch_diameter.screw, c.structure.screw.bore, true);
+  const FlexibilityAround f =
+      screw_around(bodies.geometry, c.direction, {end, end + length}, test::coarse_bodies(), bodies.cache);
+  const RollerSection<double> beam =
+      ring_rigidity(c.materials.screw, *c.mechanism.pitch_diameter.screw, c.structure.screw.bore, true);
   EXPECT_LT((f.coupling.col(2) - f.coupling.col(0) - length * f.coupling.col(1)).norm(),
             1e-12 * f.coupling.col(2).norm());
-  const Eigen::Matrix2d at_end = f.sections.topLeftCorner(2, 2),
-                        behind = f.sections.bottomRightCorner(2, 2);
+  const Eigen::Matrix2d at_end = f.sections.topLeftCorner(2, 2), behind = f.sections.bottomRightCorner(2, 2);
   EXPECT_NEAR(behind(1, 1), at_end(1, 1) + length / beam.bending, 1e-12 * behind(1, 1));
   EXPECT_NEAR(behind(0, 0),
               at_end(0, 0) + 2.0 * length * at_end(0, 1) + length * length * at_end(1, 1) +

@@ -32,8 +32,7 @@ using testing::HasSubstr;
 
 /// Solved cases of an independent program, 12 digits.
 const json& reference() {
-  static const json cases =
-      json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/mechanism/reference_cases.json"));
+  static const json cases = json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/mechanism/reference_cases.json"));
   return cases;
 }
 
@@ -43,8 +42,7 @@ Case case_of(const json& reference_case) {
 
 /// Every number of the reference against that of the document, to a share of the largest number
 /// in its array: components that symmetry makes zero are rounding.
-void expect_near(const json& wanted, const json& got, double share, const std::string& path,
-                 double scale = 0.0) {
+void expect_near(const json& wanted, const json& got, double share, const std::string& path, double scale = 0.0) {
   if (wanted.is_object()) {
     for (const auto& [key, value] : wanted.items()) {
       if (key == "dofs") continue;  // More nodes change nothing.
@@ -101,8 +99,8 @@ TEST(FullMechanism, RollersOnOneSideCannotHoldTheLoad) {
 
 FullModel model_of(const Case& c, const LoadCase& load) {
   const Contacts contacts = find_contacts(c.mechanism, c.materials);
-  return full_model(contacts.mechanism, *c.structure, *c.materials, c.model,
-                    contact_laws(c, contacts), load, c.deviations);
+  return full_model(contacts.mechanism, *c.structure, *c.materials, c.model, contact_laws(c, contacts), load,
+                    c.deviations);
 }
 FullModel model_of(const Case& c) { return model_of(c, c.load_cases[0]); }
 
@@ -121,8 +119,7 @@ TEST(FullMechanism, IsTheSectorWhereAllRollersAreAlike) {
   c.deviations.crowning = 3e-6;
   c.deviations.pitch_error.screw.linear = 2e-6;
   c.structure->roller.guidance.ring_stiffness = 2e7;
-  for (const auto kind :
-       {Guidance::Kind::both_end_nodes, Guidance::Kind::outer_node, Guidance::Kind::ring})
+  for (const auto kind : {Guidance::Kind::both_end_nodes, Guidance::Kind::outer_node, Guidance::Kind::ring})
     for (const auto carrier : {Rings::Carrier::housing, Rings::Carrier::nut, Rings::Carrier::screw})
       for (const double stiffness : {kRigid, 1e6})
         for (const Direction direction : {Direction::tension, Direction::compression}) {
@@ -141,9 +138,7 @@ double first_ring(const Case& c) {
 
 /// Screws of all kinds that are hard on the solver.
 Case random_case(std::mt19937_64& random) {
-  const auto between = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
+  const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   const auto one_of = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
   const auto magnitude = [&](double a, double b) { return std::pow(10.0, between(a, b)); };
   Case c = symmetric_case();
@@ -166,8 +161,7 @@ Case random_case(std::mt19937_64& random) {
   if (one_of(4) == 0) s.roller.rings.stiffness = magnitude(0.0, 9.0);
   s.roller.guidance = {static_cast<Guidance::Kind>(one_of(3)), magnitude(5.0, 8.0)};
   if (one_of(3) == 0)
-    s.nut.housing = {one_of(2) ? kRigid : magnitude(7.0, 10.0), magnitude(6.0, 10.0),
-                     magnitude(3.0, 7.0)};
+    s.nut.housing = {one_of(2) ? kRigid : magnitude(7.0, 10.0), magnitude(6.0, 10.0), magnitude(3.0, 7.0)};
   const double first = *load.position - s.screw.free_length;
   const double last = *load.position + span + s.screw.far_length;
   for (int b = first < last ? one_of(3) : 1; b > 0; --b) {
@@ -178,8 +172,7 @@ Case random_case(std::mt19937_64& random) {
                                 {between(-2e-5, 2e-5), between(-2e-5, 2e-5)},
                                 {}});
   }
-  for (int j = 0; j < m.rollers && one_of(2); ++j)
-    d.roller_diameters.push_back(between(-5e-6, 5e-6));
+  for (int j = 0; j < m.rollers && one_of(2); ++j) d.roller_diameters.push_back(between(-5e-6, 5e-6));
   d.roller_diameters.resize(d.roller_diameters.empty() ? 0 : static_cast<std::size_t>(m.rollers));
   for (int j = 1; j < m.rollers; ++j)
     if (one_of(12) == 0) d.missing_rollers.push_back(j);
@@ -191,8 +184,7 @@ Case random_case(std::mt19937_64& random) {
   spatial.carrier_angle = between(0.0, 6.28);
   if (one_of(2)) spatial.eccentricity = {between(-3e-3, 3e-3), between(-3e-3, 3e-3)};
   if (one_of(2))
-    spatial.side_force = {{between(-0.6, 0.6) * load.axial_force, 0.1 * load.axial_force},
-                          between(first, last)};
+    spatial.side_force = {{between(-0.6, 0.6) * load.axial_force, 0.1 * load.axial_force}, between(first, last)};
   if (one_of(3) == 0) spatial.moment = {{between(-0.01, 0.01) * load.axial_force, 1.0}, {}};
   if (one_of(3) == 0) spatial.nut_tilt = {between(-2e-3, 2e-3), between(-2e-3, 2e-3)};
   if (one_of(4) == 0) s.nut.thrust.tension = s.nut.thrust.compression = first_ring(c);
@@ -204,16 +196,13 @@ Case random_case(std::mt19937_64& random) {
 double imbalance(const FullModel& f, const FullDistribution& d) {
   const SpatialLoad& load = f.load;
   double fx = f.sense() * f.axial_force + d.nut.force[0];
-  Eigen::Vector2d force{load.side_force.value.y + d.nut.force[1],
-                        load.side_force.value.z + d.nut.force[2]};
+  Eigen::Vector2d force{load.side_force.value.y + d.nut.force[1], load.side_force.value.z + d.nut.force[2]};
   // M_z and -M_y, in the planes x-y and x-z.
   const auto arm = [](double x, double y, double z) { return Eigen::Vector2d(x * y, x * z); };
   const double at = load.side_force.at.value_or(f.loaded_section);
   Eigen::Vector2d moment =
-      arm(at, load.side_force.value.y, load.side_force.value.z) +
-      arm(d.nut.position, d.nut.force[1], d.nut.force[2]) +
-      Eigen::Vector2d(load.moment.value.z, -load.moment.value.y) +
-      Eigen::Vector2d(d.nut.moment.z, -d.nut.moment.y) -
+      arm(at, load.side_force.value.y, load.side_force.value.z) + arm(d.nut.position, d.nut.force[1], d.nut.force[2]) +
+      Eigen::Vector2d(load.moment.value.z, -load.moment.value.y) + Eigen::Vector2d(d.nut.moment.z, -d.nut.moment.y) -
       f.sense() * f.axial_force * Eigen::Vector2d(load.eccentricity.y, load.eccentricity.z);
   for (const SupportForce& b : d.bearings) {
     force += b.force.tail<2>();
@@ -223,8 +212,7 @@ double imbalance(const FullModel& f, const FullDistribution& d) {
     for (std::size_t r = 0; r < d.rings.size(); ++r) {
       const Lateral& ring = d.rings[r].force;
       force += Eigen::Vector2d(ring.y, ring.z);
-      moment += arm(d.rings[r].position, ring.y, ring.z) +
-                Eigen::Vector2d(d.rings[r].moment.z, -d.rings[r].moment.y);
+      moment += arm(d.rings[r].position, ring.y, ring.z) + Eigen::Vector2d(d.rings[r].moment.z, -d.rings[r].moment.y);
     }
   }
   double largest = f.axial_force;
@@ -239,12 +227,11 @@ double imbalance_of(const json& load_case, double force, const Case& c) {
   const auto add = [&](const json& support, bool along) {
     const json& f = support.at("force_N");
     const std::size_t first = along ? 1 : 0;
-    const Eigen::Vector3d pull{along ? f[0].get<double>() : 0.0, f[first].get<double>(),
-                               f[first + 1].get<double>()};
+    const Eigen::Vector3d pull{along ? f[0].get<double>() : 0.0, f[first].get<double>(), f[first + 1].get<double>()};
     const Eigen::Vector3d at{1e-3 * support.at("at_mm").get<double>(), 0.0, 0.0};
     sum += pull;
-    moment += at.cross(pull) + Eigen::Vector3d(0.0, support.at("moment_Nm")[0].get<double>(),
-                                               support.at("moment_Nm")[1].get<double>());
+    moment += at.cross(pull) +
+              Eigen::Vector3d(0.0, support.at("moment_Nm")[0].get<double>(), support.at("moment_Nm")[1].get<double>());
     largest = std::max(largest, pull.norm());
   };
   const json& reactions = load_case.at("reactions");
@@ -257,14 +244,12 @@ double imbalance_of(const json& load_case, double force, const Case& c) {
 
 TEST(FullMechanism, ADocumentClosesItsBalance) {
   for (const char* rings : {"nut", "housing"}) {
-    const Case c = input::read_case(
-        PRS_SOURCE_DIR "/configs/24_misalignment.yaml",
-        {std::string("structure.roller.rings=") + rings, "structure.roller.guidance=outer_node",
-         "load_cases[0].carrier_angle=20 deg"},
-        Command::solve);
+    const Case c = input::read_case(PRS_SOURCE_DIR "/configs/24_misalignment.yaml",
+                                    {std::string("structure.roller.rings=") + rings,
+                                     "structure.roller.guidance=outer_node", "load_cases[0].carrier_angle=20 deg"},
+                                    Command::solve);
     const json document = json::parse(document_of(solve_analysis(), analyze(c), {}).dump());
-    for (const json& load_case : document.at("load_cases"))
-      EXPECT_LT(imbalance_of(load_case, -45e3, c), 1e-9) << rings;
+    for (const json& load_case : document.at("load_cases")) EXPECT_LT(imbalance_of(load_case, -45e3, c), 1e-9) << rings;
   }
 }
 
@@ -277,8 +262,7 @@ TEST(FullMechanism, ARingMayStandWhereItsCarrierIsHeld) {
     ASSERT_TRUE(nearly.solve.converged());
     EXPECT_LT(imbalance(f, held), 1e-9);
     for (const Interface i : kInterfaces)
-      EXPECT_LT(largest_difference(held.normal_load[i], nearly.normal_load[i]),
-                1e-6 * largest(held.normal_load[i]));
+      EXPECT_LT(largest_difference(held.normal_load[i], nearly.normal_load[i]), 1e-6 * largest(held.normal_load[i]));
   };
   const double ring = first_ring(side_loaded());
   Case c = side_loaded();
@@ -324,8 +308,7 @@ TEST(FullMechanism, RandomCasesConvergeOrHaveNoEquilibrium) {
 }
 
 Lateral turned(Lateral l, double angle) {
-  return {l.y * std::cos(angle) - l.z * std::sin(angle),
-          l.y * std::sin(angle) + l.z * std::cos(angle)};
+  return {l.y * std::cos(angle) - l.z * std::sin(angle), l.y * std::sin(angle) + l.z * std::cos(angle)};
 }
 
 TEST(FullMechanism, TurnsWithItsLoads) {
@@ -334,14 +317,11 @@ TEST(FullMechanism, TurnsWithItsLoads) {
   const FullDistribution before = solve(model_of(c));
   SpatialLoad& load = c.load_cases[0].spatial;
   load.carrier_angle += angle;
-  for (Lateral* l : {&load.side_force.value, &load.moment.value, &load.eccentricity})
-    *l = turned(*l, angle);
+  for (Lateral* l : {&load.side_force.value, &load.moment.value, &load.eccentricity}) *l = turned(*l, angle);
   const FullDistribution after = solve(model_of(c));
   for (const Interface i : kInterfaces)
-    EXPECT_LT(largest_difference(before.normal_load[i], after.normal_load[i]),
-              1e-10 * largest(before.normal_load[i]));
-  EXPECT_NEAR(before.axial_displacement, after.axial_displacement,
-              1e-10 * before.axial_displacement);
+    EXPECT_LT(largest_difference(before.normal_load[i], after.normal_load[i]), 1e-10 * largest(before.normal_load[i]));
+  EXPECT_NEAR(before.axial_displacement, after.axial_displacement, 1e-10 * before.axial_displacement);
 }
 
 TEST(FullMechanism, ASpacingOfTheCarrierRenumbersTheRollers) {
@@ -350,10 +330,8 @@ TEST(FullMechanism, ASpacingOfTheCarrierRenumbersTheRollers) {
   c.load_cases[0].spatial.carrier_angle = 2.0 * std::numbers::pi / 11.0;
   FullDistribution after = solve(model_of(c));
   for (const Interface i : kInterfaces) {
-    std::rotate(after.normal_load[i].begin(), after.normal_load[i].end() - 1,
-                after.normal_load[i].end());
-    EXPECT_LT(largest_difference(before.normal_load[i], after.normal_load[i]),
-              1e-10 * largest(before.normal_load[i]));
+    std::rotate(after.normal_load[i].begin(), after.normal_load[i].end() - 1, after.normal_load[i].end());
+    EXPECT_LT(largest_difference(before.normal_load[i], after.normal_load[i]), 1e-10 * largest(before.normal_load[i]));
   }
 }
 
@@ -364,8 +342,7 @@ TEST(FullMechanism, LoadsInAPlaneOfSymmetryLoadBothSidesAlike) {
   for (const Interface i : kInterfaces)
     for (std::size_t j = 1; j < 11; ++j)
       for (std::size_t k = 0; k < 20; ++k)
-        EXPECT_NEAR(d.normal_load[i][j][k], d.normal_load[i][11 - j][k],
-                    1e-10 * largest(d.normal_load[i]));
+        EXPECT_NEAR(d.normal_load[i][j][k], d.normal_load[i][11 - j][k], 1e-10 * largest(d.normal_load[i]));
 }
 
 /// Central differences of the displacement by each load, relative to the compliances themselves.
@@ -382,15 +359,14 @@ void expect_derivatives(const Case& c, const FullDistribution& d, double share) 
       s.moment.value.z -= sense(*load.direction) * load.axial_force * s.eccentricity.y;
       s.moment.value.y += sense(*load.direction) * load.axial_force * s.eccentricity.z;
       s.eccentricity = {};
-      double* const loads[] = {&load.axial_force, &s.side_force.value.y, &s.side_force.value.z,
-                               &s.moment.value.y, &s.moment.value.z};
+      double* const loads[] = {&load.axial_force, &s.side_force.value.y, &s.side_force.value.z, &s.moment.value.y,
+                               &s.moment.value.z};
       *loads[k] += k == 0 ? sense(*load.direction) * step : step;
       return Eigen::VectorXd(solve(model_of(c, load)).screw_end.displacement);
     };
     const Eigen::VectorXd slope = (moved(steps[k]) - moved(-steps[k])) / (2.0 * steps[k]);
     for (Eigen::Index i = 0; i < 5; ++i)
-      EXPECT_NEAR(slope[i], compliance(i, k),
-                  share * std::sqrt(compliance(i, i) * compliance(k, k)));
+      EXPECT_NEAR(slope[i], compliance(i, k), share * std::sqrt(compliance(i, i) * compliance(k, k)));
   }
 }
 
@@ -486,8 +462,7 @@ TEST(FullMechanism, UnderAnAxialForceATurnIsOnePosition) {
   EXPECT_EQ(solves, 23);
   EXPECT_EQ(one.axial_displacement.size(), all.axial_displacement.size());
   for (const Interface i : kInterfaces) {
-    EXPECT_LT(largest_difference(one.loads[i].equivalent, all.loads[i].equivalent),
-              1e-9 * all.loads[i].largest);
+    EXPECT_LT(largest_difference(one.loads[i].equivalent, all.loads[i].equivalent), 1e-9 * all.loads[i].largest);
     EXPECT_EQ(one.loads[i].roller, all.loads[i].roller);
     EXPECT_EQ(one.loads[i].carrier_angle, all.loads[i].carrier_angle);
   }
@@ -537,8 +512,7 @@ TEST(FullMechanism, ATurnIsOnePositionWhereNothingElseHasAnAzimuth) {
   for (const Case& one : cases) {
     const PerInterface<OrbitLoads> exact = turned(one, 0.0), slow = turned(one, 1e-5);
     for (const Interface i : kInterfaces)
-      EXPECT_LT(largest_difference(exact[i].equivalent, slow[i].equivalent),
-                1e-7 * exact[i].largest);
+      EXPECT_LT(largest_difference(exact[i].equivalent, slow[i].equivalent), 1e-7 * exact[i].largest);
   }
 }
 
@@ -549,8 +523,7 @@ TEST(FullMechanism, OneContactOfEachRollerHoldsTheScrewWithABearing) {
   c.mechanism.contacts_per_roller = 1;
   c.structure->screw.free_length = 0.0;
   EXPECT_EQ(solve(model_of(c)).solve.status, fe::NewtonStatus::mechanism);
-  c.structure->screw.bearings.push_back(
-      {.position = *c.load_cases[0].position, .offset = {}, .angle = {}});
+  c.structure->screw.bearings.push_back({.position = *c.load_cases[0].position, .offset = {}, .angle = {}});
   const FullModel f = model_of(c);
   const FullDistribution d = solve(f);
   ASSERT_TRUE(d.solve.converged()) << fe::name(d.solve.status);
@@ -607,8 +580,7 @@ TEST(FullMechanism, SaysWhatLeavesTheStiffnessOut) {
   ASSERT_TRUE(r.converged());
   EXPECT_EQ(r.full->idle_rollers, (std::vector{2, 4}));
   EXPECT_EQ(r.full->screw_end.stiffness.size(), 0);
-  EXPECT_THAT(sentences(r.warnings),
-              testing::Contains(HasSubstr("a motion of screw meets no resistance")));
+  EXPECT_THAT(sentences(r.warnings), testing::Contains(HasSubstr("a motion of screw meets no resistance")));
 }
 
 TEST(FullMechanism, OneSolverForManyModelsGivesTheSameBits) {
@@ -623,8 +595,7 @@ TEST(FullMechanism, OneSolverForManyModelsGivesTheSameBits) {
   };
   for (int k = 0; k < 3; ++k) {
     c.deviations.roller_diameters.resize(11);
-    for (double& d : c.deviations.roller_diameters)
-      d = std::normal_distribution<double>(0.0, 2e-6)(random);
+    for (double& d : c.deviations.roller_diameters) d = std::normal_distribution<double>(0.0, 2e-6)(random);
     compare(model_of(c));
   }
   c.structure->nut.housing.tilt = 1e5;  // Another shape, another number of equations.
@@ -672,8 +643,7 @@ TEST(FullMechanism, BearingsThatPushAgainstEachOtherAreToldOf) {
   c.structure->screw.bearings = {{first, kRigid, 0.0, {0.0, 0.0}, {}},
                                  {first + 1e-4, kRigid, 0.0, {1e-6, 0.0}, {}},
                                  {first + 2e-4, kRigid, 0.0, {0.0, 0.0}, {}}};
-  EXPECT_THAT(sentences(analyze(c).load_cases[0].warnings),
-              testing::Contains(HasSubstr("push against each other")));
+  EXPECT_THAT(sentences(analyze(c).load_cases[0].warnings), testing::Contains(HasSubstr("push against each other")));
   c.structure->screw.bearings[1].offset = {};
   EXPECT_THAT(sentences(analyze(c).load_cases[0].warnings),
               testing::Not(testing::Contains(HasSubstr("push against each other"))));
@@ -696,8 +666,7 @@ TEST(FullMechanism, MoreAxialForceHoldsASideForce) {
   c.load_cases[0].spatial.side_force.value = {60e3, 0.0};
   const Result result = analyze(c);
   ASSERT_EQ(result.load_cases[0].solve->status, fe::NewtonStatus::no_equilibrium);
-  EXPECT_THAT(sentences(result.load_cases[0].warnings),
-              testing::Contains(HasSubstr("or raise the axial force to ")));
+  EXPECT_THAT(sentences(result.load_cases[0].warnings), testing::Contains(HasSubstr("or raise the axial force to ")));
   const std::optional<double> force = holding_force(model_of(c));
   ASSERT_TRUE(force);
   c.load_cases[0].axial_force = 1.02 * *force;

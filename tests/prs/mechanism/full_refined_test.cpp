@@ -30,20 +30,17 @@ struct RefinedScrew {
     load.position = parts.position;
   }
   FullModel model() const {
-    return full_model(parts.mechanism, parts.structure, parts.materials, parts.options, parts.laws,
-                      load, parts.deviations);
+    return full_model(parts.mechanism, parts.structure, parts.materials, parts.options, parts.laws, load,
+                      parts.deviations);
   }
 };
 
-double largest_load(const FullDistribution& d, Interface i) {
-  return test::largest(d.normal_load[i]);
-}
+double largest_load(const FullDistribution& d, Interface i) { return test::largest(d.normal_load[i]); }
 
 double largest_change(const FullDistribution& a, const FullDistribution& b) {
   double change = 0.0;
   for (const Interface i : kInterfaces)
-    change = std::max(
-        change, test::largest_difference(a.normal_load[i], b.normal_load[i]) / largest_load(a, i));
+    change = std::max(change, test::largest_difference(a.normal_load[i], b.normal_load[i]) / largest_load(a, i));
   return change;
 }
 
@@ -54,8 +51,7 @@ FullDistribution with_harmonics(const RefinedScrew& screw, int highest) {
     const double depth = 0.23 * f.sector.pitch;
     bore.root.push_back(bore.pitch + std::min(depth, outer - bore.pitch - 0.1 * f.sector.pitch));
   }
-  f.nut_wall->harmonics =
-      nut_harmonics(f.nut_wall->line, bore, screw.parts.materials.nut, f.rollers, highest);
+  f.nut_wall->harmonics = nut_harmonics(f.nut_wall->line, bore, screw.parts.materials.nut, f.rollers, highest);
   return solve(f, Detail::numbers);
 }
 
@@ -75,8 +71,7 @@ TEST(FullRefined, IsTheSectorsRefinedModelWhereAllRollersAreAlike) {
   std::vector<RefinedEffects> effects(8);
   effects[1].core = effects[2].shear = effects[3].hoop = effects[4].poisson = false;
   effects[5].flange = effects[6].radial = effects[7].concentration = false;
-  for (const auto contacts :
-       {ModelOptions::RollerContacts::opposite, ModelOptions::RollerContacts::half_pitch_apart})
+  for (const auto contacts : {ModelOptions::RollerContacts::opposite, ModelOptions::RollerContacts::half_pitch_apart})
     for (const Direction direction : {Direction::tension, Direction::compression})
       for (const RefinedEffects& switched : effects) {
         SCOPED_TRACE(&switched - effects.data());
@@ -101,8 +96,7 @@ RefinedScrew with_a_thick_roller() {
 RefinedScrew with_oval_diameters() {
   RefinedScrew screw;
   for (int j = 0; j < 11; ++j)
-    screw.parts.deviations.roller_diameters.push_back(3e-6 *
-                                                      std::cos(4.0 * std::numbers::pi * j / 11));
+    screw.parts.deviations.roller_diameters.push_back(3e-6 * std::cos(4.0 * std::numbers::pi * j / 11));
   return screw;
 }
 
@@ -122,12 +116,9 @@ TEST(FullRefined, AnOvalNutLoadsUnequalRollersOtherwise) {
 
 /// The gap left by a roller is narrow; waves of diameters are one harmonic.
 TEST(FullRefined, HarmonicsBeyondTheFifthHardlyCount) {
-  for (const RefinedScrew& screw :
-       {without_a_roller(), with_a_thick_roller(), with_oval_diameters()})
+  for (const RefinedScrew& screw : {without_a_roller(), with_a_thick_roller(), with_oval_diameters()})
     EXPECT_LT(largest_change(with_harmonics(screw, 5), with_harmonics(screw, 7)), 4e-3);
-  EXPECT_LT(largest_change(with_harmonics(with_oval_diameters(), 2),
-                           with_harmonics(with_oval_diameters(), 5)),
-            1e-3);
+  EXPECT_LT(largest_change(with_harmonics(with_oval_diameters(), 2), with_harmonics(with_oval_diameters(), 5)), 1e-3);
 }
 
 TEST(FullRefined, ASideForceHardlyMakesTheNutOval) {
@@ -181,8 +172,7 @@ TEST(FullRefined, TheEnergyFallsByTheDisplacement) {
   ASSERT_NE(f.offset_compliance(), 0.0);
   const double step = 200.0;
   const auto slope = [&](auto energy) {
-    return (energy(screw.load.axial_force + step) - energy(screw.load.axial_force - step)) /
-           (2.0 * step);
+    return (energy(screw.load.axial_force + step) - energy(screw.load.axial_force - step)) / (2.0 * step);
   };
   const double of_full = slope([&](double force) {
     RefinedScrew other = screw;
@@ -191,11 +181,8 @@ TEST(FullRefined, TheEnergyFallsByTheDisplacement) {
   });
   EXPECT_NEAR(-of_full / solve(f, Detail::numbers).axial_displacement, 1.0, 1e-5);
   SectorSolver sector(build_sector(f.sector));
-  const double of_sector =
-      slope([&](double force) { return sector.solve(force).solve.history.back().energy; });
-  EXPECT_NEAR(
-      -of_sector * f.sector.rollers / sector.solve(screw.load.axial_force).axial_displacement, 1.0,
-      1e-5);
+  const double of_sector = slope([&](double force) { return sector.solve(force).solve.history.back().energy; });
+  EXPECT_NEAR(-of_sector * f.sector.rollers / sector.solve(screw.load.axial_force).axial_displacement, 1.0, 1e-5);
 }
 
 TEST(FullRefined, BalancesWithContactsAlongAHelix) {

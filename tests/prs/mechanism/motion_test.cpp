@@ -28,15 +28,12 @@ using testing::HasSubstr;
 
 /// Solved cases of an independent program, 12 digits.
 const json& reference() {
-  static const json cases =
-      json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/mechanism/motion_cases.json"));
+  static const json cases = json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/mechanism/motion_cases.json"));
   return cases;
 }
 json input_of(std::size_t k) { return reference().at("cases").at(k).at("input"); }
 
-Case case_of(const json& input) {
-  return input::read_case_text(input.dump(), "case", {}, Command::solve);
-}
+Case case_of(const json& input) { return input::read_case_text(input.dump(), "case", {}, Command::solve); }
 
 /// Five rollers of a standard and of an inverted screw, nothing fixed in space but the axial force.
 Case screw(Mechanism::Type type) {
@@ -73,8 +70,7 @@ void expect_same(const std::vector<double>& a, const std::vector<double>& b, dou
 void expect_same(const TravelResult& a, const TravelResult& b) {
   expect_same(a.displacement, b.displacement, 1e-14);
   expect_same(a.tangent_stiffness, b.tangent_stiffness, 1e-6 * a.tangent_stiffness[0]);
-  for (const Interface i : kInterfaces)
-    EXPECT_LT(test::largest_difference(a.loads[i].mean, b.loads[i].mean), 1e-6);
+  for (const Interface i : kInterfaces) EXPECT_LT(test::largest_difference(a.loads[i].mean, b.loads[i].mean), 1e-6);
 }
 
 /// Errors of every kind.
@@ -100,8 +96,7 @@ void add_errors(Case& c, unsigned seed) {
 
 /// Numbers of the reference against those of the document, to a share of the largest one in a list
 /// of them.
-void expect_near(const json& wanted, const json& got, double share, const std::string& path,
-                 double scale = 0.0) {
+void expect_near(const json& wanted, const json& got, double share, const std::string& path, double scale = 0.0) {
   if (wanted.is_object()) {
     for (const auto& [key, value] : wanted.items()) {
       ASSERT_TRUE(got.contains(key)) << path << "." << key;
@@ -146,8 +141,7 @@ TEST(Motion, WrongInputIsRefusedAndAPositionWithoutEquilibriumTold) {
     EXPECT_TRUE(r.converged());
     EXPECT_NEAR(r.full->travel->failure->angle, pi / 4.0, 1e-12);
     EXPECT_EQ(r.full->travel->failure->status, fe::NewtonStatus::no_equilibrium);
-    EXPECT_THAT(sentences(r.warnings),
-                Contains(HasSubstr("no equilibrium at 45 deg of the travel")));
+    EXPECT_THAT(sentences(r.warnings), Contains(HasSubstr("no equilibrium at 45 deg of the travel")));
   }
 }
 
@@ -169,8 +163,7 @@ TEST(Motion, WrongInputIsTold) {
               HasSubstr("law of friction"));
   EXPECT_THAT(message([](json& in) { in["load_cases"][0]["travel"]["turning_part"] = "roller"; }),
               HasSubstr("turning_part"));
-  EXPECT_THAT(message([&](json& in) { screw_of(in)["eccentricity"]["amount"] = 5; }),
-              HasSubstr("a length"));
+  EXPECT_THAT(message([&](json& in) { screw_of(in)["eccentricity"]["amount"] = 5; }), HasSubstr("a length"));
   EXPECT_THAT(message([&](json& in) {
                 screw_of(in)["lead"]["waves"] = {{{"length", "0 mm"}}};
               }),
@@ -181,8 +174,7 @@ TEST(Motion, WrongInputIsTold) {
               HasSubstr("lead.harmonics[0].order"));
   const auto measured = [&](json at, json deviation) {
     return message([&](json& in) {
-      screw_of(in)["lead"]["measured"] = {{"at", std::move(at)},
-                                          {"deviation", std::move(deviation)}};
+      screw_of(in)["lead"]["measured"] = {{"at", std::move(at)}, {"deviation", std::move(deviation)}};
     });
   };
   EXPECT_THAT(measured({"-90 mm", "90 mm"}, {"1 um"}), HasSubstr("measured.deviation"));
@@ -195,21 +187,16 @@ TEST(Motion, WrongInputIsTold) {
               }),
               HasSubstr("one for each roller"));
   EXPECT_THAT(message([](json& in) { in["materials"].erase("density"); }), HasSubstr("density"));
-  EXPECT_THAT(message([](json& in) { in["load_cases"][0]["modes"]["count"] = 0; }),
-              HasSubstr("modes.count"));
-  EXPECT_THAT(message([](json& in) { in["load_cases"][0]["modes"]["positions"] = 13; }),
-              HasSubstr("modes.positions"));
-  EXPECT_THAT(message([](json& in) { in["load_cases"][0].erase("travel"); }),
-              HasSubstr("modes.positions"));
-  EXPECT_THAT(message([](json& in) { in["structure"]["masses"][0]["mass"] = "0 kg"; }),
-              HasSubstr("no inertia"));
+  EXPECT_THAT(message([](json& in) { in["load_cases"][0]["modes"]["count"] = 0; }), HasSubstr("modes.count"));
+  EXPECT_THAT(message([](json& in) { in["load_cases"][0]["modes"]["positions"] = 13; }), HasSubstr("modes.positions"));
+  EXPECT_THAT(message([](json& in) { in["load_cases"][0].erase("travel"); }), HasSubstr("modes.positions"));
+  EXPECT_THAT(message([](json& in) { in["structure"]["masses"][0]["mass"] = "0 kg"; }), HasSubstr("no inertia"));
   EXPECT_THAT(message([](json& in) { in["structure"]["masses"][0]["position"] = "41 mm"; }),
               HasSubstr("a place on the nut"));
   EXPECT_THAT(message([](json& in) { in["structure"]["screw"]["drive"]["position"] = "-1 m"; }),
               HasSubstr("a place on the screw"));
-  EXPECT_THAT(
-      message([](json& in) { in["structure"]["screw"]["drive"]["stiffness"] = "0 N m/rad"; }),
-      HasSubstr("drive.stiffness"));
+  EXPECT_THAT(message([](json& in) { in["structure"]["screw"]["drive"]["stiffness"] = "0 N m/rad"; }),
+              HasSubstr("drive.stiffness"));
   EXPECT_THAT(message([](json& in) {
                 in["load_cases"][0]["modes"]["axial_support"] = {{"screw", "0 N/mm"}};
               }),
@@ -277,8 +264,8 @@ TEST(Motion, TurnsWithEverything) {
       t.wobble.angle += kAngle;
       for (LeadHarmonic& h : t.harmonics) h.phase -= h.order * kAngle;
     }
-    const double spin = (type == Mechanism::Type::standard ? -1.0 : 1.0) *
-                        c.mechanism.starts.screw / c.mechanism.starts.roller * kAngle;
+    const double spin = (type == Mechanism::Type::standard ? -1.0 : 1.0) * c.mechanism.starts.screw /
+                        c.mechanism.starts.roller * kAngle;
     TurningRollers& r = c.deviations.turning.rollers;
     for (double& angle : r.eccentricity.angle.many) angle -= spin;
     for (double& angle : r.wobble.angle.many) angle -= spin;
@@ -301,8 +288,8 @@ TEST(Motion, TwoTinyErrorsAddUp) {
     c.deviations.turning.thread.nut.harmonics = {{2, harmonic, 0.1}};
     return travel_of(c).displacement;
   };
-  const std::vector<double> none = with(0.0, 0.0), first = with(1e-10, 0.0),
-                            second = with(0.0, 1e-10), both = with(1e-10, 1e-10);
+  const std::vector<double> none = with(0.0, 0.0), first = with(1e-10, 0.0), second = with(0.0, 1e-10),
+                            both = with(1e-10, 1e-10);
   for (std::size_t k = 0; k < none.size(); ++k)
     EXPECT_NEAR(both[k] - none[k], first[k] + second[k] - 2.0 * none[k], 1e-14);
 }
@@ -367,8 +354,7 @@ TEST(Motion, RigidPartsWithOneEccentricityHaveAClosedForm) {
       double sum = 0.0;
       for (int j = 0; j < c.mechanism.rollers; ++j) {
         const double on_screw = 2.0 * pi * j / c.mechanism.rollers + (epsilon - 1.0) * t.angle[k];
-        const double h = -std::tan(*c.contact.normal_angle.screw) * error.amount *
-                         std::cos(on_screw - error.angle);
+        const double h = -std::tan(*c.contact.normal_angle.screw) * error.amount * std::cos(on_screw - error.angle);
         sum += std::pow(std::max(u - h, 0.0) / compliance, 1.5);
       }
       return sum;
@@ -454,9 +440,7 @@ ExtraMass heavy(ExtraMass::Carrier carrier, double position) {
   m.mass = 1e6;
   return m;
 }
-double loaded_section(const Case& c) {
-  return *c.load_cases[0].position - c.structure->screw.free_length;
-}
+double loaded_section(const Case& c) { return *c.load_cases[0].position - c.structure->screw.free_length; }
 
 TEST(Motion, AHeavyMassSwingsOnTheTangentStiffness) {
   for (const Mechanism::Type type : kTypes) {
@@ -480,8 +464,8 @@ TEST(Motion, AHeavyMassSwingsOnTheTangentStiffness) {
     const double torsion = 2.0 * modes_of(c).modes[0].frequency * pi;
     c.structure->screw.drive->stiffness = kRigid;
     const double rigid = 2.0 * modes_of(c).modes[0].frequency * pi;
-    EXPECT_NEAR(1.0 / (1e6 * torsion * torsion) - 1.0 / (1e6 * rigid * rigid),
-                advance * advance / drive.stiffness, 1e-5 * advance * advance / drive.stiffness);
+    EXPECT_NEAR(1.0 / (1e6 * torsion * torsion) - 1.0 / (1e6 * rigid * rigid), advance * advance / drive.stiffness,
+                1e-5 * advance * advance / drive.stiffness);
   }
 }
 
@@ -509,16 +493,14 @@ TEST(Motion, HeavyRollersTurnWithTheDrive) {
     const double m_ends = cylinder(roller.end_diameter, 2.0 * roller.end_length);
     const double mass = m_thread + m_ends;
     const double inertia =
-        (m_thread * *d.roller * *d.roller + m_ends * roller.end_diameter * roller.end_diameter) /
-        8.0;
+        (m_thread * *d.roller * *d.roller + m_ends * roller.end_diameter * roller.end_diameter) / 8.0;
     const double epsilon = *d.screw / (*d.screw + *d.nut);
     const double gear = c.mechanism.starts.screw / c.mechanism.starts.roller;
     const double w = standard ? epsilon - gear * epsilon : epsilon + gear * (epsilon - 1.0);
     const double advance = c.mechanism.lead / (2.0 * pi);
     const double a = *c.mechanism.centre_distance;
-    const double all =
-        drive.inertia + c.mechanism.rollers * (mass * std::pow(epsilon * a, 2) + inertia * w * w +
-                                               (standard ? mass * advance * advance : 0.0));
+    const double all = drive.inertia + c.mechanism.rollers * (mass * std::pow(epsilon * a, 2) + inertia * w * w +
+                                                              (standard ? mass * advance * advance : 0.0));
     const double wanted = std::sqrt(drive.stiffness / all) / (2.0 * pi);
     EXPECT_NEAR(modes_of(c).modes[0].frequency, wanted, 1e-4 * wanted);
   }
@@ -533,8 +515,7 @@ TEST(Motion, MassesStandStillWhileTheCarrierTurns) {
   c.load_cases[0].travel.reset();
   const ModesResult stands = modes_of(c);
   for (std::size_t k = 0; k < stands.modes.size(); ++k)
-    EXPECT_NEAR(turned.modes[k].frequency, stands.modes[k].frequency,
-                1e-8 * stands.modes[k].frequency);
+    EXPECT_NEAR(turned.modes[k].frequency, stands.modes[k].frequency, 1e-8 * stands.modes[k].frequency);
 }
 
 TEST(Motion, ContactsAloneHaveFrequenciesLikeTheSixthRootOfTheForce) {
@@ -560,10 +541,9 @@ TEST(Motion, AllModesTogetherHaveTheMassAndEnergiesAddUp) {
   for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(mass[i], all.mass[i], 1e-6 * all.mass[i]);
   for (std::size_t k = 0; k < 20; ++k) {
     const Mode& m = all.modes[k];
-    EXPECT_NEAR(m.kinetic.screw + m.kinetic.nut + m.kinetic.roller + m.kinetic_of_masses, 1.0,
-                1e-12);
-    EXPECT_NEAR(m.strain.screw + m.strain.nut + m.strain.roller + m.contact_strain.screw +
-                    m.contact_strain.nut + m.support_strain + m.prestress,
+    EXPECT_NEAR(m.kinetic.screw + m.kinetic.nut + m.kinetic.roller + m.kinetic_of_masses, 1.0, 1e-12);
+    EXPECT_NEAR(m.strain.screw + m.strain.nut + m.strain.roller + m.contact_strain.screw + m.contact_strain.nut +
+                    m.support_strain + m.prestress,
                 1.0, 1e-12);
   }
 }
@@ -597,8 +577,8 @@ TEST(Motion, APinnedScrewUnderAxialForceIsABeam) {
                           std::sqrt(steel.youngs_modulus * inertia / (*steel.density * area)) *
                           std::sqrt(1.0 + tension);
     const std::vector<Mode> modes = modes_of(c).modes;
-    const auto first = std::ranges::find_if(
-        modes, [](const Mode& m) { return m.effective_mass[0] < 1e-3 && m.kinetic.screw > 0.9; });
+    const auto first =
+        std::ranges::find_if(modes, [](const Mode& m) { return m.effective_mass[0] < 1e-3 && m.kinetic.screw > 0.9; });
     ASSERT_NE(first, modes.end());
     EXPECT_NEAR(first->frequency, wanted, 0.01 * wanted);
   }
@@ -610,26 +590,23 @@ TEST(Motion, APinnedScrewUnderAxialForceIsABeam) {
 TEST(Motion, NodesThatLieCloseAreExact) {
   for (const double distance : {1.1e-4, 1e-5}) {
     Case c = vibrating(Mechanism::Type::standard);
-    c.structure->screw.bearings = {
-        {.position = *c.load_cases[0].position + distance, .lateral = 1e7, .tilt = 1e4}};
+    c.structure->screw.bearings = {{.position = *c.load_cases[0].position + distance, .lateral = 1e7, .tilt = 1e4}};
     const Contacts contacts = find_contacts(c.mechanism, c.materials);
-    const FullModel f = full_model(contacts.mechanism, *c.structure, *c.materials, c.model,
-                                   contact_laws(c, contacts), c.load_cases[0], c.deviations);
+    const FullModel f = full_model(contacts.mechanism, *c.structure, *c.materials, c.model, contact_laws(c, contacts),
+                                   c.load_cases[0], c.deviations);
     const FullDistribution d = solve(f);
     const auto compliance = [&](const FullStructure& s) {
       const fe::Equations equations(s.model);
       fe::NewtonSolver solver(equations, 0.0);
       const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
-      const std::vector<Eigen::VectorXd> loads{
-          equations.load_vector({{end.y_plane, fe::Dof::v, 1.0}})};
+      const std::vector<Eigen::VectorXd> loads{equations.load_vector({{end.y_plane, fe::Dof::v, 1.0}})};
       std::vector<Eigen::VectorXd> rates;
       EXPECT_TRUE(solver.solve_linear(linearised(f, d).tangent, loads, rates));
       return loads[0].dot(rates[0]);
     };
     const double exact = compliance(full_structure(f));
-    EXPECT_NEAR(
-        compliance(full_structure(f, FullMesh{{}, {}, std::numeric_limits<double>::infinity()})),
-        exact, 1e-9 * exact);
+    EXPECT_NEAR(compliance(full_structure(f, FullMesh{{}, {}, std::numeric_limits<double>::infinity()})), exact,
+                1e-9 * exact);
   }
 }
 

@@ -20,10 +20,8 @@ Case abevi_case() {
   c.mechanism.profile.roller = {Profile::Shape::convex, 4.949747468e-3};
   c.mechanism.rollers = 11;
   c.mechanism.contacts_per_roller = 20;
-  c.structure =
-      Structure{{0.006, 0.010},
-                {0.005, 0.005, {}},
-                {0.090, 0.046, {{0.0, 0.010, 0.062}, {0.080, 0.090, 0.062}}, {0.010, 0.080}}};
+  c.structure = Structure{
+      {0.006, 0.010}, {0.005, 0.005, {}}, {0.090, 0.046, {{0.0, 0.010, 0.062}, {0.080, 0.090, 0.062}}, {0.010, 0.080}}};
   c.materials = Materials{{209e9, 0.3, {}}, {209e9, 0.3, {}}, {209e9, 0.3, {}}};
   LoadCase pull;
   pull.name = "pull";
@@ -351,8 +349,7 @@ TEST(InOperation, ViscosityFollowsTheTemperature) {
   // nu(60 degC) by the formula of ASTM D341, worked out apart: 39.66495 mm^2/s for 0.87 kg/dm^3.
   const double by_points = in_operation(oil()).viscosity;
   const double y_40 = std::log10(std::log10(100.7)), y_100 = std::log10(std::log10(11.7));
-  const double y =
-      y_40 + (y_100 - y_40) * std::log10(333.15 / 313.15) / std::log10(373.15 / 313.15);
+  const double y = y_40 + (y_100 - y_40) * std::log10(333.15 / 313.15) / std::log10(373.15 / 313.15);
   EXPECT_NEAR(by_points / (870e-6 * (std::pow(10.0, std::pow(10.0, y)) - 0.7)), 1.0, 1e-12);
 
   Lubricant line = oil();

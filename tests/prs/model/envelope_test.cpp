@@ -51,9 +51,7 @@ struct Grid {
     rows.rows = design_count(study);
     for (std::size_t k = 0; k < rows.rows; ++k) {
       const std::vector<Draw> drawn = draws(study, k);
-      const auto at = [&](std::size_t f) {
-        return k == 0 ? 0.0 : *study.factors[f].levels[drawn[f].level].number;
-      };
+      const auto at = [&](std::size_t f) { return k == 0 ? 0.0 : *study.factors[f].levels[drawn[f].level].number; };
       for (const double value : formula(at(0), at(1))) rows.responses.push_back(value);
     }
   }
@@ -67,10 +65,7 @@ struct Grid {
 };
 
 Grid linear() {
-  return {factor("x", {3.0, 1.0, 2.0, 4.0}),
-          factor("y", steps(10.0, 20.0, 6)),
-          {"a", "b"},
-          [](double x, double y) {
+  return {factor("x", {3.0, 1.0, 2.0, 4.0}), factor("y", steps(10.0, 20.0, 6)), {"a", "b"}, [](double x, double y) {
             return std::vector{2.0 * x + y, x * y};
           }};
 }
@@ -80,8 +75,7 @@ TEST(GridMaps, NodesAscendWhateverTheOrderOfTheLevels) {
   EXPECT_THAT(maps.axes[0].numbers, ElementsAre(1.0, 2.0, 3.0, 4.0));
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 6; ++j)
-      EXPECT_EQ(maps.responses[1][maps.node(i, j)],
-                maps.axes[0].numbers[i] * maps.axes[1].numbers[j]);
+      EXPECT_EQ(maps.responses[1][maps.node(i, j)], maps.axes[0].numbers[i] * maps.axes[1].numbers[j]);
   EXPECT_EQ(maps.design(maps.node(0, 0)), 7U);  // x = 1 is the second level of six designs each.
 }
 
@@ -171,17 +165,15 @@ TEST(Envelope, ProductHasWeightsAsExponentsAndSumAsFactors) {
   grid.study.envelope->normalise = Envelope::Normalise::max;
   const EnvelopeResult sum = grid.envelope();
   for (std::size_t k = 0; k < maps.nodes(); ++k)
-    EXPECT_NEAR(sum.values[k],
-                3.0 * maps.responses[0][k] / 28.0 - 0.5 * maps.responses[1][k] / largest, 1e-13);
+    EXPECT_NEAR(sum.values[k], 3.0 * maps.responses[0][k] / 28.0 - 0.5 * maps.responses[1][k] / largest, 1e-13);
 }
 
 // Errata of Jung, item 7: as factors of a product the weights only rescale it.
 TEST(Envelope, WeightsMoveTheBestDesignOfAProduct) {
   const auto best_x = [](double weight) {
-    Grid grid(factor("x", steps(1.0, 5.0, 401)), factor("y", {1.0, 2.0}), {"a", "b"},
-              [](double x, double) {
-                return std::vector{x, 6.0 - x};
-              });
+    Grid grid(factor("x", steps(1.0, 5.0, 401)), factor("y", {1.0, 2.0}), {"a", "b"}, [](double x, double) {
+      return std::vector{x, 6.0 - x};
+    });
     grid.study.envelope->measures = {{"a", weight}, {"b", 1.0}};
     const EnvelopeResult result = grid.envelope();
     const GridMaps maps = grid.maps();
@@ -194,18 +186,14 @@ TEST(Envelope, WeightsMoveTheBestDesignOfAProduct) {
 }
 
 TEST(Envelope, UnitsDoNotMatterToANormalisedProduct) {
-  Grid newtons(factor("x", steps(1.0, 3.0, 5)), factor("y", steps(2.0, 4.0, 5)), {"a", "b"},
-               [](double x, double y) {
-                 return std::vector{x * x + y, y / x};
-               });
+  Grid newtons(factor("x", steps(1.0, 3.0, 5)), factor("y", steps(2.0, 4.0, 5)), {"a", "b"}, [](double x, double y) {
+    return std::vector{x * x + y, y / x};
+  });
   Grid kilonewtons = newtons;
-  for (std::size_t k = 0; k < kilonewtons.rows.responses.size(); k += 2)
-    kilonewtons.rows.responses[k] *= 1e-3;
-  newtons.study.envelope->measures =
-      kilonewtons.study.envelope->measures = {{"a", 2.0}, {"b", -1.0}};
+  for (std::size_t k = 0; k < kilonewtons.rows.responses.size(); k += 2) kilonewtons.rows.responses[k] *= 1e-3;
+  newtons.study.envelope->measures = kilonewtons.study.envelope->measures = {{"a", 2.0}, {"b", -1.0}};
   const EnvelopeResult a = newtons.envelope(), b = kilonewtons.envelope();
-  for (std::size_t k = 0; k < a.values.size(); ++k)
-    EXPECT_NEAR(a.values[k] / b.values[k], 1.0, 1e-13);
+  for (std::size_t k = 0; k < a.values.size(); ++k) EXPECT_NEAR(a.values[k] / b.values[k], 1.0, 1e-13);
 }
 
 TEST(Envelope, GivenPointHasTheValuesThere) {
@@ -259,12 +247,10 @@ TEST(Envelope, ReadBackConvergesToTheInverseOfASmoothMap) {
   const auto error = [](int nodes) {
     Grid grid(factor("x", steps(1.0, 2.0, nodes)), factor("y", steps(1.0, 2.0, nodes)), {"a", "b"},
               [](double x, double y) {
-                return x == 0.0 ? std::vector{0.0, 0.0}
-                                : std::vector{x * x * std::sqrt(y), std::exp(x) / y};
+                return x == 0.0 ? std::vector{0.0, 0.0} : std::vector{x * x * std::sqrt(y), std::exp(x) / y};
               });
     grid.study.envelope->measures = {{"a", 1.0}};
-    grid.study.envelope->points = {
-        {"B", {}, {{"a", 1.43 * 1.43 * std::sqrt(1.67)}, {"b", std::exp(1.43) / 1.67}}}};
+    grid.study.envelope->points = {{"B", {}, {{"a", 1.43 * 1.43 * std::sqrt(1.67)}, {"b", std::exp(1.43) / 1.67}}}};
     const EnvelopePoint point = grid.envelope().points.at(0);
     return std::hypot(*point.inputs[0].number - 1.43, *point.inputs[1].number - 1.67);
   };
@@ -292,9 +278,8 @@ TEST(Envelope, BetweenWholeNumbersThereIsNothing) {
 }
 
 TEST(Envelope, DesignsWithoutANumberAreLeftOut) {
-  Grid grid(
-      factor("x", {1.0, 2.0, 3.0}), factor("y", {1.0, 2.0, 3.0}), {"a"},
-      [](double x, double y) { return std::vector{x == 2.0 && y == 2.0 ? kNoResponse : x - 2.0}; });
+  Grid grid(factor("x", {1.0, 2.0, 3.0}), factor("y", {1.0, 2.0, 3.0}), {"a"},
+            [](double x, double y) { return std::vector{x == 2.0 && y == 2.0 ? kNoResponse : x - 2.0}; });
   grid.study.envelope->measures = {{"a", 0.5}};
   grid.study.envelope->points = {{"B", {}, {{"a", 0.5}}}};
   const EnvelopeResult result = grid.envelope();

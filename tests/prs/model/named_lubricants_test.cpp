@@ -56,10 +56,8 @@ TEST(NamedLubricants, ViscosityGradesHaveTheViscosityIndexOfTheirStandard) {
 
 /// What the chart states at 40 degC; the index that the table says it takes for 100 degC.
 TEST(NamedLubricants, BearingGreasesHaveTheBaseOilOfTheirMakersChart) {
-  for (const auto& [name, at_40] : {std::pair{"skf-lgmt-2", 110.0},
-                                    {"skf-lgep-2", 200.0},
-                                    {"skf-lgwa-2", 185.0},
-                                    {"skf-lghb-2", 400.0}}) {
+  for (const auto& [name, at_40] :
+       {std::pair{"skf-lgmt-2", 110.0}, {"skf-lgep-2", 200.0}, {"skf-lgwa-2", 185.0}, {"skf-lghb-2", 400.0}}) {
     const auto rows = named_lubricants();
     const auto grease = std::ranges::find(rows, name, &NamedLubricant::name);
     ASSERT_NE(grease, rows.end()) << name;
@@ -81,13 +79,11 @@ TEST(NamedLubricants, TheEstimateOfPressureViscosityFollowsTheTemperature) {
   const Lubricant oil = named("iso-vg-100", 333.15);
   for (const double temperature : {293.15, 333.15, 393.15}) {
     const contact::Lubricant at = at_temperature(oil, temperature);
-    EXPECT_EQ(at.pressure_viscosity,
-              contact::gold_pressure_viscosity(contact::BaseOil::mineral, at.viscosity / 891.0));
+    EXPECT_EQ(at.pressure_viscosity, contact::gold_pressure_viscosity(contact::BaseOil::mineral, at.viscosity / 891.0));
   }
   // alpha = s nu^t: over a range of temperatures it falls with the power t of the viscosity.
   const contact::Lubricant cold = at_temperature(oil, 313.15), hot = at_temperature(oil, 373.15);
-  EXPECT_NEAR(cold.pressure_viscosity / hot.pressure_viscosity, std::pow(100.0 / 11.07, 0.139),
-              1e-12);
+  EXPECT_NEAR(cold.pressure_viscosity / hot.pressure_viscosity, std::pow(100.0 / 11.07, 0.139), 1e-12);
 }
 
 TEST(NamedLubricants, StatedValuesComeFirst) {
@@ -99,8 +95,7 @@ TEST(NamedLubricants, StatedValuesComeFirst) {
   EXPECT_EQ(in_operation(oil).eyring_stress, 8e6);
   EXPECT_FALSE(estimated_lubricant(oil));
   oil.density = 2.0 * 891.0;
-  EXPECT_NEAR(in_operation(oil).viscosity / in_operation(named("iso-vg-100", 333.15)).viscosity,
-              2.0, 1e-12);
+  EXPECT_NEAR(in_operation(oil).viscosity / in_operation(named("iso-vg-100", 333.15)).viscosity, 2.0, 1e-12);
   oil.viscosity_at = {{313.15, {}, 68e-6}, {373.15, {}, 8.53e-6}};
   oil.density = 887.0;
   EXPECT_EQ(in_operation(oil).viscosity, in_operation(named("iso-vg-68", 333.15)).viscosity);

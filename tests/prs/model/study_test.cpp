@@ -48,9 +48,8 @@ TEST(Study, EachDesignVariesOneFactorAndAllLevelsAppearOnce) {
     ASSERT_EQ(design(study, k).settings.size(), 1U);
     seen.insert(overrides(study, design(study, k)).at(0));
   }
-  EXPECT_THAT(seen,
-              ElementsAre("load_cases[0].axial_force=35 kN", "load_cases[0].axial_force=5 kN",
-                          "mechanism.rollers=10", "mechanism.rollers=8", "mechanism.rollers=9"));
+  EXPECT_THAT(seen, ElementsAre("load_cases[0].axial_force=35 kN", "load_cases[0].axial_force=5 kN",
+                                "mechanism.rollers=10", "mechanism.rollers=8", "mechanism.rollers=9"));
 }
 
 TEST(Study, CompanionsGoWithTheLevelOfTheirFactor) {
@@ -63,9 +62,8 @@ TEST(Study, CompanionsGoWithTheLevelOfTheirFactor) {
   study.factors[0].companions = {lead};
   study.plan = Plan::grid;
   ASSERT_EQ(design_count(study), 7U);
-  EXPECT_THAT(
-      overrides(study, draws(study, 5)),
-      ElementsAre("mechanism.rollers=10", "mechanism.lead=6 mm", "load_cases[0].axial_force=5 kN"));
+  EXPECT_THAT(overrides(study, draws(study, 5)),
+              ElementsAre("mechanism.rollers=10", "mechanism.lead=6 mm", "load_cases[0].axial_force=5 kN"));
   EXPECT_TRUE(is_base(study, design(study, 4)));
   study.factors[0].companions[0].base = Level{"4 mm", 4.0};
   EXPECT_FALSE(is_base(study, design(study, 4)));
@@ -118,13 +116,11 @@ Study sampled_distributions(Plan plan, std::size_t samples) {
   return study;
 }
 
-constexpr Plan kSampled[] = {Plan::latin_hypercube, Plan::sobol, Plan::monte_carlo,
-                             Plan::sobol_indices};
+constexpr Plan kSampled[] = {Plan::latin_hypercube, Plan::sobol, Plan::monte_carlo, Plan::sobol_indices};
 
 std::vector<double> column(const Study& study, std::size_t factor) {
   std::vector<double> values;
-  for (std::size_t k = 1; k < design_count(study); ++k)
-    values.push_back(draws(study, k)[factor].number);
+  for (std::size_t k = 1; k < design_count(study); ++k) values.push_back(draws(study, k)[factor].number);
   std::ranges::sort(values);
   return values;
 }
@@ -184,8 +180,7 @@ TEST(Study, TextReadsBackAsTheSameNumber) {
 TEST(Study, LatinHypercubeHasOneSampleInEachStratumOfEachDistribution) {
   constexpr std::size_t kSamples = 1000;
   const Study study = sampled_distributions(Plan::latin_hypercube, kSamples);
-  const std::vector<double> lead = column(study, 2), viscosity = column(study, 3),
-                            crowning = column(study, 4);
+  const std::vector<double> lead = column(study, 2), viscosity = column(study, 3), crowning = column(study, 4);
   for (std::size_t k = 0; k < kSamples; ++k) {
     const auto stratum = static_cast<int>(k);
     EXPECT_EQ(static_cast<int>((lead[k] - 4.0) * 500.0), stratum);
@@ -216,8 +211,7 @@ TEST(Study, IndicesOfVarianceMixTheColumnsOfTwoMatrices) {
     for (std::size_t i = 2; i < factors; ++i) EXPECT_NE(a[i].number, b[i].number);
     for (std::size_t mixed = 0; mixed < factors; ++mixed) {
       const std::vector<Draw> ab = draws(study, first + 2 + mixed);
-      for (std::size_t i = 0; i < factors; ++i)
-        EXPECT_EQ(value(ab[i]), value(i == mixed ? b[i] : a[i]));
+      for (std::size_t i = 0; i < factors; ++i) EXPECT_EQ(value(ab[i]), value(i == mixed ? b[i] : a[i]));
     }
   }
 }
@@ -225,8 +219,7 @@ TEST(Study, IndicesOfVarianceMixTheColumnsOfTwoMatrices) {
 TEST(Study, LevelEqualToTheFileIsTheBaseCase) {
   const Study study = two_factors();
   std::vector<bool> base;
-  for (std::size_t k = 1; k < design_count(study); ++k)
-    base.push_back(is_base(study, design(study, k)));
+  for (std::size_t k = 1; k < design_count(study); ++k) base.push_back(is_base(study, design(study, k)));
   EXPECT_THAT(base, ElementsAre(false, true, false, false, true));
 }
 

@@ -15,13 +15,11 @@ using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 using Texts = std::vector<std::string>;
 
-const std::string kHertzGiven =
-    "contact.hertz_constant={screw: 3.6062e5 N/mm^1.5, nut: 4.2140e5 N/mm^1.5}";
+const std::string kHertzGiven = "contact.hertz_constant={screw: 3.6062e5 N/mm^1.5, nut: 4.2140e5 N/mm^1.5}";
 const std::string kAnglesGiven = "contact.normal_angle={screw: 45.0288 deg, nut: 45.0803 deg}";
 
 Case abevi_case(Texts overrides) {
-  overrides.push_back(
-      "load_cases=[{name: a, axial_force: 45 kN, direction: tension, position: 4 mm}]");
+  overrides.push_back("load_cases=[{name: a, axial_force: 45 kN, direction: tension, position: 4 mm}]");
   return input::read_case_text(input::kAbevi, "test.yaml", overrides, Command::solve);
 }
 
@@ -43,17 +41,16 @@ std::vector<double> distribution(const Texts& overrides) {
 
 /// Another value of an input that is void for some overrides.
 Texts with_another(Texts overrides, const std::string& path) {
-  const std::string value =
-      path.starts_with("mechanism.flank_angle")     ? "44 deg"
-      : path.starts_with("mechanism.profile_plane") ? "axial"
-      : path == "mechanism.profile"
-          ? "{screw: {convex: 60 mm}, roller: {convex: 4.5 mm}, nut: straight}"
-      : path == "mechanism.profile.roller"    ? "{convex: 4.5 mm}"
-      : path.starts_with("mechanism.profile") ? "{convex: 60 mm}"
-      : path == "mechanism.centre_distance"   ? "14.005 mm"
-      : path == "mechanism.type"              ? "standard"
-      : path == "mechanism.starts.roller"     ? "2"
-                                              : "0.2";
+  const std::string value = path.starts_with("mechanism.flank_angle")     ? "44 deg"
+                            : path.starts_with("mechanism.profile_plane") ? "axial"
+                            : path == "mechanism.profile"
+                                ? "{screw: {convex: 60 mm}, roller: {convex: 4.5 mm}, nut: straight}"
+                            : path == "mechanism.profile.roller"    ? "{convex: 4.5 mm}"
+                            : path.starts_with("mechanism.profile") ? "{convex: 60 mm}"
+                            : path == "mechanism.centre_distance"   ? "14.005 mm"
+                            : path == "mechanism.type"              ? "standard"
+                            : path == "mechanism.starts.roller"     ? "2"
+                                                                    : "0.2";
   overrides.push_back(path + "=" + value);
   return overrides;
 }
@@ -64,11 +61,10 @@ TEST(VoidInputs, AreNoneWithoutOverrides) {
 }
 
 TEST(VoidInputs, OfBothConstantsAreWhatActsThroughTheContactAlone) {
-  EXPECT_THAT(
-      void_paths({kHertzGiven, kAnglesGiven}),
-      UnorderedElementsAre("mechanism.flank_angle", "mechanism.profile", "mechanism.profile_plane",
-                           "mechanism.centre_distance", "mechanism.type", "mechanism.starts.roller",
-                           "materials.poisson_ratio"));
+  EXPECT_THAT(void_paths({kHertzGiven, kAnglesGiven}),
+              UnorderedElementsAre("mechanism.flank_angle", "mechanism.profile", "mechanism.profile_plane",
+                                   "mechanism.centre_distance", "mechanism.type", "mechanism.starts.roller",
+                                   "materials.poisson_ratio"));
   EXPECT_THAT(void_paths({kHertzGiven}), ElementsAre("materials.poisson_ratio"));
   EXPECT_THAT(void_paths({kHertzGiven, "model.roller_shear=true"}), IsEmpty());
 }
@@ -76,39 +72,35 @@ TEST(VoidInputs, OfBothConstantsAreWhatActsThroughTheContactAlone) {
 TEST(VoidInputs, OfOneInterfaceAreThoseOfItsBody) {
   EXPECT_THAT(
       void_paths({"contact.hertz_constant.nut=4.2e5 N/mm^1.5", "contact.normal_angle.nut=45 deg"}),
-      UnorderedElementsAre("mechanism.flank_angle.nut", "mechanism.profile.nut",
-                           "materials.nut.poisson_ratio"));
+      UnorderedElementsAre("mechanism.flank_angle.nut", "mechanism.profile.nut", "materials.nut.poisson_ratio"));
 }
 
 /// To the last bit: the same model of numbers is solved.
 TEST(VoidInputs, MoveNoLoadAndNoStiffness) {
-  for (const Texts& base :
-       {Texts{kHertzGiven, kAnglesGiven}, Texts{kHertzGiven, kAnglesGiven, "model.bodies=refined"},
-        Texts{"contact.hertz_constant.screw=3.6e5 N/mm^1.5", "contact.normal_angle.screw=45 deg",
-              "materials={screw: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}, roller: "
-              "{youngs_modulus: 209 GPa, poisson_ratio: 0.3}, nut: {youngs_modulus: 209 GPa, "
-              "poisson_ratio: 0.3}}",
-              "mechanism.flank_angle={screw: 45 deg, roller: 45 deg, nut: 45 deg}"}}) {
+  for (const Texts& base : {Texts{kHertzGiven, kAnglesGiven}, Texts{kHertzGiven, kAnglesGiven, "model.bodies=refined"},
+                            Texts{"contact.hertz_constant.screw=3.6e5 N/mm^1.5", "contact.normal_angle.screw=45 deg",
+                                  "materials={screw: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}, roller: "
+                                  "{youngs_modulus: 209 GPa, poisson_ratio: 0.3}, nut: {youngs_modulus: 209 GPa, "
+                                  "poisson_ratio: 0.3}}",
+                                  "mechanism.flank_angle={screw: 45 deg, roller: 45 deg, nut: 45 deg}"}}) {
     const Texts paths = void_paths(base);
     EXPECT_GE(paths.size(), 3u);
-    for (const std::string& path : paths)
-      EXPECT_EQ(distribution(with_another(base, path)), distribution(base)) << path;
+    for (const std::string& path : paths) EXPECT_EQ(distribution(with_another(base, path)), distribution(base)) << path;
   }
 }
 
 TEST(VoidInputs, AreOnlyThose) {
   const Texts overridden{kHertzGiven, kAnglesGiven};
-  for (const char* path : {"mechanism.flank_angle", "mechanism.profile", "mechanism.profile_plane",
-                           "mechanism.centre_distance", "mechanism.type", "mechanism.starts.roller",
-                           "materials.poisson_ratio"})
+  for (const char* path :
+       {"mechanism.flank_angle", "mechanism.profile", "mechanism.profile_plane", "mechanism.centre_distance",
+        "mechanism.type", "mechanism.starts.roller", "materials.poisson_ratio"})
     EXPECT_NE(distribution(with_another({}, path)), distribution({})) << path;
   const Texts refined{kHertzGiven, kAnglesGiven, "model.bodies=refined"};
   EXPECT_NE(distribution(with_another(refined, "materials.poisson_ratio")), distribution(refined));
   const Texts teeth{kHertzGiven, kAnglesGiven, "model.tooth_compliance={yamamoto: 2 mm}"};
   EXPECT_THAT(void_paths(teeth),
-              UnorderedElementsAre("mechanism.profile", "mechanism.profile_plane",
-                                   "mechanism.centre_distance", "mechanism.type",
-                                   "mechanism.starts.roller"));
+              UnorderedElementsAre("mechanism.profile", "mechanism.profile_plane", "mechanism.centre_distance",
+                                   "mechanism.type", "mechanism.starts.roller"));
   EXPECT_NE(distribution(with_another(teeth, "mechanism.flank_angle")), distribution(teeth));
 }
 

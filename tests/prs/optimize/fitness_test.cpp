@@ -98,10 +98,8 @@ TEST(NonDominated, AgreesWithTheDefinition) {
 TEST(Hypervolume, OfBoxesIsTheirUnion) {
   EXPECT_EQ(modules::loaded<SearchModule>().hypervolume({}, {1.0, 1.0}), 0.0);
   EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.2}, {0.4}}, {1.0}), 0.8);
-  EXPECT_DOUBLE_EQ(
-      modules::loaded<SearchModule>().hypervolume({{0.0, 0.5}, {0.5, 0.0}}, {1.0, 1.0}), 0.75);
-  EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.0, 0.5, 0.5}, {0.5, 0.0, 0.0}},
-                                                               {1.0, 1.0, 1.0}),
+  EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.0, 0.5}, {0.5, 0.0}}, {1.0, 1.0}), 0.75);
+  EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.0, 0.5, 0.5}, {0.5, 0.0, 0.0}}, {1.0, 1.0, 1.0}),
                    0.25 + 0.5 - 0.125);
 }
 
@@ -134,9 +132,7 @@ TEST(JointFront, HasWhatNeitherSearchDominates) {
   EXPECT_EQ(joint_front(result), (std::vector<std::size_t>{0, 1, 2}));
   // The second design beats one of the search, the third is one of them, the fourth is no front's.
   result.check =
-      Search{Algorithm::moead,
-             {with({99.0, 99.0}), with({11.0, 5.7}), with({20.0, 5.0}), with({1.0, 1.0})},
-             {1, 2}};
+      Search{Algorithm::moead, {with({99.0, 99.0}), with({11.0, 5.7}), with({20.0, 5.0}), with({1.0, 1.0})}, {1, 2}};
   EXPECT_EQ(joint_front(result), (std::vector<std::size_t>{0, 5, 2}));
   EXPECT_EQ(result.design(5).responses, (std::vector{11.0, 5.7}));
   EXPECT_EQ(result.search_of(5).algorithm, Algorithm::moead);
@@ -154,8 +150,7 @@ TEST(CompareFronts, MeasuresBothInOneBox) {
   EXPECT_THAT(c.best, ElementsAre(10.0, 5.0));
   EXPECT_THAT(c.check_best, ElementsAre(10.0, 5.0));
   // The file's own design beyond the fronts widens the box to twice the extent in each objective.
-  const FrontComparison wide =
-      compare_fronts(optimization, with({30.0, 9.0}), three_designs(), half);
+  const FrontComparison wide = compare_fronts(optimization, with({30.0, 9.0}), three_designs(), half);
   EXPECT_NEAR(wide.hypervolume - wide.check_hypervolume, middle / 4.0 / 1.21, 1e-12);
 }
 

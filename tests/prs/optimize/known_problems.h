@@ -56,11 +56,7 @@ struct Problem {
   }
 
   prs::JournalHeader header() const {
-    return {"0123",
-            {"case.yaml", "", {}},
-            optimization.study.responses,
-            prs::design_count(optimization),
-            prs::Shard{}};
+    return {"0123", {"case.yaml", "", {}}, optimization.study.responses, prs::design_count(optimization), prs::Shard{}};
   }
 
   prs::OptimizationResult run() const {
@@ -83,8 +79,7 @@ inline prs::Optimization two_objectives(std::vector<prs::Factor> variables) {
 /// variables but the first are 0.
 inline Problem zdt1(std::size_t dimensions) {
   std::vector<prs::Factor> variables;
-  for (std::size_t i = 0; i < dimensions; ++i)
-    variables.push_back(variable("x" + std::to_string(i), 0.0, 1.0));
+  for (std::size_t i = 0; i < dimensions; ++i) variables.push_back(variable("x" + std::to_string(i), 0.0, 1.0));
   Problem problem{two_objectives(std::move(variables)), {}, 0};
   problem.answer = [](const std::vector<double>& x) {
     double sum = 0.0;
@@ -101,14 +96,13 @@ inline Problem zdt1(std::size_t dimensions) {
 inline Problem binh_korn() {
   Problem problem{two_objectives({variable("x", 0.0, 5.0), variable("y", 0.0, 3.0)}), {}, 0};
   problem.optimization.study.responses = {"f", "g", "c", "d"};
-  problem.optimization.constraints = {
-      {"c", 2, prs::Constraint::Sense::at_most, {prs::Limit::Kind::number, 25.0, 0}},
-      {"d", 3, prs::Constraint::Sense::at_least, {prs::Limit::Kind::number, 7.7, 0}}};
+  problem.optimization.constraints = {{"c", 2, prs::Constraint::Sense::at_most, {prs::Limit::Kind::number, 25.0, 0}},
+                                      {"d", 3, prs::Constraint::Sense::at_least, {prs::Limit::Kind::number, 7.7, 0}}};
   problem.answer = [](const std::vector<double>& v) {
     const double x = v[0], y = v[1];
     const auto square = [](double z) { return z * z; };
-    return std::vector{4.0 * x * x + 4.0 * y * y, square(x - 5.0) + square(y - 5.0),
-                       square(x - 5.0) + y * y, square(x - 8.0) + square(y + 3.0)};
+    return std::vector{4.0 * x * x + 4.0 * y * y, square(x - 5.0) + square(y - 5.0), square(x - 5.0) + y * y,
+                       square(x - 8.0) + square(y + 3.0)};
   };
   return problem;
 }
@@ -117,14 +111,12 @@ inline Problem binh_korn() {
 inline Problem srinivas() {
   Problem problem{two_objectives({variable("x", -20.0, 20.0), variable("y", -20.0, 20.0)}), {}, 0};
   problem.optimization.study.responses = {"f", "g", "c", "d"};
-  problem.optimization.constraints = {
-      {"c", 2, prs::Constraint::Sense::at_most, {prs::Limit::Kind::number, 225.0, 0}},
-      {"d", 3, prs::Constraint::Sense::at_most, {prs::Limit::Kind::number, -10.0, 0}}};
+  problem.optimization.constraints = {{"c", 2, prs::Constraint::Sense::at_most, {prs::Limit::Kind::number, 225.0, 0}},
+                                      {"d", 3, prs::Constraint::Sense::at_most, {prs::Limit::Kind::number, -10.0, 0}}};
   problem.answer = [](const std::vector<double>& v) {
     const double x = v[0], y = v[1];
     const auto square = [](double z) { return z * z; };
-    return std::vector{2.0 + square(x - 2.0) + square(y - 1.0), 9.0 * x - square(y - 1.0),
-                       x * x + y * y, x - 3.0 * y};
+    return std::vector{2.0 + square(x - 2.0) + square(y - 1.0), 9.0 * x - square(y - 1.0), x * x + y * y, x - 3.0 * y};
   };
   return problem;
 }

@@ -38,9 +38,7 @@ class OptimizeCommand : public testing::Test {
   Outcome prs(const std::string& arguments, const std::string& before = "") const {
     return test::run_prs(arguments, ".", before);
   }
-  std::string optimize(const std::string& more = "") const {
-    return "optimize '" + file.string() + "' " + more;
-  }
+  std::string optimize(const std::string& more = "") const { return "optimize '" + file.string() + "' " + more; }
   std::string into(const fs::path& output, const std::string& more = "") const {
     return optimize("--quiet --output '" + output.string() + "' " + more);
   }
@@ -51,8 +49,7 @@ class OptimizeCommand : public testing::Test {
 
 TEST_F(OptimizeCommand, FindsYaosOptimum) {
   // Section 4.1: 25 generations of 20 designs lower the contact stresses by 7.45 and 8.04 %.
-  write(kPressures +
-        "  thread_constraints: true\n  check: moead\n  population: 20\n  generations: 25");
+  write(kPressures + "  thread_constraints: true\n  check: moead\n  population: 20\n  generations: 25");
   const Outcome run = prs(optimize("--json"));
   ASSERT_EQ(run.status, 0) << run.err;
   const json result = json::parse(run.out);
@@ -61,8 +58,7 @@ TEST_F(OptimizeCommand, FindsYaosOptimum) {
   EXPECT_LT(change["screw.peak_pressure_MPa.max"], -7.0);
   EXPECT_LT(change["nut.peak_pressure_MPa.max"], -7.0);
   ASSERT_EQ(result["compromise"]["constraints"].size(), 12);
-  for (const json& constraint : result["compromise"]["constraints"])
-    EXPECT_TRUE(constraint["satisfied"]) << constraint;
+  for (const json& constraint : result["compromise"]["constraints"]) EXPECT_TRUE(constraint["satisfied"]) << constraint;
   EXPECT_EQ(result["search"]["designs"], 500);
   // Both searches come to the same pressures.
   for (const json& best : result["comparison"]["best"])
@@ -71,29 +67,26 @@ TEST_F(OptimizeCommand, FindsYaosOptimum) {
 
 /// A force off the axis undoes a moment: at (y, z) = (-M_z, M_y)/F the screw carries as if aligned.
 TEST_F(OptimizeCommand, AForceOffTheAxisUndoesAMoment) {
-  const std::string lesson =
-      test::content_of(fs::path(PRS_SOURCE_DIR) / "configs/25_side_load.yaml");
+  const std::string lesson = test::content_of(fs::path(PRS_SOURCE_DIR) / "configs/25_side_load.yaml");
   std::string text = lesson.substr(0, lesson.find("load_cases:"));
   text.replace(text.find("rollers: 11"), 11, "rollers: 5");
   text.replace(text.find("contacts_per_roller: 20"), 23, "contacts_per_roller: 4");
-  std::ofstream(file)
-      << text
-      << "load_cases:\n"
-         "  - {name: bent, axial_force: 9 kN, direction: tension, position: 29.1666667 mm,\n"
-         "     moment: {y: 6 N m, z: 9 N m}}\n"
-         "optimize:\n"
-         "  command: solve\n"
-         "  variables:\n"
-         "    - {path: 'load_cases[0].eccentricity.y', from: -2 mm, to: 2 mm}\n"
-         "    - {path: 'load_cases[0].eccentricity.z', from: -2 mm, to: 2 mm}\n"
-         "  objectives:\n"
-         "    - {minimize: screw.overload_factor}\n"
-         "  algorithm: sade\n  population: 12\n  generations: 60\n";
+  std::ofstream(file) << text
+                      << "load_cases:\n"
+                         "  - {name: bent, axial_force: 9 kN, direction: tension, position: 29.1666667 mm,\n"
+                         "     moment: {y: 6 N m, z: 9 N m}}\n"
+                         "optimize:\n"
+                         "  command: solve\n"
+                         "  variables:\n"
+                         "    - {path: 'load_cases[0].eccentricity.y', from: -2 mm, to: 2 mm}\n"
+                         "    - {path: 'load_cases[0].eccentricity.z', from: -2 mm, to: 2 mm}\n"
+                         "  objectives:\n"
+                         "    - {minimize: screw.overload_factor}\n"
+                         "  algorithm: sade\n  population: 12\n  generations: 60\n";
   const Outcome run = prs(optimize("--json"));
   ASSERT_EQ(run.status, 0) << run.err;
   const json result = json::parse(run.out);
-  EXPECT_GT(result["initial"]["responses"]["screw.overload_factor"].get<double>(), 1.5)
-      << result["initial"];
+  EXPECT_GT(result["initial"]["responses"]["screw.overload_factor"].get<double>(), 1.5) << result["initial"];
   const json& best = result["compromise"];
   EXPECT_NEAR(best["responses"]["screw.overload_factor"].get<double>(), 1.0, 1e-3) << best;
 }
@@ -111,10 +104,8 @@ TEST_F(OptimizeCommand, DesignsAreWhatContactSaysOfThem) {
   EXPECT_DOUBLE_EQ(load_case["nut"]["peak_pressure_MPa"][0],
                    chosen["responses"]["nut.peak_pressure_MPa.max"].get<double>());
   std::string settings;
-  for (const json& setting : chosen["set"])
-    settings += " --set '" + setting.get<std::string>() + "'";
-  const json by_settings =
-      json::parse(prs("contact '" + file.string() + "' --json" + settings).out);
+  for (const json& setting : chosen["set"]) settings += " --set '" + setting.get<std::string>() + "'";
+  const json by_settings = json::parse(prs("contact '" + file.string() + "' --json" + settings).out);
   EXPECT_EQ(by_settings["load_cases"], result["load_cases"]);
   // Nothing else changed in the file.
   const std::string text = content_of(output / "best.yaml");
@@ -160,8 +151,8 @@ TEST_F(OptimizeCommand, EndsTheSameHoweverOftenItIsStopped) {
   int stopped = 0;
   for (double patience = 0.03;; patience *= 1.5) {
     const char* signal = stopped % 2 == 0 ? "INT" : "KILL";
-    const Outcome run = prs(into(parts, "--threads 2"), "timeout --signal=" + std::string(signal) +
-                                                            ' ' + std::to_string(patience));
+    const Outcome run =
+        prs(into(parts, "--threads 2"), "timeout --signal=" + std::string(signal) + ' ' + std::to_string(patience));
     if (run.status == 0) break;
     ASSERT_LT(++stopped, 100) << run.err;
   }

@@ -39,8 +39,7 @@ TEST(OptimizeCsv, HasARowForEachDesign) {
   const OptimizationResult result = problem().run();
   const std::vector<std::string> history = lines(history_csv(result));
   ASSERT_THAT(history, SizeIs(1 + 1 + 2 * 200));
-  EXPECT_EQ(history[0],
-            "design,algorithm,generation,feasible,violation,status,reason,x_mm,y,f,g,c,d");
+  EXPECT_EQ(history[0], "design,algorithm,generation,feasible,violation,status,reason,x_mm,y,f,g,c,d");
   EXPECT_THAT(history[1], StartsWith("0,initial,,"));
   EXPECT_THAT(history[2], StartsWith("1,nsga2,1,"));
   EXPECT_THAT(history[201], StartsWith("200,nsga2,10,"));
@@ -63,8 +62,7 @@ TEST(OptimizeCsv, HasARowForEachDesign) {
   ASSERT_THAT(front, SizeIs(1 + result.front.size()));
   EXPECT_EQ(front[0], "design,compromise,x_mm,y,f,g,c,d");
   EXPECT_EQ(
-      std::ranges::count_if(
-          front, [](const std::string& line) { return line.find(",true,") != std::string::npos; }),
+      std::ranges::count_if(front, [](const std::string& line) { return line.find(",true,") != std::string::npos; }),
       1);
 }
 
@@ -77,8 +75,7 @@ TEST(OptimizeJson, CompromiseIsOneOfTheFront) {
     const bool of_search = number <= result.search.designs.size();
     const auto& search = document[of_search ? "search" : "check"];
     const auto& front = search["front"];
-    const auto found =
-        std::ranges::find_if(front, [&](const auto& design) { return design["design"] == number; });
+    const auto found = std::ranges::find_if(front, [&](const auto& design) { return design["design"] == number; });
     ASSERT_NE(found, front.end());
     if (number != chosen["design"]) continue;
     EXPECT_EQ((*found)["responses"], chosen["responses"]);
@@ -98,8 +95,7 @@ TEST(OptimizeFigures, HistoryAndFrontShowEveryDesignOnce) {
   ASSERT_THAT(figures[0].panels, SizeIs(2));
   const std::vector<Series>& lines = figures[0].panels[0].series;
   const auto feasible_of = [](const Search& search) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(search.designs, &EvaluatedDesign::is_feasible));
+    return static_cast<std::size_t>(std::ranges::count_if(search.designs, &EvaluatedDesign::is_feasible));
   };
   const std::size_t feasible = feasible_of(result.search);
   EXPECT_THAT(lines[1].parts.at(0), SizeIs(feasible + feasible_of(*result.check)));

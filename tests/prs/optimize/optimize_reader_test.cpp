@@ -65,9 +65,8 @@ optimize:
   const Factor& profile = o.study.factors[2];
   EXPECT_EQ(profile.levels.at(1).text, "{convex: 11 mm}");
   EXPECT_EQ(profile.companions.at(0).levels.at(1).number, 16.1);
-  EXPECT_THAT(o.study.responses,
-              ElementsAre("screw.peak_pressure_MPa.max", "contact.nut.radius_on_body_mm",
-                          "nut.peak_pressure_MPa.max", "contact.screw.radius_on_body_mm"));
+  EXPECT_THAT(o.study.responses, ElementsAre("screw.peak_pressure_MPa.max", "contact.nut.radius_on_body_mm",
+                                             "nut.peak_pressure_MPa.max", "contact.screw.radius_on_body_mm"));
   EXPECT_EQ(input.asked_at[3], "optimize.constraints[1].at_least");
   EXPECT_FALSE(o.objectives.at(0).maximize);
   EXPECT_TRUE(o.objectives.at(1).maximize);
@@ -87,16 +86,14 @@ optimize:
 }
 
 TEST(OptimizeReader, OneObjectiveHasAnAlgorithmOfItsOwn) {
-  EXPECT_EQ(read(test::yao_optimize("  objectives: [{minimize: screw.peak_pressure_MPa.max}]"))
-                .optimization.algorithm,
+  EXPECT_EQ(read(test::yao_optimize("  objectives: [{minimize: screw.peak_pressure_MPa.max}]")).optimization.algorithm,
             Algorithm::sade);
 }
 
 TEST(OptimizeReader, ThreadConstraintsAreThoseOfYao) {
-  const Optimization o =
-      read(test::yao_optimize("  objectives: [{minimize: screw.peak_pressure_MPa.max}]\n"
-                              "  thread_constraints: true"))
-          .optimization;
+  const Optimization o = read(test::yao_optimize("  objectives: [{minimize: screw.peak_pressure_MPa.max}]\n"
+                                                 "  thread_constraints: true"))
+                             .optimization;
   // (61): three root widths, three crests, two clearances of flanks, four of crests.
   ASSERT_THAT(o.constraints, SizeIs(12));
   std::size_t roots = 0;
@@ -116,10 +113,9 @@ TEST(OptimizeReader, SaysWhatIsWrongWhereItStands) {
   };
   const std::string line = "case.yaml:" + std::to_string(test::yao_lines() + 3) + ":";
   EXPECT_THAT(refusal(""), HasSubstr("optimize: missing"));
-  EXPECT_THAT(
-      with_variable("{path: mechanism.flank_angle.screw, from: 50 deg, to: 40 deg}"),
-      AllOf(HasSubstr(line), HasSubstr("optimize.variables[0].to: got 40 deg; expected more "
-                                       "than `from`, 50 deg")));
+  EXPECT_THAT(with_variable("{path: mechanism.flank_angle.screw, from: 50 deg, to: 40 deg}"),
+              AllOf(HasSubstr(line), HasSubstr("optimize.variables[0].to: got 40 deg; expected more "
+                                               "than `from`, 50 deg")));
   EXPECT_THAT(with_variable("{path: mechanism.flank_angle.screw, from: 40 deg, to: 0.8 rad}"),
               HasSubstr("expected the unit of `from`, deg"));
   EXPECT_THAT(with_variable("{path: mechanism.flank_angle.screw, from: 40 deg, to: 95 deg}"),
@@ -128,21 +124,17 @@ TEST(OptimizeReader, SaysWhatIsWrongWhereItStands) {
               HasSubstr("got low; expected a number with its unit"));
   EXPECT_THAT(with_variable("{path: mechanism.flank_angle.screw, from: 40 deg}"),
               HasSubstr("optimize.variables[0].to: missing"));
-  EXPECT_THAT(with_variable("{path: mechanism.profile.nut, from: 1 mm, to: 2 mm}"),
-              HasSubstr("mechanism.profile.nut"));
-  EXPECT_THAT(with_variable("{path: mechanism.nothing, from: 1 mm, to: 2 mm}"),
-              HasSubstr("nothing: unknown key"));
+  EXPECT_THAT(with_variable("{path: mechanism.profile.nut, from: 1 mm, to: 2 mm}"), HasSubstr("mechanism.profile.nut"));
+  EXPECT_THAT(with_variable("{path: mechanism.nothing, from: 1 mm, to: 2 mm}"), HasSubstr("nothing: unknown key"));
   EXPECT_THAT(with_variable("{path: mechanism.rollers, from: 8, to: 12.5}"),
               HasSubstr("got 12.5; expected a whole number"));
-  EXPECT_THAT(with_variable("{path: study.seed, from: 1, to: 2}"),
-              HasSubstr("expected a value outside `study`"));
+  EXPECT_THAT(with_variable("{path: study.seed, from: 1, to: 2}"), HasSubstr("expected a value outside `study`"));
   EXPECT_THAT(with_variable("{path: mechanism.rollers, values: [8, 9], with: [{path: "
                             "mechanism.contacts_per_roller, values: [1, 2, 3]}]}"),
               HasSubstr("got 3 values; expected 2"));
-  EXPECT_THAT(
-      with_variable("{path: mechanism.rollers, from: 8, to: 9}, {path: mechanism.rollers, "
-                    "from: 8, to: 9}"),
-      HasSubstr("a second time; expected each path once; put all its values into one variable"));
+  EXPECT_THAT(with_variable("{path: mechanism.rollers, from: 8, to: 9}, {path: mechanism.rollers, "
+                            "from: 8, to: 9}"),
+              HasSubstr("a second time; expected each path once; put all its values into one variable"));
   const auto with = [](const std::string& rest) { return refusal(test::yao_optimize(rest)); };
   EXPECT_THAT(with("  objectives: [{}]"), HasSubstr("minimize"));
   EXPECT_THAT(with("  objectives: [{minimize: a, maximize: b}]"), HasSubstr("minimize"));
@@ -158,10 +150,8 @@ TEST(OptimizeReader, SaysWhatIsWrongWhereItStands) {
                         "of the path"));
   EXPECT_THAT(with(objective + "  constraints: [{response: a, at_most: {initially: 5}}]"),
               HasSubstr("{initial: number}"));
-  EXPECT_THAT(with(objective + "  compromise: {by: weights, weights: [1, 2]}"),
-              HasSubstr("got 2 weights; expected 1"));
-  EXPECT_THAT(with(objective + "  compromise: {by: best, of: a}"),
-              HasSubstr("`of: screw.peak_pressure_MPa.max`"));
+  EXPECT_THAT(with(objective + "  compromise: {by: weights, weights: [1, 2]}"), HasSubstr("got 2 weights; expected 1"));
+  EXPECT_THAT(with(objective + "  compromise: {by: best, of: a}"), HasSubstr("`of: screw.peak_pressure_MPa.max`"));
   EXPECT_THAT(with(objective + "  compromise: {by: best}"), HasSubstr("of: missing"));
   EXPECT_THAT(refusal("optimize:\n  command: contact\n  thread_constraints: true\n  variables: "
                       "[{path: mechanism.lead, from: 20 mm, to: 25 mm}]\n" +

@@ -175,8 +175,7 @@ TEST(Optimizer, DeliversTheBetterOfBothSearches) {
     const double best = result.search.designs[result.search.front.at(0)].responses[0];
     const double other = result.check->designs[result.check->front.at(0)].responses[0];
     EXPECT_EQ(result.chosen()->responses[0], std::min(best, other));
-    EXPECT_EQ(&result.search_of(*result.compromise),
-              best <= other ? &result.search : &*result.check);
+    EXPECT_EQ(&result.search_of(*result.compromise), best <= other ? &result.search : &*result.check);
     of_check += other < best;
   }
   EXPECT_GT(of_check, 0);
@@ -268,8 +267,7 @@ TEST(Optimizer, DesignsWithoutAnswerAreTheWorst) {
 
 TEST(Optimizer, WithoutAFeasibleDesignTheNearestIsShown) {
   test::Problem problem = test::binh_korn();
-  problem.optimization.constraints.push_back(
-      {"never", 0, Constraint::Sense::at_most, {Limit::Kind::number, -1.0, 0}});
+  problem.optimization.constraints.push_back({"never", 0, Constraint::Sense::at_most, {Limit::Kind::number, -1.0, 0}});
   problem.optimization.check = Algorithm::nspso;
   const OptimizationResult result = problem.run();
   EXPECT_FALSE(result.compromise);
@@ -301,8 +299,7 @@ TEST(Optimizer, WholeNumbersAndWordsAreSearchedByTheirIndex) {
     return std::vector{x[0] + (x[1] - 9.0) * (x[1] - 9.0), 1.0 - x[0]};
   };
   const OptimizationResult result = problem.run();
-  for (const std::size_t k : result.search.front)
-    EXPECT_EQ(problem.values(result.search.designs[k].draws)[1], 9.0);
+  for (const std::size_t k : result.search.front) EXPECT_EQ(problem.values(result.search.designs[k].draws)[1], 9.0);
   std::vector<std::size_t> met(10);
   for (const EvaluatedDesign& design : result.search.designs) ++met.at(design.draws[1].level);
   EXPECT_THAT(met, testing::Each(testing::Gt(0)));

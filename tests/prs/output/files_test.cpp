@@ -15,8 +15,7 @@ using test::content_of;
 using test::TemporaryDirectory;
 
 std::size_t entries(const fs::path& directory) {
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
 }
 
 /// What the error says, which names the path; empty if there was none.
@@ -52,8 +51,7 @@ TEST(WriteFiles, FailedWriteLeavesEarlierFilesAlone) {
   write_files(temporary.path(), {{"a", "old"}, {"b", "old"}});
   {
     const test::SmallFilesOnly full_disk(4096);
-    const std::string error =
-        write_error(temporary.path(), {{"a", "new"}, {"b", std::string(10000, 'x')}});
+    const std::string error = write_error(temporary.path(), {{"a", "new"}, {"b", std::string(10000, 'x')}});
     EXPECT_NE(error.find("File too large"), std::string::npos) << error;
   }
   EXPECT_EQ(content_of(temporary.path() / "a"), "old");

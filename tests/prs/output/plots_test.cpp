@@ -37,8 +37,7 @@ using test::TemporaryDirectory;
 
 Result sweeps() { return test::sweeps({"config1", "config2"}); }
 
-std::optional<Figure> picture(const Result& result, const char* name,
-                              const FigureOptions& options = {}) {
+std::optional<Figure> picture(const Result& result, const char* name, const FigureOptions& options = {}) {
   return test::shown(solve_pictures(result), name, options);
 }
 
@@ -96,8 +95,7 @@ TEST(Figures, ButterflyHasTensionOnThePositiveSideAndSharesOfTheMean) {
 TEST(Figures, PressuresStandBelowTheirLimit) {
   const auto figure = picture(sweeps(), "peak_pressure");
   ASSERT_TRUE(figure);
-  for (const Panel& panel : figure->panels)
-    EXPECT_DOUBLE_EQ(panel.references.at(0).at, 4000.0);  // ISO 76
+  for (const Panel& panel : figure->panels) EXPECT_DOUBLE_EQ(panel.references.at(0).at, 4000.0);  // ISO 76
   EXPECT_EQ(figure->legend.back().title, "static limit 4.0 GPa, ISO 76");
   EXPECT_GT(figure->y.to, 4000.0);
 }
@@ -197,12 +195,10 @@ TEST(Figures, AreReadBackFromTheirFile) {
   EXPECT_TRUE(std::isnan(again[0].panels[0].map.grid.at(1, 2)));
   EXPECT_EQ(again[0].panels[0].series[0].parts[0][0][1], 0.3333333);
   for (const std::string wrong : {"", "{}", "[{}]", "[1]"}) EXPECT_TRUE(figures_of(wrong).empty());
-  EXPECT_TRUE(
-      figures_of(std::regex_replace(text, std::regex("\"style\":1"), "\"style\":9")).empty());
+  EXPECT_TRUE(figures_of(std::regex_replace(text, std::regex("\"style\":1"), "\"style\":9")).empty());
   for (const std::string columns : {"0", "4000000000", "-1"})
-    EXPECT_TRUE(figures_of(std::regex_replace(text, std::regex("\"columns\":[0-9]+"),
-                                              "\"columns\":" + columns))
-                    .empty())
+    EXPECT_TRUE(
+        figures_of(std::regex_replace(text, std::regex("\"columns\":[0-9]+"), "\"columns\":" + columns)).empty())
         << columns;
 }
 
@@ -222,8 +218,8 @@ TEST(Plots, FewThreadsAndAbsentTangentsAreDrawn) {
   for (const int threads : {1, 2, 3}) {
     const std::string name = std::to_string(threads) + " threads";
     for (int k = 0; k < 4; ++k) {
-      result.load_cases.push_back(solved_case(name + '[' + std::to_string(k) + ']', 1e3 * (k + 1),
-                                              Direction::tension, threads));
+      result.load_cases.push_back(
+          solved_case(name + '[' + std::to_string(k) + ']', 1e3 * (k + 1), Direction::tension, threads));
       result.load_cases.back().tangent_stiffness.reset();
     }
   }
@@ -246,10 +242,9 @@ std::string escaped(const std::string& text) {
 /// Each by itself in one picture, and some at a time in all of them.
 TEST(Plots, NamesAreDrawnAsTheyStand) {
   std::vector<Result> together(2);
-  for (const std::string name : {"'", "''", "\"", "`touch run`", "$(touch run) @x # {", "}", "\\",
-                                 "%s %d", "pull 50 %", "<b>&amp;</b>", "a_{b}^c", "]]>"}) {
-    std::vector<LoadCaseResult>& few =
-        together[together[0].load_cases.size() < 6 ? 0 : 1].load_cases;
+  for (const std::string name : {"'", "''", "\"", "`touch run`", "$(touch run) @x # {", "}", "\\", "%s %d", "pull 50 %",
+                                 "<b>&amp;</b>", "a_{b}^c", "]]>"}) {
+    std::vector<LoadCaseResult>& few = together[together[0].load_cases.size() < 6 ? 0 : 1].load_cases;
     few.push_back(solved_case(name, 45e3, Direction::tension));
     const auto figure = test::shown(solve_pictures(single_case(name)), "load_distribution");
     ASSERT_TRUE(figure);
@@ -282,15 +277,13 @@ TEST(Plots, ThatCannotBeWrittenAreAnErrorAndLeaveNone) {
   const fs::path plots = temporary.path() / "plots";
   fs::create_directories(temporary.path());
   std::ofstream(plots) << "in the way";
-  EXPECT_THROW(draw_figures(figures(solve_pictures(single_case("a"))), temporary.path()),
-               std::system_error);
+  EXPECT_THROW(draw_figures(figures(solve_pictures(single_case("a"))), temporary.path()), std::system_error);
   EXPECT_TRUE(fs::is_regular_file(plots));
 }
 
 TEST(Plots, ConvergenceIsDrawnWhereItIsAskedForOrFailed) {
   const Result solved = single_case("a");
-  EXPECT_THAT(test::names(figures(solve_pictures(solved))),
-              testing::Not(testing::Contains("convergence")));
+  EXPECT_THAT(test::names(figures(solve_pictures(solved))), testing::Not(testing::Contains("convergence")));
   EXPECT_THAT(test::names(figures(solve_pictures(solved), true)), testing::Contains("convergence"));
   Result failed;
   failed.load_cases = {failed_case("hopeless")};

@@ -42,8 +42,7 @@ class RunFilesTest : public testing::Test {
   }
   /// A list by hand of files that a former run is said to have written.
   void list(const std::map<std::string, std::string>& files) const {
-    const nlohmann::json json{
-        {"runs", {{{"command", "solve"}, {"case", "of another"}, {"files", files}}}}};
+    const nlohmann::json json{{"runs", {{{"command", "solve"}, {"case", "of another"}, {"files", files}}}}};
     write(folder / kFileList, json.dump());
   }
   /// Files below the folder but for the list.
@@ -65,8 +64,7 @@ TEST_F(RunFilesTest, ResultsOfAnotherCaseGoAndOwnFilesStay) {
   EXPECT_THAT(run("solve", one, {"a.csv", "plots/a.svg", "plots/old/b.svg"}), IsEmpty());
   EXPECT_THAT(run("contact", one, {"contact.json"}), IsEmpty());
   write(folder / "notes.txt", "mine");
-  EXPECT_THAT(run("slip", two, {"plots/a.svg", "slip.csv"}),
-              ElementsAre(HasSubstr("3 files of earlier runs removed")));
+  EXPECT_THAT(run("slip", two, {"plots/a.svg", "slip.csv"}), ElementsAre(HasSubstr("3 files of earlier runs removed")));
   EXPECT_THAT(present(), ElementsAre("notes.txt", "plots/a.svg", "slip.csv"));
   EXPECT_FALSE(fs::exists(folder / "plots/old"));
 }
@@ -75,8 +73,7 @@ TEST_F(RunFilesTest, CommandsOfOneCaseKeepEachOthersFiles) {
   run("check", one, {"check.json"});
   run("solve", one, {"shared.csv", "result.json", "plots/a.svg"});
   run("slip", one, {"shared.csv", "slip.csv"});
-  EXPECT_THAT(run("solve", one, {"result.json"}),
-              ElementsAre(HasSubstr("1 file of earlier runs removed")));
+  EXPECT_THAT(run("solve", one, {"result.json"}), ElementsAre(HasSubstr("1 file of earlier runs removed")));
   EXPECT_THAT(present(), ElementsAre("check.json", "result.json", "shared.csv", "slip.csv"));
 }
 
@@ -142,8 +139,7 @@ TEST_F(RunFilesTest, AFolderThatARunMadeForNothingGoesAgain) {
 TEST_F(RunFilesTest, WhatIsNoFileStays) {
   fs::create_directories(folder);
   fs::create_symlink(one, folder / "link");
-  write(folder / kFileList,
-        R"({"about": "", "runs": [{"command": "solve", "case": "x", "files": {"link": ""}}]})");
+  write(folder / kFileList, R"({"about": "", "runs": [{"command": "solve", "case": "x", "files": {"link": ""}}]})");
   run("solve", one, {"a.csv"});
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
 }

@@ -29,9 +29,8 @@ struct PreloadCase {
 
   double section() const { return *c.structure.nut.thrust.tension; }
   PreloadSector build(Direction sense = Direction::tension) const {
-    return build_preload_sector(
-        {c.mechanism, c.structure, c.materials, c.options, c.laws, c.deviations, preload}, sense,
-        section());
+    return build_preload_sector({c.mechanism, c.structure, c.materials, c.options, c.laws, c.deviations, preload},
+                                sense, section());
   }
   PreloadSolver solver(Direction sense = Direction::tension) const {
     const PreloadSector s = build(sense);
@@ -60,9 +59,7 @@ PreloadPoint solved(PreloadSolver& solver, double force) {
   return point;
 }
 
-double area(double outer, double inner) {
-  return std::numbers::pi / 4 * (outer * outer - inner * inner);
-}
+double area(double outer, double inner) { return std::numbers::pi / 4 * (outer * outer - inner * inner); }
 
 template <class F>
 double bisect(const F& increasing, double low, double high) {
@@ -95,35 +92,29 @@ struct WedgedTooth {
   WedgedTooth(const PreloadCase& p, double interference) : c(p.c) {
     // k_s d_s^1.5 sin(psi_s) = k_n d_n^1.5 sin(psi_n), d_s/sin(psi_s) + d_n/sin(psi_n) = e.
     const auto& [screw, nut] = c.laws;
-    const double ratio = std::pow(screw.hertz_constant * std::sin(screw.normal_angle) /
-                                      (nut.hertz_constant * std::sin(nut.normal_angle)),
-                                  2.0 / 3.0);
-    overlap.screw =
-        interference / (1.0 / std::sin(screw.normal_angle) + ratio / std::sin(nut.normal_angle));
+    const double ratio = std::pow(
+        screw.hertz_constant * std::sin(screw.normal_angle) / (nut.hertz_constant * std::sin(nut.normal_angle)),
+        2.0 / 3.0);
+    overlap.screw = interference / (1.0 / std::sin(screw.normal_angle) + ratio / std::sin(nut.normal_angle));
     overlap.nut = ratio * overlap.screw;
     bars = c.structure.screw.free_length / (209e9 * area(21e-3, 6e-3)) +
            (c.position - p.section()) / (209e9 * area(46e-3, 35e-3));
   }
-  double constant(Interface i) const {
-    return 11 * c.laws[i].hertz_constant * std::cos(c.laws[i].normal_angle);
-  }
+  double constant(Interface i) const { return 11 * c.laws[i].hertz_constant * std::cos(c.laws[i].normal_angle); }
   double load(Interface i) const { return constant(i) * std::pow(overlap[i], 1.5); }
   double force(Interface i, double x) const {
     const double w = x * std::cos(c.laws[i].normal_angle);
-    return constant(i) * (std::pow(std::max(0.0, overlap[i] + w), 1.5) -
-                          std::pow(std::max(0.0, overlap[i] - w), 1.5));
+    return constant(i) * (std::pow(std::max(0.0, overlap[i] + w), 1.5) - std::pow(std::max(0.0, overlap[i] - w), 1.5));
   }
   double displacement(double f) const {
     double u = f * bars;
-    for (const Interface i : kInterfaces)
-      u += bisect([&](double x) { return force(i, x) - f; }, -1e-3, 1e-3);
+    for (const Interface i : kInterfaces) u += bisect([&](double x) { return force(i, x) - f; }, -1e-3, 1e-3);
     return u;
   }
   double stiffness_at_zero() const {
     double flexibility = bars;
     for (const Interface i : kInterfaces)
-      flexibility +=
-          1.0 / (3.0 * constant(i) * std::cos(c.laws[i].normal_angle) * std::sqrt(overlap[i]));
+      flexibility += 1.0 / (3.0 * constant(i) * std::cos(c.laws[i].normal_angle) * std::sqrt(overlap[i]));
     return 1.0 / flexibility;
   }
 };
@@ -139,10 +130,8 @@ TEST(Preload, AWedgedToothFollowsTwoOpposedHertzSprings) {
   for (double f = -1500.0; f <= 1500.0; f += 125.0)
     EXPECT_NEAR(solved(solver, f).axial_displacement, closed.displacement(f), 1e-16) << f;
 
-  const double opening =
-      std::pow(2.0, 1.5) * std::max(closed.load(Interface::screw), closed.load(Interface::nut));
-  for (const Direction d : kDirections)
-    EXPECT_NEAR(p.solver(d).opening_force(d).value() / opening, 1.0, 1e-10);
+  const double opening = std::pow(2.0, 1.5) * std::max(closed.load(Interface::screw), closed.load(Interface::nut));
+  for (const Direction d : kDirections) EXPECT_NEAR(p.solver(d).opening_force(d).value() / opening, 1.0, 1e-10);
 }
 
 TEST(Preload, ManyThreadsOfRigidBodiesOpenAt2To1Point5TimesThePreload) {
@@ -181,13 +170,10 @@ struct TwoNuts {
   }
   /// Load of the first nut at an external load that opens neither.
   double first(double f) const {
-    return bisect(
-        [&](double f1) { return contacts(f1) + contacts(f1 + f) + (f1 + f) * loop - oversize; },
-        std::max(0.0, -f), 1e6);
+    return bisect([&](double f1) { return contacts(f1) + contacts(f1 + f) + (f1 + f) * loop - oversize; },
+                  std::max(0.0, -f), 1e6);
   }
-  double displacement(double f) const {
-    return contacts(first(0.0)) - contacts(first(f)) + f * bars;
-  }
+  double displacement(double f) const { return contacts(first(0.0)) - contacts(first(f)) + f * bars; }
 };
 
 TEST(Preload, TwoNutsFollowTheSpringsInTheirLoop) {
@@ -198,10 +184,8 @@ TEST(Preload, TwoNutsFollowTheSpringsInTheirLoop) {
   PreloadSolver solver = p.solver();
   EXPECT_NEAR(oversize / (2.0 * closed.contacts(250.0) + 250.0 * closed.loop), 1.0, 1e-10);
   // Of which the first nut opens: delta = h(F) + F c, of the second: delta = h(F).
-  const double in_tension =
-      bisect([&](double f) { return closed.contacts(f) + f * closed.loop - oversize; }, 0.0, 1e6);
-  const double in_compression =
-      bisect([&](double f) { return closed.contacts(f) - oversize; }, 0.0, 1e6);
+  const double in_tension = bisect([&](double f) { return closed.contacts(f) + f * closed.loop - oversize; }, 0.0, 1e6);
+  const double in_compression = bisect([&](double f) { return closed.contacts(f) - oversize; }, 0.0, 1e6);
   EXPECT_NEAR(solver.opening_force(Direction::tension).value() / in_tension, 1.0, 1e-10);
   EXPECT_NEAR(solver.opening_force(Direction::compression).value() / in_compression, 1.0, 1e-10);
   for (double share = -0.99; share < 1.0; share += 0.11) {
@@ -241,8 +225,7 @@ std::vector<PreloadCase> real_cases(Arrangement arrangement) {
 }
 
 class Arrangements : public testing::TestWithParam<Arrangement> {};
-INSTANTIATE_TEST_SUITE_P(Preload, Arrangements,
-                         testing::Values(Arrangement::single_nut, Arrangement::double_nut),
+INSTANTIATE_TEST_SUITE_P(Preload, Arrangements, testing::Values(Arrangement::single_nut, Arrangement::double_nut),
                          [](const auto& test) {
                            return test.param == Arrangement::single_nut ? "SingleNut" : "DoubleNut";
                          });
@@ -267,9 +250,7 @@ TEST_P(Arrangements, TheSidesBalanceTheExternalLoad) {
     for (double f = -45e3; f <= 45e3; f += 5e3) {
       const PreloadPoint point = solved(solver, f);
       for (const Interface i : kInterfaces)
-        EXPECT_NEAR(
-            (point.sides.tension.axial_load[i] - point.sides.compression.axial_load[i] - f) / 45e3,
-            0.0, 1e-10)
+        EXPECT_NEAR((point.sides.tension.axial_load[i] - point.sides.compression.axial_load[i] - f) / 45e3, 0.0, 1e-10)
             << f;
     }
   }
@@ -282,9 +263,7 @@ TEST_P(Arrangements, TheSectionThatIsHeldDoesNotMatterAtRest) {
   p.c.structure.nut.thrust.tension = 80e-3;
   const PreloadSolver there(fitted(p.build(Direction::compression), fit));
   for (const Direction d : kDirections)
-    EXPECT_NEAR(
-        there.at_rest().sides[d].axial_load.nut / p.solver().at_rest().sides[d].axial_load.nut, 1.0,
-        1e-10);
+    EXPECT_NEAR(there.at_rest().sides[d].axial_load.nut / p.solver().at_rest().sides[d].axial_load.nut, 1.0, 1e-10);
 }
 
 TEST_P(Arrangements, TheCurveIsContinuousAndItsSlopeIsTheTangent) {
@@ -294,16 +273,11 @@ TEST_P(Arrangements, TheCurveIsContinuousAndItsSlopeIsTheTangent) {
     const double pushed = -solver.opening_force(Direction::compression).value_or(30e3);
     for (const double f : {0.0, 0.5 * pulled, pulled, 1.5 * pulled, 0.5 * pushed, pushed}) {
       const double h = 1e-3;
-      const PreloadPoint before = solved(solver, f - h), here = solved(solver, f),
-                         after = solved(solver, f + h);
+      const PreloadPoint before = solved(solver, f - h), here = solved(solver, f), after = solved(solver, f + h);
       const double flexibility = 1.0 / *here.tangent_stiffness;
       // At an opening the contact that opens goes as the square root: its slope changes most.
-      EXPECT_NEAR((here.axial_displacement - before.axial_displacement) / (h * flexibility), 1.0,
-                  5e-4)
-          << f;
-      EXPECT_NEAR((after.axial_displacement - here.axial_displacement) / (h * flexibility), 1.0,
-                  5e-4)
-          << f;
+      EXPECT_NEAR((here.axial_displacement - before.axial_displacement) / (h * flexibility), 1.0, 5e-4) << f;
+      EXPECT_NEAR((after.axial_displacement - here.axial_displacement) / (h * flexibility), 1.0, 5e-4) << f;
     }
   }
 }
@@ -336,9 +310,7 @@ TEST(Preload, AStraightRollerMirrorsTheCurve) {
   test::SectorCase c = test::abevi();
   c.options.roller = ModelOptions::Roller::rigid_bending;
   PreloadSolver solver = preloaded(c, Arrangement::single_nut).solver();
-  EXPECT_NEAR(
-      *solver.opening_force(Direction::tension) / *solver.opening_force(Direction::compression),
-      1.0, 1e-12);
+  EXPECT_NEAR(*solver.opening_force(Direction::tension) / *solver.opening_force(Direction::compression), 1.0, 1e-12);
   for (const double f : {1e3, 5e3, 12e3, 30e3}) {
     const PreloadPoint pulled = solved(solver, f), pushed = solved(solver, -f);
     EXPECT_NEAR(pulled.axial_displacement / -pushed.axial_displacement, 1.0, 1e-11);
@@ -364,9 +336,9 @@ TEST_P(Arrangements, BeyondTheOpeningTheOtherSideCarriesAsAlone) {
       const PreloadPoint low = solved(solver, sign * f), high = solved(solver, sign * 2.0 * f);
       const LoadDistribution one = reference.solve(f), two = reference.solve(2.0 * f);
       for (const Interface i : kInterfaces)
-        EXPECT_NEAR(high.sides[d].max_normal_load[i] /
-                        *std::max_element(two.normal_load[i].begin(), two.normal_load[i].end()),
-                    1.0, 1e-10);
+        EXPECT_NEAR(
+            high.sides[d].max_normal_load[i] / *std::max_element(two.normal_load[i].begin(), two.normal_load[i].end()),
+            1.0, 1e-10);
       const double offset = f * reference.sector().offset_compliance / reference.sector().rollers;
       EXPECT_NEAR(sign * (high.axial_displacement - low.axial_displacement) /
                       (two.axial_displacement - one.axial_displacement - offset),
@@ -400,8 +372,7 @@ TEST_P(Arrangements, PlayIsADeadZone) {
       return solved(s, f).axial_displacement - solved(s, -f).axial_displacement;
     };
     EXPECT_NEAR(travel(loose) - travel(tight), 30e-6, 1e-15);
-    EXPECT_NEAR(solved(loose, f).sides.tension.max_normal_load.nut /
-                    solved(tight, f).sides.tension.max_normal_load.nut,
+    EXPECT_NEAR(solved(loose, f).sides.tension.max_normal_load.nut / solved(tight, f).sides.tension.max_normal_load.nut,
                 1.0, 1e-9);
   }
 }
@@ -417,16 +388,12 @@ TEST_P(Arrangements, RandomSectorsConverge) {
     PreloadSolver solver = p.solver();
     ASSERT_TRUE(solver.at_rest().solve.converged()) << k;
     ASSERT_NEAR(solver.at_rest().sides.tension.axial_load.screw / *p.preload.force, 1.0, 1e-8) << k;
-    for (const Direction d : kDirections)
-      ASSERT_GE(solver.opening_force(d).value_or(HUGE_VAL), *p.preload.force) << k;
+    for (const Direction d : kDirections) ASSERT_GE(solver.opening_force(d).value_or(HUGE_VAL), *p.preload.force) << k;
     double last = -HUGE_VAL;
     for (double share = -1.0; share <= 1.0; share += 0.1) {
       const PreloadPoint point = solver.solve(share * heavy);
-      ASSERT_TRUE(point.solve.converged())
-          << k << ' ' << share << ' ' << fe::name(point.solve.status);
-      ASSERT_NEAR(
-          (point.sides.tension.axial_load.nut - point.sides.compression.axial_load.nut) / heavy,
-          share, 1e-9)
+      ASSERT_TRUE(point.solve.converged()) << k << ' ' << share << ' ' << fe::name(point.solve.status);
+      ASSERT_NEAR((point.sides.tension.axial_load.nut - point.sides.compression.axial_load.nut) / heavy, share, 1e-9)
           << k;
       ASSERT_GT(point.axial_displacement, last) << k << ' ' << share;
       last = point.axial_displacement;
@@ -435,8 +402,8 @@ TEST_P(Arrangements, RandomSectorsConverge) {
 }
 
 Case with_preload(const std::string& preload, std::vector<std::string> overrides = {}) {
-  return input::read_case_text(input::kAbevi + "preload: " + preload + "\n", "case.yaml",
-                               std::move(overrides), Command::preload);
+  return input::read_case_text(input::kAbevi + "preload: " + preload + "\n", "case.yaml", std::move(overrides),
+                               Command::preload);
 }
 
 TEST(AnalyzePreload, EachSenseOfTheLoadRestsOnItsOwnSection) {
@@ -459,15 +426,15 @@ TEST(AnalyzePreload, EachSenseOfTheLoadRestsOnItsOwnSection) {
 }
 
 TEST(AnalyzePreload, LostMotionIsTheTravelBetweenBothSensesOfItsLoad) {
-  const PreloadResult r = analyze_preload(with_preload(
-      "{arrangement: single_nut, force: 5 kN, position: 29 mm, load: {from: -20 kN, to: 10 kN, "
-      "steps: 31}, lost_motion_load: 3 kN}"));
+  const PreloadResult r = analyze_preload(
+      with_preload("{arrangement: single_nut, force: 5 kN, position: 29 mm, load: {from: -20 kN, to: 10 kN, "
+                   "steps: 31}, lost_motion_load: 3 kN}"));
   EXPECT_EQ(r.lost_motion_load, 3e3);
   EXPECT_NEAR(r.curve.lost_motion.value(),
               r.curve.points[23].axial_displacement - r.curve.points[17].axial_displacement, 1e-17);
   EXPECT_LT(r.curve.lost_motion, r.without_preload->lost_motion);
-  const PreloadResult by_default = analyze_preload(with_preload(
-      "{arrangement: single_nut, force: 5 kN, position: 29 mm, load: {from: -20 kN, to: 10 kN}}"));
+  const PreloadResult by_default = analyze_preload(
+      with_preload("{arrangement: single_nut, force: 5 kN, position: 29 mm, load: {from: -20 kN, to: 10 kN}}"));
   EXPECT_EQ(by_default.lost_motion_load, 1e3);
   EXPECT_EQ(by_default.curve.points.size(), 41u);
 }
@@ -476,10 +443,10 @@ TEST(AnalyzePreload, LostMotionIsTheTravelBetweenBothSensesOfItsLoad) {
 /// travel grows as its 2/3rd power, the stiffness as its cube root.
 TEST(AnalyzePreload, LostMotionOfSmallLoadsIsThePlayAndHertzApproach) {
   const auto travel = [](const std::string& load) {
-    const PreloadResult r = analyze_preload(with_preload(
-        "{arrangement: single_nut, backlash: 20 um, position: 29 mm, load: {from: -20 kN, to: 20 "
-        "kN, steps: 3}, lost_motion_load: " +
-        load + "}"));
+    const PreloadResult r = analyze_preload(
+        with_preload("{arrangement: single_nut, backlash: 20 um, position: 29 mm, load: {from: -20 kN, to: 20 "
+                     "kN, steps: 3}, lost_motion_load: " +
+                     load + "}"));
     EXPECT_TRUE(r.converged()) << load;
     EXPECT_TRUE(std::ranges::none_of(sentences(r.warnings), [](const std::string& text) {
       return text.find("not converged") != std::string::npos;
@@ -494,10 +461,10 @@ TEST(AnalyzePreload, LostMotionOfSmallLoadsIsThePlayAndHertzApproach) {
 
 /// An approach of 1e-18 of the play is beyond the numbers.
 TEST(AnalyzePreload, WhatDoesNotConvergeSaysWhy) {
-  const PreloadResult r = analyze_preload(with_preload(
-      "{arrangement: single_nut, backlash: 20 um, position: 29 mm, load: {from: -20 kN, to: 20 "
-      "kN, steps: 3}, lost_motion_load: 1e-30 N}",
-      {"mechanism.contacts_per_roller=4"}));
+  const PreloadResult r = analyze_preload(
+      with_preload("{arrangement: single_nut, backlash: 20 um, position: 29 mm, load: {from: -20 kN, to: 20 "
+                   "kN, steps: 3}, lost_motion_load: 1e-30 N}",
+                   {"mechanism.contacts_per_roller=4"}));
   EXPECT_FALSE(r.converged());
   EXPECT_FALSE(r.curve.lost_motion);
   for (const std::string start : {"at 1e-30 N: not converged: ", "at -1e-30 N: not converged: "})
@@ -507,20 +474,20 @@ TEST(AnalyzePreload, WhatDoesNotConvergeSaysWhy) {
 }
 
 TEST(AnalyzePreload, AForceThatNoFitGivesIsRefused) {
-  const Case c = with_preload(
-      "{arrangement: single_nut, force: 1e6 kN, position: 29 mm, load: {from: -20 kN, to: 20 kN}}");
+  const Case c =
+      with_preload("{arrangement: single_nut, force: 1e6 kN, position: 29 mm, load: {from: -20 kN, to: 20 kN}}");
   EXPECT_THROW(analyze_preload(c), CaseError);
 }
 
 TEST(PreloadJson, HasUnitsInItsKeysAndNothingThatIsNotDefined) {
   const auto document = [](const std::string& fit) {
-    return document_of(preload_analysis(),
-                       analyze_preload(with_preload(
-                           "{arrangement: double_nut, position: 29 mm, spacer: {length: 10 mm, "
-                           "inner_diameter: 37 mm, outer_diameter: 46 mm}, distance: 68 mm, load: "
-                           "{from: -9 kN, to: 9 kN, steps: 3}, " +
-                           fit + "}")),
-                       {})["preload"];
+    return document_of(
+        preload_analysis(),
+        analyze_preload(with_preload("{arrangement: double_nut, position: 29 mm, spacer: {length: 10 mm, "
+                                     "inner_diameter: 37 mm, outer_diameter: 46 mm}, distance: 68 mm, load: "
+                                     "{from: -9 kN, to: 9 kN, steps: 3}, " +
+                                     fit + "}")),
+        {})["preload"];
   };
   const auto json = document("force: 3 kN");
   EXPECT_NEAR(json["preload_force_N"].get<double>(), 3e3, 1e-6);

@@ -10,8 +10,7 @@ namespace prs {
 namespace {
 
 Case solved_case() {
-  const auto all =
-      nlohmann::json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
+  const auto all = nlohmann::json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
   return input::read_case_text(all["cases"][3]["input"].dump(), "case", {}, Command::preload);
 }
 

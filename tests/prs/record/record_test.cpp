@@ -79,16 +79,10 @@ constexpr Quantity<Mapped> kMapped[] = {
 
 }  // namespace sample
 
-Record<sample::Mapped> record_of(Type<sample::Mapped>) {
-  return {"Mapped", "Of a test.", sample::kMapped};
-}
+Record<sample::Mapped> record_of(Type<sample::Mapped>) { return {"Mapped", "Of a test.", sample::kMapped}; }
 
-Record<sample::Inner> record_of(Type<sample::Inner>) {
-  return {"Inner", "Of a test.", sample::kInner};
-}
-Record<sample::Outer> record_of(Type<sample::Outer>) {
-  return {"Outer", "Of a test.", sample::kOuter};
-}
+Record<sample::Inner> record_of(Type<sample::Inner>) { return {"Inner", "Of a test.", sample::kInner}; }
+Record<sample::Outer> record_of(Type<sample::Outer>) { return {"Outer", "Of a test.", sample::kOuter}; }
 
 namespace {
 
@@ -129,8 +123,8 @@ TEST(Record, ReaderAgreesWithTheDocument) {
   EXPECT_EQ(read("inner_deg.loads_N.mean"), 2.5);
   EXPECT_EQ(read("inner_deg.loads_N[0]"), 1.0);
   EXPECT_EQ(read("loads_N.min"), 1.0);
-  for (const char* path : {"inner_deg.loads_N[2]", "absent.angle", "length_mm.max", "text",
-                           "inner_deg", "inner_deg.loads_N", "length", "loads_N[1", "loads_N[1]x"})
+  for (const char* path : {"inner_deg.loads_N[2]", "absent.angle", "length_mm.max", "text", "inner_deg",
+                           "inner_deg.loads_N", "length", "loads_N[1", "loads_N[1]x"})
     EXPECT_FALSE(read(path)) << path;
 }
 
@@ -146,11 +140,10 @@ TEST(Record, RowsAreDescribedWithThoseOfRecordsWithoutKey) {
 }
 
 TEST(Record, ValuesByKeyAndTablesStandWhereTheyAreDescribed) {
-  const sample::Mapped mapped{
-      {{"b", 0.002}, {"a", 0.001}, {"c", std::numeric_limits<double>::quiet_NaN()}},
-      {{"x", {0.5, {1.0}}}},
-      {4, 5},
-      {{std::numbers::pi, {}}}};
+  const sample::Mapped mapped{{{"b", 0.002}, {"a", 0.001}, {"c", std::numeric_limits<double>::quiet_NaN()}},
+                              {{"x", {0.5, {1.0}}}},
+                              {4, 5},
+                              {{std::numbers::pi, {}}}};
   EXPECT_EQ(object_of(mapped).dump(),
             R"({"lengths_mm":{"b":2.0,"a":1.0},"records":{"x":{"angle":0.5,"loads_N":[1.0]}},)"
             R"("items":[{"angle_deg":180.0}],"part":{"counts":[4,5]},"share_percent":30.0,)"
@@ -178,8 +171,7 @@ TEST(Record, ResponsesWithoutADocumentAreThoseOfTheDocument) {
     const std::optional<ResultNumber> number = result_number(path);
     if (!number) continue;
     ++read;
-    EXPECT_EQ(number->value({result.contacts, &result.load_cases[0]}), response(document, path))
-        << path;
+    EXPECT_EQ(number->value({result.contacts, &result.load_cases[0]}), response(document, path)) << path;
   }
   EXPECT_GT(read, 60);
 }

@@ -20,8 +20,7 @@ TEST(ResponseTitle, StartsWithThePartAndEndsInTheUnit) {
   EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").name, "max screw peak pressure");
   EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").unit, "MPa");
   EXPECT_EQ(response_title("slip.nut.power_W[2]").name, "nut power, thread 3");
-  EXPECT_EQ(response_title("screw.normal_load_N[3][0]").name,
-            "screw normal load, roller 4, thread 1");
+  EXPECT_EQ(response_title("screw.normal_load_N[3][0]").name, "screw normal load, roller 4, thread 1");
   EXPECT_EQ(response_title("nut.roller_share_percent[3]").name, "nut roller share, roller 4");
   EXPECT_EQ(response_title("slip.viscosity_mPas").unit, "mPa s");
 }

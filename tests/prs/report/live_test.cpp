@@ -40,11 +40,9 @@ TEST(LiveReport, OfTheSameCaseIsTheReport) {
 }
 
 TEST(LiveReport, ShowsTheReportBehindOtherValues) {
-  const input::Source changed =
-      live_lesson("04_contacts_from_geometry.yaml", {"structure.nut.outer_diameter=60 mm"});
+  const input::Source changed = live_lesson("04_contacts_from_geometry.yaml", {"structure.nut.outer_diameter=60 mm"});
   const std::string verdict = live_sections(changed, {}).sections["verdict"];
-  const std::string before =
-      live_sections(live_lesson("04_contacts_from_geometry.yaml"), {}).sections["verdict"];
+  const std::string before = live_sections(live_lesson("04_contacts_from_geometry.yaml"), {}).sections["verdict"];
   std::smatch found;
   static const std::regex value("<div class=\"value\">([^<]*) <small>");
   ASSERT_TRUE(std::regex_search(before, found, value));
@@ -60,13 +58,11 @@ TEST(LiveReport, ShowsTheReportBehindOtherValues) {
 
 /// A case whose life has the load of its load cases, and overrides that give them another.
 input::Source screw_with(std::vector<std::string> overrides) {
-  const std::string text =
-      screw_case(complete_screw({.screw_diameter = 25e-3, .lead = 5e-3, .load = 19e3}), {}, "");
+  const std::string text = screw_case(complete_screw({.screw_diameter = 25e-3, .lead = 5e-3, .load = 19e3}), {}, "");
   overrides.insert(overrides.begin(), "model.bodies=bars");
   return input::source_of_text("screw.yaml", text, std::move(overrides));
 }
-const std::string kOfCases = "load_cases[0].axial_force=200 kN",
-                  kOfOther = "load_cases[1].axial_force=200 kN",
+const std::string kOfCases = "load_cases[0].axial_force=200 kN", kOfOther = "load_cases[1].axial_force=200 kN",
                   kOfLife = "life.spectrum[0].force=200 kN";
 
 TEST(LiveReport, OneLoadDrivesTheLifeOfTheSameLoads) {
@@ -80,8 +76,7 @@ TEST(LiveReport, OneLoadDrivesTheLifeOfTheSameLoads) {
 }
 
 TEST(LiveReport, WhatKeepsItsOwnLoadsIsGreyAndSaysSo) {
-  const std::string controls =
-      report_parts(screw_with({"life.spectrum[0].force=9 kN"}), {}).controls;
+  const std::string controls = report_parts(screw_with({"life.spectrum[0].force=9 kN"}), {}).controls;
   EXPECT_THAT(controls, HasSubstr("data-paths=\"load_cases[0].axial_force "
                                   "load_cases[1].axial_force\""));
   EXPECT_THAT(controls, HasSubstr("data-paths=\"life.spectrum[0].force\""));
@@ -95,8 +90,8 @@ TEST(LiveReport, WhatKeepsItsOwnLoadsIsGreyAndSaysSo) {
 }
 
 TEST(LiveReport, HeadAndThreadsFollow) {
-  const LiveAnswer live = live_sections(
-      screw_with({"mechanism.rollers=6", "mechanism.contacts_per_roller=20"}), {.own = 1});
+  const LiveAnswer live =
+      live_sections(screw_with({"mechanism.rollers=6", "mechanism.contacts_per_roller=20"}), {.own = 1});
   EXPECT_THAT(live.head, HasSubstr("6 rollers with 20 threads"));
   EXPECT_EQ(live.threads["threads"], 20);
   EXPECT_EQ(live_sections(screw_with({"mechanism.rollers=6"}), {.own = 1, .quick = true}).head, "");
@@ -111,20 +106,17 @@ TEST(LiveReport, IsQuickWithWhatFollowsASlider) {
   const input::Source source = live_lesson("28_driving_load.yaml");
   EXPECT_THAT(names_of(live_sections(source, {.quick = true})),
               ElementsAre("verdict", "mechanism", "loads", "pressures", "stiffness"));
-  EXPECT_THAT(names_of(live_sections(source, {.quick = true, .sections = {"loads", "slip"}})),
-              ElementsAre("loads"));
+  EXPECT_THAT(names_of(live_sections(source, {.quick = true, .sections = {"loads", "slip"}})), ElementsAre("loads"));
 }
 
 TEST(LiveReport, ShowsOneThread) {
   const input::Source source = live_lesson("28_driving_load.yaml");
-  const LiveAnswer answer =
-      live_sections(source, {.sections = {"thread"}, .thread = ThreadChoice{0, 2}});
+  const LiveAnswer answer = live_sections(source, {.sections = {"thread"}, .thread = ThreadChoice{0, 2}});
   ASSERT_THAT(names_of(answer), ElementsAre("thread"));
   const std::string html = answer.sections["thread"];
   for (const char* part : {"Peak pressure", "thread_pressure", "thread_stress", "thread_friction"})
     EXPECT_THAT(html, HasSubstr(part));
-  const LiveAnswer none =
-      live_sections(source, {.sections = {"thread"}, .thread = ThreadChoice{0, 999}});
+  const LiveAnswer none = live_sections(source, {.sections = {"thread"}, .thread = ThreadChoice{0, 999}});
   EXPECT_THAT(none.sections["thread"].get<std::string>(), HasSubstr("no such thread"));
 }
 
@@ -160,8 +152,7 @@ TEST(Controls, AddTheirRangeInTheUnitOfTheFile) {
 
 TEST(Controls, AreInUsUnitsOnSuchAPage) {
   const TableUnits units(UnitSystem::us);
-  const std::string controls =
-      report_parts(live_lesson("04_contacts_from_geometry.yaml"), {}).controls;
+  const std::string controls = report_parts(live_lesson("04_contacts_from_geometry.yaml"), {}).controls;
   for (const char* us : {"data-value=\"0.19685 in\"", "data-unit=\"lbf\"", "data-unit=\"ksi\""})
     EXPECT_THAT(controls, HasSubstr(us));
   for (const char* si : {"data-unit=\"mm\"", "data-unit=\"N\"", "data-unit=\"kN\""})
@@ -186,8 +177,7 @@ TEST(Report, OfThousandsOfLoadsIsNoLargerThanOthers) {
   SKIP_UNDER_SANITIZERS();
   input::Source source = live_lesson("04_contacts_from_geometry.yaml");
   source.text += "\nlife:\n  position: 29 mm\n  spectrum:\n";
-  for (int k = 0; k < 8000; ++k)
-    source.text += "    - {force: 9 kN, direction: tension, share: 0.000125}\n";
+  for (int k = 0; k < 8000; ++k) source.text += "    - {force: 9 kN, direction: tension, share: 0.000125}\n";
   const Report report = make_report(source, {.live = false});
   EXPECT_LT(report.html.size(), 2'500'000u);
   EXPECT_NE(report.html.find("<code>prs check --all</code> shows them"), std::string::npos);

@@ -30,8 +30,7 @@ input::Source lesson_source(const std::string& name, std::vector<std::string> ov
 /// is well.
 std::string malformed(const std::string& page) {
   static const std::set<std::string> kVoid = {"meta", "img", "input", "wbr"};
-  static const std::regex tag(
-      "<(/?)([a-z0-9A-Z]+)((?:\\s+[a-zA-Z:-]+(?:=\"[^\"<>]*\")?)*)\\s*(/?)>");
+  static const std::regex tag("<(/?)([a-z0-9A-Z]+)((?:\\s+[a-zA-Z:-]+(?:=\"[^\"<>]*\")?)*)\\s*(/?)>");
   std::vector<std::string> open;
   std::size_t at = page.find("<html");
   while ((at = page.find('<', at)) != std::string::npos) {
@@ -40,8 +39,8 @@ std::string malformed(const std::string& page) {
     if (end == std::string::npos) return "no end of a tag";
     const std::string text = page.substr(at, end + 1 - at);
     // A regular expression recurses over long texts: those of files are checked by their quotes.
-    if (text.starts_with("<a download=") || text.starts_with("<img alt=") ||
-        text.starts_with("<path d=") || text.starts_with("<image x=")) {
+    if (text.starts_with("<a download=") || text.starts_with("<img alt=") || text.starts_with("<path d=") ||
+        text.starts_with("<image x=")) {
       if (std::ranges::count(text, '"') % 2 != 0) return text.substr(0, 60);
       if (text.starts_with("<a ")) open.push_back("a");
       at = end;
@@ -93,8 +92,7 @@ TEST_P(LessonReport, IsOnePageThatAsksForNothingAndSaysWhatTheCommandsSay) {
   }
   EXPECT_EQ(malformed(report.html), "");
   EXPECT_THAT(report.html, HasSubstr("content=\"default-src 'none'; style-src 'sha256-"));
-  for (const char* request :
-       {"http:", "https:", " style=\"", "<link", "@import", "url(h", "onerror="})
+  for (const char* request : {"http:", "https:", " style=\"", "<link", "@import", "url(h", "onerror="})
     EXPECT_EQ(report.html.find(request), std::string::npos) << request;
   for (const char* none : {">nan", " nan", "Lnan", "inf ", ">inf"})
     EXPECT_EQ(report.html.find(none), std::string::npos) << none;
@@ -105,23 +103,20 @@ TEST_P(LessonReport, IsOnePageThatAsksForNothingAndSaysWhatTheCommandsSay) {
 
   const input::CaseInput in = input::read_case_input(source, Command::check);
   if (!input::missing(in, Command::solve).empty()) return;
-  const auto document =
-      run(analysis_of(Command::solve), source).document(document_info(source, Command::solve));
+  const auto document = run(analysis_of(Command::solve), source).document(document_info(source, Command::solve));
   EXPECT_EQ(report.data["results"]["solve"]["load_cases"], document["load_cases"]);
   const auto& first = document["load_cases"].front();
   if (first.contains("axial_stiffness_N_per_um")) {
-    EXPECT_THAT(report.html,
-                HasSubstr(fmt::format(
-                    "<td>{}</td>",
-                    report_number(first["axial_stiffness_N_per_um"].get<double>(), "N/µm"))));
+    EXPECT_THAT(
+        report.html,
+        HasSubstr(fmt::format("<td>{}</td>", report_number(first["axial_stiffness_N_per_um"].get<double>(), "N/µm"))));
   }
 }
 
 std::vector<std::string> lesson_files() {
   std::set<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(PRS_SOURCE_DIR "/configs"))
-    if (file.path().extension() == ".yaml" &&
-        !other_file(input::load_source(file.path().string(), {})))
+    if (file.path().extension() == ".yaml" && !other_file(input::load_source(file.path().string(), {})))
       names.insert(file.path().filename());
   return {names.begin(), names.end()};
 }
@@ -144,13 +139,10 @@ TEST(Report, ShowsTextsOfTheCaseAsText) {
 
 TEST(Report, EachCardNamesItsLimitAndWarningsStandBelowTheVerdict) {
   const std::string page =
-      make_report(lesson_source("01_config_1_to_3.yaml", {"limits.stiffness=900 N/um"}),
-                  {.live = false})
-          .html;
-  EXPECT_THAT(page, AllOf(HasSubstr("data-tile=\"static_safety\" class=\"red\""),
-                          HasSubstr("at least 1, physical limit"),
-                          HasSubstr("at least 900.0 N/µm, limits.stiffness"),
-                          HasSubstr("temperature (add heat)")));
+      make_report(lesson_source("01_config_1_to_3.yaml", {"limits.stiffness=900 N/um"}), {.live = false}).html;
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("data-tile=\"static_safety\" class=\"red\""), HasSubstr("at least 1, physical limit"),
+                    HasSubstr("at least 900.0 N/µm, limits.stiffness"), HasSubstr("temperature (add heat)")));
   EXPECT_THAT(page, Not(HasSubstr(">1.59")));  // Of equal shares.
   EXPECT_LT(page.find("id=\"verdict\""), page.find("id=\"warnings\""));
   EXPECT_LT(page.find("id=\"warnings\""), page.find("id=\"mechanism\""));
@@ -159,20 +151,19 @@ TEST(Report, EachCardNamesItsLimitAndWarningsStandBelowTheVerdict) {
 /// Peaks of 2.57, 3.99 and 2.92 GPa, as the issue of warnings that named the last one has them.
 TEST(Report, PageAndTableTellTheWorstValueWithItsLoadCase) {
   const std::string rest = ", direction: tension, position: 29.1666667 mm}";
-  const input::Source source = lesson_source(
-      "09_slip_and_dissipation.yaml", {"load_cases=[{name: low, axial_force: 13.6 kN" + rest +
-                                           ", {name: high, axial_force: 47.5 kN" + rest +
-                                           ", {name: pull, axial_force: 20 kN" + rest + "]",
-                                       "model.loads=static"});
-  const Delivery slip =
-      analysis_of(Command::slip).run(source, input::read_case_input(source, Command::slip));
+  const input::Source source =
+      lesson_source("09_slip_and_dissipation.yaml",
+                    {"load_cases=[{name: low, axial_force: 13.6 kN" + rest + ", {name: high, axial_force: 47.5 kN" +
+                         rest + ", {name: pull, axial_force: 20 kN" + rest + "]",
+                     "model.loads=static"});
+  const Delivery slip = analysis_of(Command::slip).run(source, input::read_case_input(source, Command::slip));
   double largest = 0.0;
   for (const Warning& warning : slip.warnings())
     if (warning.code == "screw_running_pressure") largest = std::max(largest, *warning.value);
   EXPECT_NEAR(largest, 3.99e9, 0.03e9);
   const std::vector<WarningGroup> groups = grouped(slip.warnings());
-  const auto group = std::ranges::find(groups, "screw_running_pressure",
-                                       [](const WarningGroup& g) { return g.worst.code; });
+  const auto group =
+      std::ranges::find(groups, "screw_running_pressure", [](const WarningGroup& g) { return g.worst.code; });
   ASSERT_NE(group, groups.end());
   EXPECT_EQ(group->worst.value.value(), largest);
   EXPECT_EQ(group->where(), "worst in high, and 2 other load cases");
@@ -191,8 +182,7 @@ std::string between(const std::string& text, const std::string& from, const std:
 TEST(Report, ADutyCycleIsToldApartFromSteadyStates) {
   const Report report = make_report(lesson_source("30_duty_cycle.yaml"), {.live = false});
   const auto& cycle = report.data["results"]["slip"]["heat_cycle"];
-  const std::string power =
-      report_number(cycle["energy_lost_J"].get<double>() / cycle["period_s"].get<double>(), "W");
+  const std::string power = report_number(cycle["energy_lost_J"].get<double>() / cycle["period_s"].get<double>(), "W");
   EXPECT_THAT(between(report.html, "data-tile=\"Power lost\"", "</dl>"),
               AllOf(HasSubstr(power + " <small>W"), HasSubstr("mean over the cycle")));
   EXPECT_THAT(between(report.html, "data-tile=\"efficiency\"", "data-tile=\"temperature"),
@@ -207,8 +197,7 @@ TEST(Report, ADutyCycleIsToldApartFromSteadyStates) {
 }
 
 TEST(Report, StiffnessTermsThatDoNotAddUpFold) {
-  const std::string page =
-      make_report(lesson_source("18_design_measures.yaml"), {.live = false}).html;
+  const std::string page = make_report(lesson_source("18_design_measures.yaml"), {.live = false}).html;
   const std::string open = between(page, "<section id=\"measures\"", "<details>");
   EXPECT_THAT(open, Not(HasSubstr("stiffness_terms")));
   EXPECT_THAT(page, HasSubstr("<figcaption>Stiffness terms: contacts with equal shares"));
@@ -238,11 +227,10 @@ TEST(Report, MayBeInInchesAndPounds) {
   page.erase(page.find("<script"));  // Documents are always SI.
   EXPECT_THAT(page, HasSubstr("Pitch diameters: screw 0.82677 in"));
   EXPECT_THAT(page, HasSubstr("Lead 0.19685 in, 3 starts"));
-  for (const char* si : {">N/µm<", ">kN<", ">N<", ">MPa<", ">mm<", ">µm<", "(kN)", "(N/µm)",
-                         "Stiffness, N/µm", " GPa "})
+  for (const char* si :
+       {">N/µm<", ">kN<", ">N<", ">MPa<", ">mm<", ">µm<", "(kN)", "(N/µm)", "Stiffness, N/µm", " GPa "})
     EXPECT_EQ(page.find(si), std::string::npos) << si;
-  for (const char* us : {">lbf/µin<", ">lbf<", ">ksi<", ">in<", "data-units=\"us\""})
-    EXPECT_THAT(page, HasSubstr(us));
+  for (const char* us : {">lbf/µin<", ">lbf<", ">ksi<", ">in<", "data-units=\"us\""}) EXPECT_THAT(page, HasSubstr(us));
 }
 
 TEST(Report, KeepsTheDateThatItIsGiven) {
@@ -259,8 +247,7 @@ TEST(Report, KeepsTheDateThatItIsGiven) {
 TEST(ReportCommand, WritesAFileAndNothingElse) {
   const test::TemporaryDirectory folder;
   const std::string lesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
-  const test::Outcome run =
-      test::run_prs("report " + lesson + " --output page.html", folder.path());
+  const test::Outcome run = test::run_prs("report " + lesson + " --output page.html", folder.path());
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(test::content_of(folder.path() / "page.html").ends_with("</html>\n"));
   const auto files = std::filesystem::directory_iterator(folder.path());
@@ -269,11 +256,10 @@ TEST(ReportCommand, WritesAFileAndNothingElse) {
 
 TEST(ReportCommand, WritesAndMarksWhatDidNotConverge) {
   const test::TemporaryDirectory folder;
-  const test::Outcome run =
-      test::run_prs("report " PRS_SOURCE_DIR
-                    "/configs/09_slip_and_dissipation.yaml --output page.html "
-                    "--set 'carrier.nut_torque=150 N m' --set 'load_cases[0].axial_force=80 kN'",
-                    folder.path());
+  const test::Outcome run = test::run_prs("report " PRS_SOURCE_DIR
+                                          "/configs/09_slip_and_dissipation.yaml --output page.html "
+                                          "--set 'carrier.nut_torque=150 N m' --set 'load_cases[0].axial_force=80 kN'",
+                                          folder.path());
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("prs: slip did not converge"));
   EXPECT_THAT(test::content_of(folder.path() / "page.html"), HasSubstr("Slip did not converge."));
@@ -284,9 +270,7 @@ TEST(ReportCommand, RefusesWhatIsNoFile) {
   const std::string lesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
   EXPECT_EQ(test::run_prs("report " + lesson, folder.path()).status, 2);
   EXPECT_EQ(test::run_prs("report " + lesson + " --output .", folder.path()).status, 2);
-  EXPECT_EQ(test::run_prs("report " + lesson + " --set mechanism.rollers=x --output page.html",
-                          folder.path())
-                .status,
+  EXPECT_EQ(test::run_prs("report " + lesson + " --set mechanism.rollers=x --output page.html", folder.path()).status,
             2);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
@@ -294,17 +278,14 @@ TEST(ReportCommand, RefusesWhatIsNoFile) {
 TEST(ReportCommand, ShowsTheStudyOfTheSameCase) {
   const test::TemporaryDirectory folder;
   const std::string lesson = PRS_SOURCE_DIR "/configs/17_derivatives.yaml";
-  ASSERT_EQ(test::run_prs("study " + lesson + " --quiet --output results", folder.path()).status,
-            0);
+  ASSERT_EQ(test::run_prs("study " + lesson + " --quiet --output results", folder.path()).status, 0);
   const auto page = [&](const std::string& more) {
-    EXPECT_EQ(test::run_prs("report " + lesson + " --results results --output page.html" + more,
-                            folder.path())
-                  .status,
+    EXPECT_EQ(test::run_prs("report " + lesson + " --results results --output page.html" + more, folder.path()).status,
               0);
     return test::content_of(folder.path() / "page.html");
   };
-  EXPECT_THAT(page(""), AllOf(HasSubstr("download=\"derivatives.csv\""),
-                              HasSubstr("data-figure=\"derivatives_01_"), Not(HasSubstr("<img"))));
+  EXPECT_THAT(page(""), AllOf(HasSubstr("download=\"derivatives.csv\""), HasSubstr("data-figure=\"derivatives_01_"),
+                              Not(HasSubstr("<img"))));
   EXPECT_THAT(page(" --set mechanism.rollers=8"), Not(HasSubstr("derivatives.csv\"")));
 }
 
@@ -312,9 +293,9 @@ TEST(ReportCommand, FoldersOfResultsThatHaveNoneAreTold) {
   const test::TemporaryDirectory folder;
   std::filesystem::create_directory(folder.path() / "empty");
   const auto run = [&](const std::string& command) {
-    return test::run_prs(command + " '" PRS_SOURCE_DIR "/configs/07_contact_geometry.yaml'" +
-                             " --output page.html --results empty",
-                         folder.path());
+    return test::run_prs(
+        command + " '" PRS_SOURCE_DIR "/configs/07_contact_geometry.yaml'" + " --output page.html --results empty",
+        folder.path());
   };
   const test::Outcome none = run("report --static --results nowhere");
   EXPECT_EQ(none.status, 2);
@@ -328,9 +309,7 @@ TEST(ReportCommand, FoldersOfResultsThatHaveNoneAreTold) {
 
 TEST(WorkbenchCommand, WritesThePageOfAnyCaseAndRefusesWrongOnes) {
   const test::TemporaryDirectory folder;
-  const auto run = [&](const std::string& arguments) {
-    return test::run_prs("workbench " + arguments, folder.path());
-  };
+  const auto run = [&](const std::string& arguments) { return test::run_prs("workbench " + arguments, folder.path()); };
   const std::string lessons = PRS_SOURCE_DIR "/configs/";
   for (const char* const lesson : {"", "14_flight_spectrum.yaml", "32_press.yaml"}) {
     const std::string file = *lesson ? "'" + lessons + lesson + "'" : "";
@@ -343,10 +322,7 @@ TEST(WorkbenchCommand, WritesThePageOfAnyCaseAndRefusesWrongOnes) {
   }
   EXPECT_EQ(run("").status, 2);
   EXPECT_EQ(run("--set mechanism.rollers=9 --output page.html").status, 2);
-  EXPECT_EQ(
-      run("'" + lessons + "05_standard_screw.yaml' --set mechanism.rollers=no --output page.html")
-          .status,
-      2);
+  EXPECT_EQ(run("'" + lessons + "05_standard_screw.yaml' --set mechanism.rollers=no --output page.html").status, 2);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "page.html"));
 }
 
@@ -370,8 +346,7 @@ TEST(Svg, DrawsLargeMapsNoFinerThanAScreen) {
 
 TEST(Svg, DrawsTheSameInUnitsOfTables) {
   constexpr double kAround = 14.0;  // Clipped marks may reach over the frame.
-  Figure figure{
-      .name = "a", .title = "a", .x = {"Force", "kN", 0.0, 8.0}, .y = {"y", "mm", 0.0, 4.0}};
+  Figure figure{.name = "a", .title = "a", .x = {"Force", "kN", 0.0, 8.0}, .y = {"y", "mm", 0.0, 4.0}};
   const std::size_t line = figure.add(line_of(Colour::blue));
   figure.panels.resize(1);
   figure.panels[0].series = {{line, {{{1.0, 1.0}, {7.0, 3.0}}}}};

@@ -33,8 +33,8 @@ TEST(TitleBlock, SaysWhatTheFileSaysOfTheReport) {
                   {.live = false})
           .html;
   EXPECT_THAT(page, AllOf(HasSubstr("<h1>Press 40 kN</h1>"), HasSubstr("<title>Press 40 kN · "),
-                          HasSubstr("<dd>&lt;/style&gt;&lt;b&gt;A &amp; B</dd>"),
-                          HasSubstr("<dd>Jane</dd>"), Not(HasSubstr("<b>"))));
+                          HasSubstr("<dd>&lt;/style&gt;&lt;b&gt;A &amp; B</dd>"), HasSubstr("<dd>Jane</dd>"),
+                          Not(HasSubstr("<b>"))));
   EXPECT_THAT(page, HasSubstr("@bottom-left{content:\"Press 40 kN · No\\2e  C\\2d 12 · rev"));
   EXPECT_THAT(page, Not(HasSubstr("<code>report.")));  // No input of the calculation.
   EXPECT_THAT(make_report(input::load_source(kLesson, {}), {.live = false}).html,
@@ -47,8 +47,7 @@ TEST(TitleBlock, TakesKnownKeysAlone) {
 
 TEST(TitleBlock, TextsCannotLeaveTheStyleOfTheSheets) {
   const std::string page =
-      make_report(with_block("report: {title: '</style><script>x</script>\"}\\'}"), {.live = false})
-          .html;
+      make_report(with_block("report: {title: '</style><script>x</script>\"}\\'}"), {.live = false}).html;
   EXPECT_EQ(count_of(page, "</style>"), 1u);
   EXPECT_THAT(page, Not(HasSubstr("<script>x")));
 }
@@ -57,9 +56,8 @@ TEST(Sheets, GoFromTheAnswerToTheNumbers) {
   std::vector<std::string> ids;
   for (const ReportSection& section : report_parts(input::load_source(kLesson, {}), {}).sections)
     ids.push_back(section.id);
-  EXPECT_THAT(ids, ElementsAre("verdict", "warnings", "mechanism", "inputs", "loads", "pressures",
-                               "stiffness", "life", "slip", "preload", "measures", "models",
-                               "contacts", "studies", "data", "provenance"));
+  EXPECT_THAT(ids, ElementsAre("verdict", "warnings", "mechanism", "inputs", "loads", "pressures", "stiffness", "life",
+                               "slip", "preload", "measures", "models", "contacts", "studies", "data", "provenance"));
 }
 
 TEST(Sheets, FoldWhatOnlySomeAskFor) {
@@ -74,11 +72,9 @@ TEST(Sheets, FoldWhatOnlySomeAskFor) {
 
 TEST(Sheets, HaveNoKeysForWords) {
   const std::string page =
-      make_report(input::load_source(PRS_SOURCE_DIR "/configs/27_missing_roller.yaml", {}),
-                  {.live = false})
-          .html;
-  for (const char* key : {">Semi major<", ">Dofs<", ">Source<", ">Power loss input output<",
-                          ">l10<", ">Rated<", ">At<", ">Stiffness SI<"})
+      make_report(input::load_source(PRS_SOURCE_DIR "/configs/27_missing_roller.yaml", {}), {.live = false}).html;
+  for (const char* key : {">Semi major<", ">Dofs<", ">Source<", ">Power loss input output<", ">l10<", ">Rated<", ">At<",
+                          ">Stiffness SI<"})
     EXPECT_THAT(page, Not(HasSubstr(key)));
 }
 

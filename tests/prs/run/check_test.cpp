@@ -20,8 +20,7 @@ using testing::Not;
 using testing::StartsWith;
 
 Json checked(const std::string& lesson, std::vector<std::string> overrides = {}) {
-  const input::Source source =
-      input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, std::move(overrides));
+  const input::Source source = input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, std::move(overrides));
   return run(analysis_of(Command::check), source).document(document_info(source, Command::check));
 }
 
@@ -36,8 +35,7 @@ TEST(Check, SaysForEachCommandWhetherItIsReadyAndWhatToAdd) {
   EXPECT_EQ(commands["slip"].dump(), R"({"ready":false,"missing":["friction","operation"]})");
   EXPECT_EQ(commands["study"].dump(), R"({"ready":false,"missing":["study"]})");
   EXPECT_EQ(commands.size(), prs::analyses().size());
-  const Json influence =
-      checked("12_preload.yaml", {"model.bodies=influence"})["commands"]["preload"];
+  const Json influence = checked("12_preload.yaml", {"model.bodies=influence"})["commands"]["preload"];
   EXPECT_EQ(influence.dump(), R"({"ready":false,"wrong":["model.bodies"]})");
   const Json running = checked("31_running_screw.yaml")["commands"];
   EXPECT_EQ(running["solve"]["loads"], "static");
@@ -60,15 +58,13 @@ TEST(Check, SaysWhatPerfectPartsHide) {
 }
 
 TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
-  for (const char* lesson : {"05_standard_screw.yaml", "07_contact_geometry.yaml",
-                             "09_slip_and_dissipation.yaml", "14_flight_spectrum.yaml"}) {
-    const input::Source source =
-        input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
+  for (const char* lesson : {"05_standard_screw.yaml", "07_contact_geometry.yaml", "09_slip_and_dissipation.yaml",
+                             "14_flight_spectrum.yaml"}) {
+    const input::Source source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
     const Json readiness = checked(lesson)["commands"];
     for (const auto& [command, state] : readiness.items()) {
       const AnyAnalysis& row = *std::ranges::find_if(
-          analyses(),
-          [&, &named = command](const AnyAnalysis& r) { return name(r.command) == named; });
+          analyses(), [&, &named = command](const AnyAnalysis& r) { return name(r.command) == named; });
       if (!row.run) continue;
       bool reads = true;
       try {
@@ -84,25 +80,23 @@ TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
 TEST(Check, DefaultsStandInTheTableOnlyWithAll) {
   const std::string file = "check configs/01_config_1_to_3.yaml";
   const test::Outcome brief = test::run_prs(file), all = test::run_prs(file + " --all");
-  EXPECT_THAT(brief.out, AllOf(StartsWith("Commands\n"), HasSubstr("slip         add friction, "),
-                               HasSubstr("add `friction: {model: jacod}`"), HasSubstr("Derived"),
-                               Not(HasSubstr("(default)"))));
+  EXPECT_THAT(brief.out,
+              AllOf(StartsWith("Commands\n"), HasSubstr("slip         add friction, "),
+                    HasSubstr("add `friction: {model: jacod}`"), HasSubstr("Derived"), Not(HasSubstr("(default)"))));
   EXPECT_THAT(all.out, AllOf(HasSubstr("model.patch_points"), HasSubstr("21   (default)")));
-  EXPECT_EQ(test::run_prs(file + " --json --quiet").out,
-            test::run_prs(file + " --all --json --quiet").out);
+  EXPECT_EQ(test::run_prs(file + " --json --quiet").out, test::run_prs(file + " --all --json --quiet").out);
 }
 
 TEST(Check, SaysWhatEachValueRestsOn) {
-  input::Source source = input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml",
-                                            {"structure.nut.length=101 mm"});
+  input::Source source =
+      input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml", {"structure.nut.length=101 mm"});
   const std::size_t at = source.text.find("  rollers: 10");
   ASSERT_NE(at, std::string::npos);
   source.text.insert(at, "  # assumed 10: as\n  # drawn\n");
   const Delivery check = run(analysis_of(Command::check), source);
   const Json document = check.document(document_info(source, Command::check));
   const auto entry = [&](const char* path) {
-    return *std::ranges::find_if(document["input"],
-                                 [&](const Json& e) { return e["path"] == path; });
+    return *std::ranges::find_if(document["input"], [&](const Json& e) { return e["path"] == path; });
   };
   EXPECT_EQ(entry("mechanism.rollers")["basis"], "assumed");
   EXPECT_EQ(entry("mechanism.rollers")["reason"], "as drawn");
@@ -122,31 +116,26 @@ struct Odd {
 
 TEST(Check, WarnsOfWhatIsOddTogether) {
   for (const auto& [lesson, override, path, text] :
-       {Odd{"04_contacts_from_geometry.yaml", "structure.nut.outer_diameter=35.34 mm",
-            "structure.nut.outer_diameter", "got 35.34 mm, a wall of 0.17 mm"},
+       {Odd{"04_contacts_from_geometry.yaml", "structure.nut.outer_diameter=35.34 mm", "structure.nut.outer_diameter",
+            "got 35.34 mm, a wall of 0.17 mm"},
         Odd{"18_design_measures.yaml", "operation.speed=6000 rpm", "operation.speed",
             "n d = 180000 mm/min; makers allow up to 150000 mm/min"},
         Odd{"09_slip_and_dissipation.yaml", "load_cases[1].speed=-9000 rpm", "load_cases[1].speed",
             "n d = 189000 mm/min"},
-        Odd{"08_design_by_backlash.yaml", "mechanism.backlash.nut=-0.5 mm",
-            "mechanism.backlash.nut", "backlash -0.5 mm, 30 % of the pitch"},
-        Odd{"04_contacts_from_geometry.yaml", "mechanism.centre_distance=13.75 mm",
-            "mechanism.pitch_diameter.screw", "check pitch diameters, centre distance"},
-        Odd{"07_contact_geometry.yaml", "mechanism.lead=60 mm", "mechanism.lead",
-            "a helix angle of 32."},
-        Odd{"07_contact_geometry.yaml", "mechanism.contacts_per_roller=200",
-            "mechanism.contacts_per_roller", "39.8 times the roller's diameter"},
-        Odd{"04_contacts_from_geometry.yaml", "structure.screw.bore=19 mm", "structure.screw.bore",
-            "a wall of 1 mm"},
-        Odd{"04_contacts_from_geometry.yaml", "load_cases[0].axial_force=200 kN",
-            "load_cases[0].axial_force", "exceeds 4 GPa"},
-        Odd{"04_contacts_from_geometry.yaml",
-            "mechanism.thread.roller={addendum: 0.12 mm, dedendum: 0.3 mm}",
+        Odd{"08_design_by_backlash.yaml", "mechanism.backlash.nut=-0.5 mm", "mechanism.backlash.nut",
+            "backlash -0.5 mm, 30 % of the pitch"},
+        Odd{"04_contacts_from_geometry.yaml", "mechanism.centre_distance=13.75 mm", "mechanism.pitch_diameter.screw",
+            "check pitch diameters, centre distance"},
+        Odd{"07_contact_geometry.yaml", "mechanism.lead=60 mm", "mechanism.lead", "a helix angle of 32."},
+        Odd{"07_contact_geometry.yaml", "mechanism.contacts_per_roller=200", "mechanism.contacts_per_roller",
+            "39.8 times the roller's diameter"},
+        Odd{"04_contacts_from_geometry.yaml", "structure.screw.bore=19 mm", "structure.screw.bore", "a wall of 1 mm"},
+        Odd{"04_contacts_from_geometry.yaml", "load_cases[0].axial_force=200 kN", "load_cases[0].axial_force",
+            "exceeds 4 GPa"},
+        Odd{"04_contacts_from_geometry.yaml", "mechanism.thread.roller={addendum: 0.12 mm, dedendum: 0.3 mm}",
             "load_cases[0].axial_force", "beyond the crest of the roller"},
-        Odd{"10_parametric_study.yaml", "mechanism.rollers=9", "roughness",
-            "missing, so that film over roughness"}})
-    EXPECT_THAT(warnings_of(lesson, override),
-                Contains(AllOf(StartsWith(std::string(path) + ": "), HasSubstr(text))))
+        Odd{"10_parametric_study.yaml", "mechanism.rollers=9", "roughness", "missing, so that film over roughness"}})
+    EXPECT_THAT(warnings_of(lesson, override), Contains(AllOf(StartsWith(std::string(path) + ": "), HasSubstr(text))))
         << override;
 }
 
@@ -154,8 +143,7 @@ TEST(Check, WarnsOfWhatIsOddTogether) {
 TEST(Check, ASmallInterferenceIsToldFromALargeOne) {
   for (const char* lesson : {"01_config_1_to_3.yaml", "21_jung_envelope.yaml"})
     EXPECT_THAT(checked(lesson)["warnings"].get<std::vector<std::string>>(),
-                AllOf(Contains(HasSubstr("interfere: backlash -0.")),
-                      Not(Contains(HasSubstr("of the pitch: ")))));
+                AllOf(Contains(HasSubstr("interfere: backlash -0.")), Not(Contains(HasSubstr("of the pitch: ")))));
 }
 
 std::vector<std::string> warned(const input::Source& source, Command command) {
@@ -168,14 +156,12 @@ std::vector<std::string> warned(const input::Source& source, Command command) {
 
 /// Also where the most loaded thread, not the mean one, is what is unusual.
 TEST(Check, WarnsOfLoadsAsSolveAndLifeDo) {
-  const input::Source source =
-      input::load_source(PRS_SOURCE_DIR "/validation/standard_screws/screw_30x10.yaml",
-                         {"life.spectrum[0].force=60 kN", "load_cases[0].axial_force=140 kN",
-                          "load_cases[1].axial_force=140 kN"});
+  const input::Source source = input::load_source(
+      PRS_SOURCE_DIR "/validation/standard_screws/screw_30x10.yaml",
+      {"life.spectrum[0].force=60 kN", "load_cases[0].axial_force=140 kN", "load_cases[1].axial_force=140 kN"});
   const std::vector<std::string> by_check = warned(source, Command::check);
-  for (const auto& [command, text] :
-       {std::pair{Command::life, "kN at which an ellipse reaches the end of a flank"},
-        {Command::solve, "load_cases[0].axial_force: roller-screw peak pressure 4.0"}}) {
+  for (const auto& [command, text] : {std::pair{Command::life, "kN at which an ellipse reaches the end of a flank"},
+                                      {Command::solve, "load_cases[0].axial_force: roller-screw peak pressure 4.0"}}) {
     const std::vector<std::string> own = warned(source, command);
     EXPECT_THAT(own, Contains(HasSubstr(text)));
     EXPECT_THAT(by_check, testing::IsSupersetOf(own)) << name(command);
@@ -188,10 +174,9 @@ TEST(Check, WarnsOfLoadsAsSolveAndLifeDo) {
 /// One cause, one warning: a load that is odd by itself has no warning of its pressure.
 TEST(Check, AnOddValueHasOneWarning) {
   for (const auto& [lesson, override, path, text] :
-       {Odd{"04_contacts_from_geometry.yaml", "load_cases[0].axial_force=1e9 kN",
-            "load_cases[0].axial_force", "got 1e9 kN"},
-        Odd{"18_design_measures.yaml", "operation.speed=1e6 rpm", "operation.speed",
-            "got 1e6 rpm"}}) {
+       {Odd{"04_contacts_from_geometry.yaml", "load_cases[0].axial_force=1e9 kN", "load_cases[0].axial_force",
+            "got 1e9 kN"},
+        Odd{"18_design_measures.yaml", "operation.speed=1e6 rpm", "operation.speed", "got 1e6 rpm"}}) {
     int count = 0;
     for (const std::string& warning : warnings_of(lesson, override))
       if (warning.starts_with(std::string(path) + ": ")) {
@@ -212,25 +197,22 @@ TEST(Check, DerivedValuesHaveTheUnitsOfTables) {
 
 /// Warnings on single values stand first in every command's document.
 TEST(Check, OddValuesAreToldByEveryCommand) {
-  const input::Source source = input::load_source(PRS_SOURCE_DIR "/configs/18_design_measures.yaml",
-                                                  {"materials.poisson_ratio=0.45"});
-  for (const Command command :
-       {Command::contact, Command::solve, Command::compare, Command::measures})
-    EXPECT_THAT(run(analysis_of(command), source)
-                    .document(document_info(source, command))["warnings"][0]
-                    .get<std::string>(),
-                StartsWith("materials.poisson_ratio: got 0.45; usual is 0.15 to 0.44"))
+  const input::Source source =
+      input::load_source(PRS_SOURCE_DIR "/configs/18_design_measures.yaml", {"materials.poisson_ratio=0.45"});
+  for (const Command command : {Command::contact, Command::solve, Command::compare, Command::measures})
+    EXPECT_THAT(
+        run(analysis_of(command), source).document(document_info(source, command))["warnings"][0].get<std::string>(),
+        StartsWith("materials.poisson_ratio: got 0.45; usual is 0.15 to 0.44"))
         << name(command);
 }
 
 /// `KEY: what is unusual`, in every lesson and command; code and path tell all of a load case
 /// apart.
 TEST(Check, WarningsNameTheKey) {
-  for (const char* lesson : {"01_config_1_to_3.yaml", "09_slip_and_dissipation.yaml",
-                             "12_preload.yaml", "13_three_models.yaml", "14_flight_spectrum.yaml",
-                             "15_sensitivity.yaml", "18_design_measures.yaml"}) {
-    const input::Source source =
-        input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
+  for (const char* lesson :
+       {"01_config_1_to_3.yaml", "09_slip_and_dissipation.yaml", "12_preload.yaml", "13_three_models.yaml",
+        "14_flight_spectrum.yaml", "15_sensitivity.yaml", "18_design_measures.yaml"}) {
+    const input::Source source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
     const input::CaseInput in = input::read_case_input(source, Command::check);
     for (const AnyAnalysis& row : analyses()) {
       if (!row.run || !input::missing(in, row.command).empty()) continue;
@@ -248,8 +230,7 @@ TEST(Check, WarningsNameTheKey) {
       for (const std::string& warning : warnings) {
         if (warning.starts_with("overridden by ")) continue;  // Names its keys further on.
         const std::string key = warning.substr(0, warning.find(": "));
-        EXPECT_THAT(key, testing::MatchesRegex("[a-z_]+[][0-9a-z_.]*"))
-            << lesson << ": " << warning;
+        EXPECT_THAT(key, testing::MatchesRegex("[a-z_]+[][0-9a-z_.]*")) << lesson << ": " << warning;
       }
     }
   }

@@ -19,9 +19,7 @@ input::Source lesson(const std::string& name, std::vector<std::string> overrides
   return input::load_source(PRS_SOURCE_DIR "/configs/" + name, std::move(overrides));
 }
 
-input::CaseInput read(const input::Source& source) {
-  return input::read_case_input(source, Command::check);
-}
+input::CaseInput read(const input::Source& source) { return input::read_case_input(source, Command::check); }
 
 bool accepts(const input::Source& source, Command command) {
   try {
@@ -70,18 +68,15 @@ TEST(Commands, SuggestDesignsAroundThatOfTheFile) {
   ASSERT_EQ(in.values.mechanism.rollers, 11);
   EXPECT_THAT(input::unmet(in, Command::optimize).at(0).message,
               HasSubstr("{path: mechanism.rollers, from: 10, to: 11}"));
-  EXPECT_THAT(input::unmet(in, Command::study).at(0).message,
-              HasSubstr("{path: mechanism.rollers, values: [10, 11]}"));
+  EXPECT_THAT(input::unmet(in, Command::study).at(0).message, HasSubstr("{path: mechanism.rollers, values: [10, 11]}"));
 }
 
 /// A study needs what the command of its designs does.
 TEST(Commands, AStudyLacksWhatItsDesignsLack) {
-  const std::string study =
-      "study={command: slip, factors: [{path: mechanism.rollers, values: [8, 9]}]}";
+  const std::string study = "study={command: slip, factors: [{path: mechanism.rollers, values: [8, 9]}]}";
   EXPECT_THAT(input::missing(read(lesson("01_config_1_to_3.yaml", {study})), Command::study),
               ElementsAre("friction", "operation"));
-  EXPECT_THAT(input::missing(read(lesson("09_slip_and_dissipation.yaml", {study})), Command::study),
-              IsEmpty());
+  EXPECT_THAT(input::missing(read(lesson("09_slip_and_dissipation.yaml", {study})), Command::study), IsEmpty());
 }
 
 /// What the table of quantities lists and what results have are the same names.
@@ -89,9 +84,8 @@ TEST(Responses, OfACaseAreThoseOfTheTable) {
   const std::vector<std::string> known = known_responses();
   const std::set<std::string> table(known.begin(), known.end());
   EXPECT_EQ(table.size(), known.size());
-  for (const char* path :
-       {"slip.efficiency", "screw.peak_pressure_MPa.max", "contact.nut.backlash_mm",
-        "measures.weight_kg", "life.system.l10_revolutions", "axial_stiffness_N_per_um"})
+  for (const char* path : {"slip.efficiency", "screw.peak_pressure_MPa.max", "contact.nut.backlash_mm",
+                           "measures.weight_kg", "life.system.l10_revolutions", "axial_stiffness_N_per_um"})
     EXPECT_EQ(table.count(path), 1U) << path;
   const std::vector<std::string> of_case = responses_of(lesson("09_slip_and_dissipation.yaml"));
   EXPECT_GT(of_case.size(), 50U);
@@ -99,10 +93,9 @@ TEST(Responses, OfACaseAreThoseOfTheTable) {
 }
 
 TEST(Responses, OfAStudyAreThoseOfItsCommand) {
-  const std::vector<std::string> paths =
-      responses_of(lesson("09_slip_and_dissipation.yaml",
-                          {"study={command: contact, factors: [{path: mechanism.rollers, values: "
-                           "[8, 9]}]}"}));
+  const std::vector<std::string> paths = responses_of(
+      lesson("09_slip_and_dissipation.yaml", {"study={command: contact, factors: [{path: mechanism.rollers, values: "
+                                              "[8, 9]}]}"}));
   EXPECT_THAT(paths, testing::Contains("contact.screw.normal_angle_deg"));
   EXPECT_THAT(paths, testing::Not(testing::Contains("slip.efficiency")));
 }

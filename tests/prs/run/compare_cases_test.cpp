@@ -18,8 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 input::Source slip_lesson(std::vector<std::string> overrides = {}) {
-  return input::load_source(PRS_SOURCE_DIR "/configs/09_slip_and_dissipation.yaml",
-                            std::move(overrides));
+  return input::load_source(PRS_SOURCE_DIR "/configs/09_slip_and_dissipation.yaml", std::move(overrides));
 }
 
 Json compared(const input::Source& a, const input::Source& b) {
@@ -31,16 +30,14 @@ Json solved(const input::Source& source) {
 }
 
 const Json& row(const Json& rows, const std::string& path, const std::string& load_case = "") {
-  const auto found = std::ranges::find_if(rows, [&](const Json& r) {
-    return r["path"] == path && (load_case.empty() || r["load_case"] == load_case);
-  });
+  const auto found = std::ranges::find_if(
+      rows, [&](const Json& r) { return r["path"] == path && (load_case.empty() || r["load_case"] == load_case); });
   if (found == rows.end()) throw std::runtime_error("no row " + path);
   return *found;
 }
 
 TEST(CompareCases, TellsTheInputsThatDifferAndEachResultAsItsCommandHasIt) {
-  const input::Source a = slip_lesson(),
-                      b = slip_lesson({"mechanism.lead=6 mm", "load_cases[0].speed=300 rpm"});
+  const input::Source a = slip_lesson(), b = slip_lesson({"mechanism.lead=6 mm", "load_cases[0].speed=300 rpm"});
   const Json both = compared(a, b), first = solved(a), second = solved(b);
   ASSERT_EQ(both["inputs"].size(), 2u) << both["inputs"];
   EXPECT_EQ(row(both["inputs"], "mechanism.lead")["other_value"], "6 mm");
@@ -72,8 +69,7 @@ TEST(CompareCases, CurvesOfTheSecondStandBehindThoseOfTheFirst) {
   const auto drawn = [](const input::Source& source) {
     return figures(run(analysis_of(Command::solve), source).pictures());
   };
-  const Figures overlaid = figures(compare_cases(a, b).pictures()), own = drawn(a),
-                other = drawn(b);
+  const Figures overlaid = figures(compare_cases(a, b).pictures()), own = drawn(a), other = drawn(b);
   ASSERT_FALSE(own.empty());
   ASSERT_FALSE(overlaid.empty());
   for (std::size_t f = 0; f < own.size(); ++f) {
@@ -93,8 +89,7 @@ TEST(CompareCases, CurvesOfTheSecondStandBehindThoseOfTheFirst) {
 
 TEST(CompareCases, TheProgramTakesTwoFilesAndNamesTheOneThatIsWrong) {
   const std::string one = "configs/09_slip_and_dissipation.yaml";
-  const test::Outcome both =
-      test::run_prs("compare " + one + " configs/04_contacts_from_geometry.yaml");
+  const test::Outcome both = test::run_prs("compare " + one + " configs/04_contacts_from_geometry.yaml");
   EXPECT_EQ(both.status, 0) << both.err;
   EXPECT_THAT(both.out, AllOf(HasSubstr("Inputs that differ"), HasSubstr("axial stiffness (N/µm)"),
                               HasSubstr("slip: " + one + " alone has all for it")));

@@ -66,14 +66,11 @@ double largest(const Json& value) {
 /// largest; where a curve is flat its highest point moves by the root of its values. How a solver
 /// got there is out of the way.
 void expect_agreement(const Json& a, const Json& b, const std::string& path, double scale = 0.0) {
-  static const std::set<std::string> of_the_way = {
-      "newton_history",    "factorization",    "iterations",
-      "relative_residual", "relative_residue", "interpolation_error",
-      "axial_error_um",    "rounds",           "change"};
+  static const std::set<std::string> of_the_way = {"newton_history",    "factorization",    "iterations",
+                                                   "relative_residual", "relative_residue", "interpolation_error",
+                                                   "axial_error_um",    "rounds",           "change"};
   if (a.is_number() && b.is_number()) {
-    const double share = path.find("depth") != path.npos        ? 1e-7
-                         : path.find("heat_cycle") != path.npos ? 1e-11
-                                                                : 1e-12;
+    const double share = path.find("depth") != path.npos ? 1e-7 : path.find("heat_cycle") != path.npos ? 1e-11 : 1e-12;
     const double x = a.get<double>(), y = b.get<double>();
     EXPECT_LE(std::abs(x - y), share * std::max(scale, std::abs(y))) << path << ' ' << x;
     return;
@@ -92,9 +89,8 @@ void expect_agreement(const Json& a, const Json& b, const std::string& path, dou
       ASSERT_TRUE(a.is_array() || b.contains(key)) << path << '/' << key;
       const Json& other = a.is_array() ? b[std::stoul(key)] : b[key];
       // Friction of contacts that roll is rounding of their loads.
-      expect_agreement(
-          value, other, path + '/' + key,
-          !a.is_array() && key == "friction_force_N" ? largest(b["normal_load_N"]) : of_all);
+      expect_agreement(value, other, path + '/' + key,
+                       !a.is_array() && key == "friction_force_N" ? largest(b["normal_load_N"]) : of_all);
     }
 }
 
@@ -111,8 +107,7 @@ constexpr const char* kLongRuns[] = {
 
 /// A document with three of each long list: hundreds of the same kind follow.
 void shorten(Json& document) {
-  if (document.is_array() && document.size() > 20)
-    document.erase(document.begin() + 3, document.end());
+  if (document.is_array() && document.size() > 20) document.erase(document.begin() + 3, document.end());
   for (Json& item : document)
     if (item.is_structured()) shorten(item);
 }
@@ -130,17 +125,16 @@ std::string verdict(const std::vector<std::pair<std::string, Json>>& documents) 
     list.push_back({command, document});
   }
   save("documents", list);
-  std::ofstream(folder.path() / "check.py")
-      << "import json\n"
-         "from functools import cache\n"
-         "from jsonschema import Draft202012Validator as Validator\n"
-         "@cache\n"
-         "def schema(name):\n"
-         "    Validator.check_schema(read := json.load(open(name)))\n"
-         "    return Validator(read)\n"
-         "for name, document in json.load(open('documents')):\n"
-         "    for error in list(schema(name).iter_errors(document))[:1]:\n"
-         "        print(name, error.json_path, error.message[:300])\n";
+  std::ofstream(folder.path() / "check.py") << "import json\n"
+                                               "from functools import cache\n"
+                                               "from jsonschema import Draft202012Validator as Validator\n"
+                                               "@cache\n"
+                                               "def schema(name):\n"
+                                               "    Validator.check_schema(read := json.load(open(name)))\n"
+                                               "    return Validator(read)\n"
+                                               "for name, document in json.load(open('documents')):\n"
+                                               "    for error in list(schema(name).iter_errors(document))[:1]:\n"
+                                               "        print(name, error.json_path, error.message[:300])\n";
   const std::string command =
       "cd '" + folder.path().string() + "' && python3 check.py >found 2>&1 || echo failed >>found";
   EXPECT_EQ(std::system(command.c_str()), 0);
@@ -192,8 +186,7 @@ TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheir
 }
 
 TEST(Documents, TheirSchemasKnowEveryKeyAndTheTypeOfItsValue) {
-  const input::Source source =
-      input::load_source((kConfigs / "09_slip_and_dissipation.yaml").string(), {});
+  const input::Source source = input::load_source((kConfigs / "09_slip_and_dissipation.yaml").string(), {});
   const Json document = document_of(analysis_of(Command::slip), source);
   const auto with = [&](const char* pointer, Json value) {
     Json changed = document;

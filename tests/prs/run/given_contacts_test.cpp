@@ -57,11 +57,10 @@ std::vector<nlohmann::ordered_json> documents(const Given&... given) {
 
 TEST(GivenContacts, TellAnAnalysisAllThatItKnowsOfTheMechanism) {
   const Case c = complete_case({});
-  const Case other = complete_case({"mechanism.rollers=9", "mechanism.contacts_per_roller=17",
-                                    "mechanism.profile.roller={convex: 6 mm}"});
+  const Case other = complete_case(
+      {"mechanism.rollers=9", "mechanism.contacts_per_roller=17", "mechanism.profile.roller={convex: 6 mm}"});
   const auto expected = documents(other);
-  EXPECT_EQ(documents(static_cast<const Conditions&>(c), checked_contacts(other, Detail::complete)),
-            expected);
+  EXPECT_EQ(documents(static_cast<const Conditions&>(c), checked_contacts(other, Detail::complete)), expected);
   EXPECT_NE(documents(c), expected);
 }
 

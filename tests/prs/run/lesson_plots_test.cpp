@@ -26,21 +26,18 @@ namespace {
 using test::expect_drawn;
 
 Figures of_lesson(const char* file, Command command, std::vector<std::string> overrides = {}) {
-  const auto source =
-      input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + file, std::move(overrides));
+  const auto source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + file, std::move(overrides));
   const Delivery delivery = run(analysis_of(command), source);
   return figures(delivery.pictures());
 }
 
 Command command_of(std::string_view shown) {
-  return std::ranges::find(analyses(), shown, [](const AnyAnalysis& a) { return name(a.command); })
-      ->command;
+  return std::ranges::find(analyses(), shown, [](const AnyAnalysis& a) { return name(a.command); })->command;
 }
 
 /// As its file says that it is run first.
 TEST(LessonPlots, TextsStandApart) {
-  static const std::regex line(
-      R"(#\s+prs (solve|contact|slip|measures|preload|life) configs/(\S+\.yaml))");
+  static const std::regex line(R"(#\s+prs (solve|contact|slip|measures|preload|life) configs/(\S+\.yaml))");
   std::size_t lessons = 0;
   for (const auto& entry : std::filesystem::directory_iterator(PRS_SOURCE_DIR "/configs")) {
     const std::string text = test::content_of(entry.path());
@@ -59,8 +56,7 @@ std::optional<Figure> one_of(const Figures& figures, std::string_view name) {
 }
 
 TEST(LessonPlots, MixedFrictionHasStribecksCurve) {
-  const std::optional<Figure> shown =
-      one_of(of_lesson("29_stribeck.yaml", Command::slip), "stribeck");
+  const std::optional<Figure> shown = one_of(of_lesson("29_stribeck.yaml", Command::slip), "stribeck");
   ASSERT_TRUE(shown);
   ASSERT_EQ(shown->panels.size(), 4u);  // friction, efficiency, power, film
   EXPECT_TRUE(shown->x.logarithmic);
@@ -73,8 +69,8 @@ TEST(LessonPlots, MixedFrictionHasStribecksCurve) {
 }
 
 TEST(LessonPlots, SlipOfAllRollersHasMaps) {
-  const Figures shown = of_lesson("27_missing_roller.yaml", Command::slip,
-                                  {"friction={coulomb: 0.1}", "operation={speed: 100 rpm}"});
+  const Figures shown =
+      of_lesson("27_missing_roller.yaml", Command::slip, {"friction={coulomb: 0.1}", "operation={speed: 100 rpm}"});
   EXPECT_FALSE(one_of(shown, "thread_power"));
   const std::optional<Figure> power = one_of(shown, "roller_power");
   ASSERT_TRUE(power);
@@ -89,8 +85,7 @@ TEST(LessonPlots, SlipOfAllRollersHasMaps) {
 }
 
 TEST(LessonPlots, ATurnOfTheCarrierEndsWhereItBegan) {
-  const std::optional<Figure> turn =
-      one_of(of_lesson("27_missing_roller.yaml", Command::solve), "carrier_turn");
+  const std::optional<Figure> turn = one_of(of_lesson("27_missing_roller.yaml", Command::solve), "carrier_turn");
   ASSERT_TRUE(turn);
   for (const Series& series : turn->panels.at(0).series) {
     const Polyline& line = series.parts.at(0);
@@ -105,8 +100,7 @@ TEST(LessonPlots, LoadCasesHaveOneScale) {
   const Delivery delivery = run(analysis_of(Command::solve), source);
   const Pictures pictures = delivery.pictures();
   for (const char* name : {"roller_loads", "end_view"}) {
-    const Figure first = figure(pictures, name, {.load_case = 0}),
-                 second = figure(pictures, name, {.load_case = 1});
+    const Figure first = figure(pictures, name, {.load_case = 0}), second = figure(pictures, name, {.load_case = 1});
     EXPECT_NE(first.title, second.title);
     EXPECT_EQ(first.colours->from, second.colours->from) << name;
     EXPECT_EQ(first.colours->to, second.colours->to) << name;
@@ -133,8 +127,7 @@ TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
   };
   const auto arrow_of = [](const Figure& section) {  // From its tail to its tip.
     for (const Series& series : section.panels[0].series)
-      if (const Style& s = section.styles[series.style];
-          s.shape == Shape::area && s.colour == Colour::bad)
+      if (const Style& s = section.styles[series.style]; s.shape == Shape::area && s.colour == Colour::bad)
         return Polyline{series.parts.at(0).at(0), series.parts.at(0).at(3)};
     return Polyline{{0.0, 0.0}, {0.0, 0.0}};
   };
@@ -153,8 +146,7 @@ TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
 double top_of_mark(const Figure& section) {
   for (const LegendEntry& entry : section.legend)
     for (const Series& series : section.panels[0].series)
-      if (entry.title.starts_with("section where") && series.style == entry.style)
-        return series.parts.at(0).at(1)[1];
+      if (entry.title.starts_with("section where") && series.style == entry.style) return series.parts.at(0).at(1)[1];
   return 0.0;
 }
 
@@ -174,11 +166,9 @@ TEST(LessonPlots, PreloadHasItsStiffness) {
 }
 
 TEST(LessonPlots, PicturesOfSeveralLoadCasesAreNumbered) {
-  const std::vector<std::string> names =
-      test::names(of_lesson("09_slip_and_dissipation.yaml", Command::slip));
+  const std::vector<std::string> names = test::names(of_lesson("09_slip_and_dissipation.yaml", Command::slip));
   for (const char* kind : {"slip_patches", "slip_residue"})
-    for (const char* number : {"_1", "_2", "_3"})
-      EXPECT_THAT(names, testing::Contains(std::string(kind) + number));
+    for (const char* number : {"_1", "_2", "_3"}) EXPECT_THAT(names, testing::Contains(std::string(kind) + number));
 }
 
 TEST(LessonPlots, TextsOfStudiesStandApart) {
@@ -194,8 +184,7 @@ TEST(LessonPlots, TextsOfStudiesStandApart) {
   study.responses = {"y"};
   for (Factor& factor : study.factors) factor.continuous = true;
   study.envelope = Envelope{.measures = {{"y", 2.0}}, .points = {{"A", {{1.25, 3.0}}, {}}}};
-  const StudyResult maps =
-      sample::run(study, [](const std::vector<double>& x) { return std::vector{x[0] * x[1]}; });
+  const StudyResult maps = sample::run(study, [](const std::vector<double>& x) { return std::vector{x[0] * x[1]}; });
   expect_drawn(figures(study_pictures(maps)));
 }
 

@@ -26,8 +26,7 @@ std::vector<Lesson> lessons_in_order() {
   for (const auto& file : files) {
     std::istringstream text(test::content_of(file));
     Lesson lesson{file.stem().string(), {}};
-    for (std::string line; std::getline(text, line) && line.starts_with('#');)
-      lesson.comment += line + '\n';
+    for (std::string line; std::getline(text, line) && line.starts_with('#');) lesson.comment += line + '\n';
     lessons.push_back(lesson);
   }
   return lessons;
@@ -39,8 +38,7 @@ TEST(Lessons, EachNamesTheNextOne) {
     const auto& [name, comment] = lessons[k];
     EXPECT_TRUE(name.starts_with(fmt::format("{:02}_", k + 1))) << name;
     EXPECT_TRUE(comment.starts_with(fmt::format("# Lesson {}: ", k + 1))) << name;
-    const std::string next =
-        k + 1 < lessons.size() ? fmt::format("\n# Next: {:02} ", k + 2) : "\n# Next: ";
+    const std::string next = k + 1 < lessons.size() ? fmt::format("\n# Next: {:02} ", k + 2) : "\n# Next: ";
     EXPECT_NE(comment.find(next), std::string::npos) << name << next;
   }
 }
@@ -48,8 +46,7 @@ TEST(Lessons, EachNamesTheNextOne) {
 TEST(Lessons, EachWritesIntoAFolderOfItsOwn) {
   const std::regex output("--output ([^/ \n]*/?[^/ \n]*)");
   for (const auto& [name, comment] : lessons_in_order())
-    for (auto it = std::sregex_iterator(comment.begin(), comment.end(), output);
-         it != std::sregex_iterator(); ++it)
+    for (auto it = std::sregex_iterator(comment.begin(), comment.end(), output); it != std::sregex_iterator(); ++it)
       EXPECT_EQ((*it)[1].str(), "out/" + name);
 }
 

@@ -20,8 +20,7 @@ using testing::Not;
 using Overrides = std::vector<std::string>;
 
 Json document(Command command, const std::string& lesson, const Overrides& overrides = {}) {
-  const input::Source source =
-      input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, Overrides(overrides));
+  const input::Source source = input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, Overrides(overrides));
   return run(analysis_of(command), source).document(document_info(source, command));
 }
 
@@ -79,22 +78,17 @@ struct Limited {
 };
 
 /// Limits a little to either side of the values turn the states.
-void expect_turn(const std::string& lesson, const std::vector<Limited>& limits,
-                 const Overrides& overrides = {}) {
+void expect_turn(const std::string& lesson, const std::vector<Limited>& limits, const Overrides& overrides = {}) {
   const auto with = [&](auto limit_of) {
     std::string block;
     for (const Limited& l : limits)
-      block += fmt::format("{}{}: {:.12g}{}", block.empty() ? "" : ", ", l.name,
-                           l.factor * limit_of(l), l.unit);
+      block += fmt::format("{}{}: {:.12g}{}", block.empty() ? "" : ", ", l.name, l.factor * limit_of(l), l.unit);
     Overrides all = overrides;
     all.push_back("limits={" + block + "}");
     return verdict(lesson, all);
   };
-  const Json known =
-      with([](const Limited& l) { return l.unit == std::string(" degC") ? 50 : 0.5; });
-  const auto value = [&](const Limited& l) {
-    return criterion(known, l.name)["value"].get<double>();
-  };
+  const Json known = with([](const Limited& l) { return l.unit == std::string(" degC") ? 50 : 0.5; });
+  const auto value = [&](const Limited& l) { return criterion(known, l.name)["value"].get<double>(); };
   for (const Limited& l : limits) ASSERT_TRUE(criterion(known, l.name).contains("value")) << l.name;
   const Json lower = with([&](const Limited& l) { return 0.999 * value(l); });
   const Json upper = with([&](const Limited& l) { return 1.001 * value(l); });
@@ -108,19 +102,18 @@ void expect_turn(const std::string& lesson, const std::vector<Limited>& limits,
 }
 
 TEST(Verdict, StatedLimitsAreMetOrMissed) {
-  expect_turn(
-      kMeasured,
-      {{"life", " h"},
-       {"static_safety", ""},
-       {"peak_pressure", " MPa"},
-       {"buckling_safety", ""},
-       {"critical_speed_share", " %", 100.0},
-       {"speed_times_diameter", " mm/min"},
-       {"nut_diameter", " mm"},
-       {"nut_length", " mm"},
-       {"weight", " kg"},
-       {"stiffness", " N/um"}},
-      {"life={position: 11 mm, spectrum: [{force: 30 kN, direction: compression, share: 1}]}"});
+  expect_turn(kMeasured,
+              {{"life", " h"},
+               {"static_safety", ""},
+               {"peak_pressure", " MPa"},
+               {"buckling_safety", ""},
+               {"critical_speed_share", " %", 100.0},
+               {"speed_times_diameter", " mm/min"},
+               {"nut_diameter", " mm"},
+               {"nut_length", " mm"},
+               {"weight", " kg"},
+               {"stiffness", " N/um"}},
+              {"life={position: 11 mm, spectrum: [{force: 30 kN, direction: compression, share: 1}]}"});
   expect_turn(kDuty, {{"efficiency", " %", 100.0}, {"temperature", " degC"}});
 }
 
@@ -167,9 +160,8 @@ TEST(Verdict, AmberIsShortOfWhatIsRecommended) {
   const double safety = criterion(verdict(kMeasured), "static_safety")["value"];
   const auto at = [&](double wanted) {
     const std::string kn = fmt::format("{:.12g} kN", force * safety / wanted);
-    return criterion(
-        verdict(kMeasured, {"load_cases[0].axial_force=" + kn, "load_cases[1].axial_force=" + kn}),
-        "static_safety");
+    return criterion(verdict(kMeasured, {"load_cases[0].axial_force=" + kn, "load_cases[1].axial_force=" + kn}),
+                     "static_safety");
   };
   EXPECT_EQ(at(0.99)["state"], "red");
   EXPECT_EQ(at(1.01)["state"], "amber");
@@ -179,11 +171,11 @@ TEST(Verdict, AmberIsShortOfWhatIsRecommended) {
 }
 
 TEST(Verdict, ThreadsThatInterfereAndLoadsThatDoNotConvergeAreRed) {
-  EXPECT_EQ(criterion(verdict("08_design_by_backlash.yaml", {"mechanism.backlash.nut=-0.01 mm"}),
-                      "axial_play")["state"],
-            "red");
-  const Json jammed = verdict("09_slip_and_dissipation.yaml",
-                              {"carrier.nut_torque=150 N m", "load_cases[0].axial_force=80 kN"});
+  EXPECT_EQ(
+      criterion(verdict("08_design_by_backlash.yaml", {"mechanism.backlash.nut=-0.01 mm"}), "axial_play")["state"],
+      "red");
+  const Json jammed =
+      verdict("09_slip_and_dissipation.yaml", {"carrier.nut_torque=150 N m", "load_cases[0].axial_force=80 kN"});
   EXPECT_EQ(criterion(jammed, "convergence")["state"], "red");
   EXPECT_EQ(jammed["state"], "red");
 }
@@ -193,8 +185,8 @@ TEST(Verdict, AStatedCapacityHasTheCataloguesLife) {
       "life={dynamic_capacity: 100 kN, position: 11 mm, spectrum: [{force: 30 kN, direction: "
       "tension, share: 1}]}";
   // L10 = 10^6 (C_a/F)^3 revolutions at 1000 rpm.
-  EXPECT_NEAR(criterion(verdict(kMeasured, {life}), "life")["value"],
-              1e6 * std::pow(100.0 / 30.0, 3) / 1000.0 / 60.0, 1e-6);
+  EXPECT_NEAR(criterion(verdict(kMeasured, {life}), "life")["value"], 1e6 * std::pow(100.0 / 30.0, 3) / 1000.0 / 60.0,
+              1e-6);
 }
 
 TEST(Verdict, TheTableNamesLimitAndLoadCase) {

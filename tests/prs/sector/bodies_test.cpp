@@ -15,11 +15,9 @@ using std::numbers::pi;
 TEST(Bodies, NutIsASumOfRings) {
   const test::SectorCase c = test::abevi();
   // 70 mm of 46 mm and twice 10 mm of 62 mm, bored to 35 mm.
-  const double volume =
-      pi / 4.0 * (0.07 * (46e-3 * 46e-3 - 35e-3 * 35e-3) + 0.02 * (62e-3 * 62e-3 - 35e-3 * 35e-3));
-  const double polar = pi / 32.0 *
-                       (0.07 * (std::pow(46e-3, 4) - std::pow(35e-3, 4)) +
-                        0.02 * (std::pow(62e-3, 4) - std::pow(35e-3, 4)));
+  const double volume = pi / 4.0 * (0.07 * (46e-3 * 46e-3 - 35e-3 * 35e-3) + 0.02 * (62e-3 * 62e-3 - 35e-3 * 35e-3));
+  const double polar =
+      pi / 32.0 * (0.07 * (std::pow(46e-3, 4) - std::pow(35e-3, 4)) + 0.02 * (std::pow(62e-3, 4) - std::pow(35e-3, 4)));
   const RoundBody nut = nut_body(c.mechanism, c.structure.nut);
   EXPECT_NEAR(nut.volume / volume, 1.0, 1e-13);
   EXPECT_NEAR(nut.polar_moment / polar, 1.0, 1e-13);

@@ -25,8 +25,7 @@ LoadDistribution solve(const SectorCase& c, double force) {
 }
 
 /// Axial loads of an interface over force/rollers.
-std::vector<double> rates(const SectorCase& c, const LoadDistribution& r, Interface i,
-                          double force) {
+std::vector<double> rates(const SectorCase& c, const LoadDistribution& r, Interface i, double force) {
   std::vector<double> rates;
   for (const double n : r.normal_load[i])
     rates.push_back(n * std::cos(c.laws[i].normal_angle) * c.mechanism.rollers / force);
@@ -50,8 +49,7 @@ std::vector<SectorCase> paper_cases() {
   std::vector<SectorCase> cases;
   for (const double position : {54.3333333e-3, 29.1666667e-3, 4e-3})
     for (const Direction direction : {Direction::tension, Direction::compression})
-      for (const auto roller :
-           {ModelOptions::Roller::flexible, ModelOptions::Roller::rigid_bending}) {
+      for (const auto roller : {ModelOptions::Roller::flexible, ModelOptions::Roller::rigid_bending}) {
         SectorCase c = abevi();
         c.position = position;
         c.direction = direction;
@@ -85,8 +83,7 @@ TEST(LoadDistribution, RandomSectorsAllConverge) {
     const double force = test::random_force(c, random);
     SectorSolver solver(c.build());
     const LoadDistribution r = solver.solve(force);
-    ASSERT_TRUE(r.solve.converged())
-        << k << ' ' << fe::name(r.solve.status) << ' ' << r.solve.relative_residual;
+    ASSERT_TRUE(r.solve.converged()) << k << ' ' << fe::name(r.solve.status) << ' ' << r.solve.relative_residual;
     ASSERT_LE(r.solve.relative_residual, 1e-10) << k;
     for (const Interface i : kInterfaces) ASSERT_NEAR(sum(rates(c, r, i, force)), 1.0, 1e-10) << k;
     ASSERT_GT(r.tangent_stiffness.value(), 0.0) << k;
@@ -105,14 +102,9 @@ TEST(LoadDistribution, SparseAgreesWithIndependentDenseModel) {
     std::vector<double> loads = r.normal_load.screw;
     loads.insert(loads.end(), r.normal_load.nut.begin(), r.normal_load.nut.end());
     const double sector_force = force / c.mechanism.rollers;
-    EXPECT_LT(largest_difference(loads, {d.normal_load.begin(), d.normal_load.end()}),
-              1e-10 * sector_force)
-        << k;
+    EXPECT_LT(largest_difference(loads, {d.normal_load.begin(), d.normal_load.end()}), 1e-10 * sector_force) << k;
     EXPECT_NEAR(static_cast<double>(r.axial_displacement / d.displacement), 1.0, 1e-10) << k;
-    EXPECT_NEAR(
-        static_cast<double>(*r.tangent_stiffness / c.mechanism.rollers / d.tangent_stiffness), 1.0,
-        1e-8)
-        << k;
+    EXPECT_NEAR(static_cast<double>(*r.tangent_stiffness / c.mechanism.rollers / d.tangent_stiffness), 1.0, 1e-8) << k;
   }
 }
 
@@ -127,8 +119,7 @@ TEST(LoadDistribution, RollerIsInForceAndMomentBalance) {
     const fe::Equations& equations = solver.equations();
     fe::NewtonSolver newton(equations);
     fe::State q = solver.equal_shares(45e3);
-    ASSERT_TRUE(
-        newton.solve(45e3 / 11 * solver.unit_load(), solver.newton_options(45e3), q).converged());
+    ASSERT_TRUE(newton.solve(45e3 / 11 * solver.unit_load(), solver.newton_options(45e3), q).converged());
     const double p = 5e-3 / 3, radius = 3.5e-3, end = 5e-3;
     double axial = 0.0, radial = 0.0, moment = 0.0;
     const double s = sense(direction);
@@ -180,9 +171,7 @@ TEST(LoadDistribution, TwoThreadsFollowClosedForm) {
   const double cosine = std::cos(c.laws.screw.normal_angle);
   const double area = std::numbers::pi / 4 * (21e-3 * 21e-3 - 6e-3 * 6e-3) / 11;
   const double compliance = 5e-3 / 3 / (209e9 * area);
-  const auto approach = [&](double axial) {
-    return std::pow(axial / cosine / c.laws.screw.hertz_constant, 2.0 / 3.0);
-  };
+  const auto approach = [&](double axial) { return std::pow(axial / cosine / c.laws.screw.hertz_constant, 2.0 / 3.0); };
   double low = 0.0, high = sector_force;  // second thread's load, by bisection
   for (int i = 0; i < 200; ++i) {
     const double f2 = 0.5 * (low + high);
@@ -213,8 +202,7 @@ TEST(LoadDistribution, EqualBodiesWithOppositeThrustAreSymmetricByHalfTurn) {
     c.structure.roller.guidance.kind = kind;
     c.direction = Direction::compression;
     const LoadDistribution r = solve(c, 45e3);
-    EXPECT_LT(largest_difference(rates(c, r, Interface::screw, 45e3),
-                                 reversed(rates(c, r, Interface::nut, 45e3))),
+    EXPECT_LT(largest_difference(rates(c, r, Interface::screw, 45e3), reversed(rates(c, r, Interface::nut, 45e3))),
               1e-11);
   }
 }
@@ -226,11 +214,9 @@ TEST(LoadDistribution, EqualBodiesMirrorTensionIntoCompression) {
   const LoadDistribution tension = solve(c, 45e3);
   c.direction = Direction::compression;
   const LoadDistribution compression = solve(c, 45e3);
-  EXPECT_LT(largest_difference(rates(c, tension, Interface::screw, 45e3),
-                               rates(c, compression, Interface::nut, 45e3)),
+  EXPECT_LT(largest_difference(rates(c, tension, Interface::screw, 45e3), rates(c, compression, Interface::nut, 45e3)),
             1e-11);
-  EXPECT_LT(largest_difference(rates(c, tension, Interface::nut, 45e3),
-                               rates(c, compression, Interface::screw, 45e3)),
+  EXPECT_LT(largest_difference(rates(c, tension, Interface::nut, 45e3), rates(c, compression, Interface::screw, 45e3)),
             1e-11);
 }
 
@@ -301,9 +287,7 @@ TEST(LoadDistribution, FreeLengthAddsItsElongationAlone) {
   c.structure.screw.free_length = 0.0;
   const LoadDistribution without = solve(c, 45e3);
   const double area = std::numbers::pi / 4 * (21e-3 * 21e-3 - 6e-3 * 6e-3);
-  EXPECT_NEAR(
-      (with.axial_displacement - without.axial_displacement) / (45e3 * 10e-3 / (209e9 * area)), 1.0,
-      1e-10);
+  EXPECT_NEAR((with.axial_displacement - without.axial_displacement) / (45e3 * 10e-3 / (209e9 * area)), 1.0, 1e-10);
   EXPECT_LT(largest_difference(with.normal_load.screw, without.normal_load.screw), 1e-9);
 }
 
@@ -316,9 +300,7 @@ TEST(LoadDistribution, OneThreadMovesAsItsContactsAndTheFreeLengthDo) {
   const LoadDistribution without = solve(c, 4e3);
   for (const Interface i : kInterfaces) EXPECT_NEAR(rates(c, without, i, 4e3)[0], 1.0, 1e-12);
   const double area = std::numbers::pi / 4 * (21e-3 * 21e-3 - 6e-3 * 6e-3);
-  EXPECT_NEAR(
-      (with.axial_displacement - without.axial_displacement) / (4e3 * 10e-3 / (209e9 * area)), 1.0,
-      1e-10);
+  EXPECT_NEAR((with.axial_displacement - without.axial_displacement) / (4e3 * 10e-3 / (209e9 * area)), 1.0, 1e-10);
 }
 
 TEST(LoadDistribution, StiffRingsActAsBothEndNodesHeld) {
@@ -332,8 +314,7 @@ TEST(LoadDistribution, StiffRingsActAsBothEndNodesHeld) {
 TEST(LoadDistribution, TangentStiffnessIsSlopeOfLoadOverDisplacement) {
   for (const SectorCase& c : paper_cases()) {
     const double h = 45.0;
-    const double slope =
-        2.0 * h / (solve(c, 45e3 + h).axial_displacement - solve(c, 45e3 - h).axial_displacement);
+    const double slope = 2.0 * h / (solve(c, 45e3 + h).axial_displacement - solve(c, 45e3 - h).axial_displacement);
     EXPECT_NEAR(*solve(c, 45e3).tangent_stiffness / slope, 1.0, 1e-6);
   }
 }

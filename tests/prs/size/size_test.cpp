@@ -53,9 +53,7 @@ std::string of_one(const std::string& text) {
          "model: {loads: static}\n";
 }
 
-SizeInput read(const std::string& text) {
-  return read_requirement(input::source_of_text("press.yaml", text, {}));
-}
+SizeInput read(const std::string& text) { return read_requirement(input::source_of_text("press.yaml", text, {})); }
 SizeResult sized(const std::string& text) { return size_screws(read(text)); }
 
 const SizedCandidate& named(const SizeResult& r, std::string_view name) {
@@ -93,19 +91,16 @@ TEST(SizeMotion, ForcesAreThoseOfPublishedAxes) {
         "{{duration: {0}, end_speed: 0 m/s}}]}}\nload: {2}\n",
         time, speed, load);
   };
-  expect(axis("0.15 s", "1 m/s", "{moved_mass: 80 kg, guide_friction: 0.003, resistance: 15 N}"),
-         {550, 17, -516});
-  expect(axis("0.2 s", "0.3 m/s", "{moved_mass: 50 kg, inclination: 90 deg, resistance: 20 N}"),
-         {585, 510, 435});
-  expect(axis("0.5 s", "1.2 m/s", "{moved_mass: 30 kg, inclination: 90 deg, resistance: 10 N}"),
-         {376, 304, 232});
+  expect(axis("0.15 s", "1 m/s", "{moved_mass: 80 kg, guide_friction: 0.003, resistance: 15 N}"), {550, 17, -516});
+  expect(axis("0.2 s", "0.3 m/s", "{moved_mass: 50 kg, inclination: 90 deg, resistance: 20 N}"), {585, 510, 435});
+  expect(axis("0.5 s", "1.2 m/s", "{moved_mass: 30 kg, inclination: 90 deg, resistance: 10 N}"), {376, 304, 232});
 }
 
 TEST(SizeMotion, RelubricationIsThatOfTheMakersExample) {
-  const SizeResult r = sized(of_one(
-      "motion: {segments: [{duration: 1 s, end_speed: 1.66 in/s, force: 400 lbf}], start_speed: "
-      "1.66 in/s}\nrelubrication: {static_load_factor: 0.24, peak_force: 1700 lbf}\n"
-      "limits: {relubrication: 500 h}\n"));
+  const SizeResult r =
+      sized(of_one("motion: {segments: [{duration: 1 s, end_speed: 1.66 in/s, force: 400 lbf}], start_speed: "
+                   "1.66 in/s}\nrelubrication: {static_load_factor: 0.24, peak_force: 1700 lbf}\n"
+                   "limits: {relubrication: 500 h}\n"));
   EXPECT_EQ(std::floor(*r.candidates.front().relubrication / 3600.0), 1766.0);
   EXPECT_EQ(criterion(r.candidates.front(), "relubrication").status, CriterionStatus::pass);
 }
@@ -113,10 +108,8 @@ TEST(SizeMotion, RelubricationIsThatOfTheMakersExample) {
 // Numbers of the definition, to the digits that it prints.
 TEST(Size, ExampleHasItsPublishedNumbers) {
   const SizeResult r = sized(example());
-  const std::vector<double> axial{8585.3325, 8510.3325, 8435.3325, 9490.3325,
-                                  2395.3325, 2470.3325, 2545.3325};
-  for (std::size_t k = 0; k < axial.size(); ++k)
-    EXPECT_NEAR(r.input.cycle.shown[k].force, axial[k], 1e-9);
+  const std::vector<double> axial{8585.3325, 8510.3325, 8435.3325, 9490.3325, 2395.3325, 2470.3325, 2545.3325};
+  for (std::size_t k = 0; k < axial.size(); ++k) EXPECT_NEAR(r.input.cycle.shown[k].force, axial[k], 1e-9);
   EXPECT_NEAR(*r.input.cycle.mean_load, 6809.348202, 5e-7);
   EXPECT_NEAR(1e3 * r.input.cycle.rms_speed, 216.857158, 5e-7);
   ASSERT_EQ(r.candidates.size(), 24);
@@ -161,15 +154,13 @@ TEST(Size, ExampleHasItsPublishedNumbers) {
 void expect_numbers_of_the_list(const std::string& text) {
   const SizeResult r = sized(text);
   const SizedCandidate& c = named(r, "30x10");
-  const Case written =
-      input::read_case_text(written_candidate(r.input, c), "screw.yaml", {}, Command::slip);
+  const Case written = input::read_case_text(written_candidate(r.input, c), "screw.yaml", {}, Command::slip);
   const Result slip = analyze_slip(written, kManyDesigns);
   ASSERT_EQ(slip.load_cases.size(), 7);  // Six that move, and that which the load drives.
   constexpr double kSame = 1e-9;
   std::size_t place = 0;
   for (const SizedSegment& s : c.segments)
-    if (s.power_loss)
-      expect_near_relative(slip.load_cases[place++].slip->power.total(), *s.power_loss, kSame);
+    if (s.power_loss) expect_near_relative(slip.load_cases[place++].slip->power.total(), *s.power_loss, kSame);
   EXPECT_EQ(place, 6);
   expect_near_relative(*slip.load_cases.back().slip->efficiency, *c.back_driving_efficiency, kSame);
   const double under_load = r.input.cycle.travel / r.input.cycle.loaded_travel;
@@ -199,12 +190,12 @@ TEST(Size, EveryRowPassesWhenAskedForByItsOwnRating) {
   for (const SizedCandidate& row : all.candidates) {
     // A million revolutions at C_a in 100 h.
     const double speed = std::abs(row.screw.lead) * 1e6 / (100.0 * 3600.0);
-    const SizeResult r = sized(fmt::format(
-        "motion: {{segments: [{{duration: 1 s, end_speed: {0} mm/s, force: {1} N}}], start_speed: "
-        "{0} mm/s}}\nstroke: 100 mm\nmeasures: {{shaft: {{length: 1 mm}}}}\nlife: {{hours: 100 "
-        "h}}\n"
-        "limits: {{static_safety: 0.1, buckling_safety: 0.1}}\nmodel: {{loads: static}}\n",
-        1e3 * speed, *row.dynamic_capacity));
+    const SizeResult r =
+        sized(fmt::format("motion: {{segments: [{{duration: 1 s, end_speed: {0} mm/s, force: {1} N}}], start_speed: "
+                          "{0} mm/s}}\nstroke: 100 mm\nmeasures: {{shaft: {{length: 1 mm}}}}\nlife: {{hours: 100 "
+                          "h}}\n"
+                          "limits: {{static_safety: 0.1, buckling_safety: 0.1}}\nmodel: {{loads: static}}\n",
+                          1e3 * speed, *row.dynamic_capacity));
     const auto found = std::ranges::find(r.candidates, row.name, &SizedCandidate::name);
     if (found == r.candidates.end()) {
       EXPECT_TRUE(std::ranges::any_of(r.invalid, [&](auto& i) { return i.name == row.name; }));
@@ -230,20 +221,19 @@ TEST(Size, MakersLifeFallsWithTheCubeOfTheForce) {
 
 TEST(Size, MirroredMotionHasTheSameValues) {
   const auto one = [](double sign, const char* positive) {
-    return sized(of_one(fmt::format(
-        "motion: {{segments: [{{duration: 0.2 s, end_speed: {0} mm/s, force: {1} kN}}, {{duration: "
-        "1 s, end_speed: {0} mm/s, force: {1} kN}}, {{duration: 0.4 s, end_speed: {2} mm/s}}, "
-        "{{duration: 0.2 s, end_speed: 0 mm/s, force: {2} N}}]}}\nload: {{moved_mass: 40 kg, "
-        "inclination: {3} "
-        "deg, resistance: 20 N, positive_force: {4}}}\nheat: {{}}\n",
-        200 * sign, 5 * sign, -150 * sign, 30 * sign, positive)));
+    return sized(
+        of_one(fmt::format("motion: {{segments: [{{duration: 0.2 s, end_speed: {0} mm/s, force: {1} kN}}, {{duration: "
+                           "1 s, end_speed: {0} mm/s, force: {1} kN}}, {{duration: 0.4 s, end_speed: {2} mm/s}}, "
+                           "{{duration: 0.2 s, end_speed: 0 mm/s, force: {2} N}}]}}\nload: {{moved_mass: 40 kg, "
+                           "inclination: {3} "
+                           "deg, resistance: 20 N, positive_force: {4}}}\nheat: {{}}\n",
+                           200 * sign, 5 * sign, -150 * sign, 30 * sign, positive)));
   };
-  const SizedCandidate a = one(1.0, "tension").candidates.front(),
-                       b = one(-1.0, "compression").candidates.front();
-  for (const auto member : {&SizedCandidate::efficiency, &SizedCandidate::motor_rms_torque,
-                            &SizedCandidate::motor_peak_torque, &SizedCandidate::regenerated_mean,
-                            &SizedCandidate::power_lost, &SizedCandidate::buckling_safety,
-                            &SizedCandidate::stiffness}) {
+  const SizedCandidate a = one(1.0, "tension").candidates.front(), b = one(-1.0, "compression").candidates.front();
+  for (const auto member :
+       {&SizedCandidate::efficiency, &SizedCandidate::motor_rms_torque, &SizedCandidate::motor_peak_torque,
+        &SizedCandidate::regenerated_mean, &SizedCandidate::power_lost, &SizedCandidate::buckling_safety,
+        &SizedCandidate::stiffness}) {
     ASSERT_EQ((a.*member).has_value(), (b.*member).has_value());
     if (a.*member) expect_near_relative(*(a.*member), *(b.*member), 1e-9);
   }
@@ -327,18 +317,17 @@ TEST(Size, ManySamplesAreClasses) {
   for (int k = 0; k <= 200; ++k)
     csv += fmt::format("{},{},{}\n", 0.01 * k, 100.0 * std::sin(std::numbers::pi * k / 100.0),
                        3.0 + std::cos(std::numbers::pi * k / 50.0));
-  input::Source source = input::source_of_text(
-      "press.yaml",
-      of_one("motion: {history: {file: cycle.csv, time: {unit: s}, speed: {unit: mm/s}, force: "
-             "{unit: kN}}}\n"),
-      {});
+  input::Source source =
+      input::source_of_text("press.yaml",
+                            of_one("motion: {history: {file: cycle.csv, time: {unit: s}, speed: {unit: mm/s}, force: "
+                                   "{unit: kN}}}\n"),
+                            {});
   source.files.emplace()["cycle.csv"] = csv;
   const SizeResult r = size_screws(read_requirement(source));
   EXPECT_TRUE(r.input.cycle.in_classes);
   EXPECT_LT(r.input.cycle.shown.size(), 61);
   double travel = 0.0, time = 0.0;
-  for (const MotionSegment& s : r.input.cycle.shown)
-    travel += std::abs(s.travel()), time += s.duration;
+  for (const MotionSegment& s : r.input.cycle.shown) travel += std::abs(s.travel()), time += s.duration;
   EXPECT_NEAR(travel / r.input.cycle.travel, 1.0, 1e-12);
   EXPECT_NEAR(time / r.input.cycle.duration, 1.0, 1e-12);
   EXPECT_TRUE(r.candidates.front().motor_rms_torque);
@@ -363,8 +352,7 @@ TEST(Size, DesignsAreAllCombinationsOfTheirLists) {
   EXPECT_EQ(all[1].screw.starts, 5);
   EXPECT_EQ(all[3].screw.screw_diameter, 30e-3);
   EXPECT_EQ(all[6].screw.type, Mechanism::Type::inverted);
-  EXPECT_EQ(std::ranges::count(in.fields, "candidates.designs.starts[2]", &input::EchoEntry::path),
-            1);
+  EXPECT_EQ(std::ranges::count(in.fields, "candidates.designs.starts[2]", &input::EchoEntry::path), 1);
 }
 
 struct Wrong {
@@ -405,15 +393,12 @@ INSTANTIATE_TEST_SUITE_P(
                      "lead: 5 mm}}\n",
               "2:72", "R5 | R10 | R20 | R40"},
         Wrong{MOTION "stroke: 1 mm\n", "2:9", "4.5 mm"},
-        Wrong{MOTION "motor: {rated_torque: 3 N m, peak_torque: 2 N m}\n", "2:43",
-              "at least `rated_torque`"},
+        Wrong{MOTION "motor: {rated_torque: 3 N m, peak_torque: 2 N m}\n", "2:43", "at least `rated_torque`"},
         Wrong{MOTION "limits: {temperature: 20 degC}\n", "2:23", "heat.ambient: 25 degC"},
-        Wrong{MOTION "relubrication: {peak_force: 1 kN}\n", "2:1",
-              "relubrication.static_load_factor: missing"},
-        Wrong{
-            "motion: {segments: [{name: a, duration: 1 s, end_speed: 9 mm/s, force: 1 kN}, {name: "
-            "a, duration: 1 s, end_speed: 0 mm/s}]}\n",
-            "1:20", "two segments called a"},
+        Wrong{MOTION "relubrication: {peak_force: 1 kN}\n", "2:1", "relubrication.static_load_factor: missing"},
+        Wrong{"motion: {segments: [{name: a, duration: 1 s, end_speed: 9 mm/s, force: 1 kN}, {name: "
+              "a, duration: 1 s, end_speed: 0 mm/s}]}\n",
+              "1:20", "two segments called a"},
         Wrong{"motion: {segments: [{name: back-driving, duration: 1 s, end_speed: 9 mm/s, force: 1 "
               "kN}]}\n",
               "1:20", "rename it"},
@@ -427,11 +412,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SizeCatalogue, IsRefusedWhereItIsWrong) {
   const auto message = [](const char* csv) -> std::string {
-    input::Source source = input::source_of_text(
-        "press.yaml",
-        "motion: {segments: [{duration: 1 s, end_speed: 9 mm/s, force: 1 kN}]}\n"
-        "candidates: {catalogue: {file: own.csv}}\n",
-        {});
+    input::Source source =
+        input::source_of_text("press.yaml",
+                              "motion: {segments: [{duration: 1 s, end_speed: 9 mm/s, force: 1 kN}]}\n"
+                              "candidates: {catalogue: {file: own.csv}}\n",
+                              {});
     source.files.emplace()["own.csv"] = csv;
     try {
       size_screws(read_requirement(source));

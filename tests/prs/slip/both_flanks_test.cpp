@@ -34,14 +34,11 @@ LoadCaseResult solved(const json& input) {
   return r;
 }
 
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// Axial load of all rollers on the flank that the load names, and on the other one.
 std::pair<double, double> axial(const LoadCaseResult& r, Interface i, int rollers) {
-  return {rollers * sum((*r.threads)[i].axial_load),
-          rollers * sum(r.other_flank->threads[i].axial_load)};
+  return {rollers * sum((*r.threads)[i].axial_load), rollers * sum(r.other_flank->threads[i].axial_load)};
 }
 
 TEST(BothFlanks, TensionLessCompressionIsTheLoad) {
@@ -100,8 +97,7 @@ TEST(BothFlanks, RunningLoadsAreThoseAtRestWithoutFriction) {
       for (std::size_t k = 0; k < 20; ++k)
         change = std::max(
             {change, std::abs((*r.threads)[i].normal_load[k] - (*rest.threads)[i].normal_load[k]),
-             std::abs(r.other_flank->threads[i].normal_load[k] -
-                      rest.other_flank->threads[i].normal_load[k])});
+             std::abs(r.other_flank->threads[i].normal_load[k] - rest.other_flank->threads[i].normal_load[k])});
     if (before > 0.0) EXPECT_NEAR(change / before / 1e3, 1.0, 0.01);
     before = change;
   }
@@ -120,8 +116,7 @@ TEST(BothFlanks, OpenFlankLeavesTheScrewWithoutPreload) {
     const LoadCaseResult without = solved(alone);
     EXPECT_EQ(axial(with, Interface::screw, 11).second, 0.0);
     for (std::size_t k = 0; k < 20; ++k)
-      EXPECT_NEAR(with.threads->screw.normal_load[k] / without.threads->screw.normal_load[k], 1.0,
-                  0.02);
+      EXPECT_NEAR(with.threads->screw.normal_load[k] / without.threads->screw.normal_load[k], 1.0, 0.02);
     EXPECT_NEAR(with.slip->power.total() / without.slip->power.total(), 1.0, 0.01);
   }
 }
@@ -136,12 +131,10 @@ TEST(BothFlanks, ZeroLoadNeedsPreload) {
 
 json with_heat(json input) {
   input["materials"]["thermal_expansion"] = "11.5 um/m/K";
-  input["heat"] = {{"ambient", "20 degC"},
-                   {"conductance",
-                    {{"screw_ambient", "2 W/K"},
-                     {"nut_ambient", "8 W/K"},
-                     {"screw_rollers", "20 W/K"},
-                     {"rollers_nut", "30 W/K"}}}};
+  input["heat"] = {
+      {"ambient", "20 degC"},
+      {"conductance",
+       {{"screw_ambient", "2 W/K"}, {"nut_ambient", "8 W/K"}, {"screw_rollers", "20 W/K"}, {"rollers_nut", "30 W/K"}}}};
   return input;
 }
 

@@ -24,8 +24,7 @@ using nlohmann::json;
 
 /// Solved cases of an independent program.
 const json& solved_cases() {
-  static const json all =
-      json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
+  static const json all = json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
   return all["cases"];
 }
 
@@ -35,9 +34,7 @@ json solved_case(const std::string& name) {
   throw std::invalid_argument(name);
 }
 
-Case running(const json& input) {
-  return input::read_case_text(input.dump(), "case", {}, Command::slip);
-}
+Case running(const json& input) { return input::read_case_text(input.dump(), "case", {}, Command::slip); }
 
 json base() { return solved_case("lesson-tension")["input"]; }
 
@@ -46,8 +43,8 @@ LoadCaseResult solved(const Case& c) { return analyze_slip(c).load_cases.at(0); 
 double largest(const std::vector<double>& values) { return std::ranges::max(values); }
 
 /// Within a share of the largest expected entry, or of `scale`.
-void expect_near(const std::vector<double>& values, const json& expected, double share,
-                 const char* what, double scale = 0.0, double unit = 1.0) {
+void expect_near(const std::vector<double>& values, const json& expected, double share, const char* what,
+                 double scale = 0.0, double unit = 1.0) {
   std::vector<double> numbers;
   for (const json& e : expected)
     if (e.is_array())
@@ -85,8 +82,7 @@ TEST_P(SolvedCase, Agrees) {
       EXPECT_NEAR(most / r.running->at_rest.largest_normal_load[i], e["running_over_static"], 1e-8);
       const json& s = expected["slip"][std::string(name(i))];
       expect_near(r.slip->threads[i].power, s["power_W"], 1e-6, "power");
-      expect_near(r.slip->threads[i].dynamic_normal_load, s["dynamic_normal_load_N"], 1e-8,
-                  "dynamic load");
+      expect_near(r.slip->threads[i].dynamic_normal_load, s["dynamic_normal_load_N"], 1e-8, "dynamic load");
     }
     const double rest = expected["static"][std::string(name(i))]["largest_normal_load_N"];
     EXPECT_NEAR(r.running->at_rest.largest_normal_load[i], rest, 1e-8 * rest);
@@ -113,14 +109,13 @@ TEST_P(SolvedCase, Agrees) {
   for (std::size_t h = 0; h < 2; ++h) {
     near(s.heads.at(0)[h].guide_force, slip["heads"]["guide_force_N"][h]);
     near(s.heads.at(0)[h].bearing_force, slip["heads"]["bearing_force_N"][h]);
-    if (slip["heads"].contains("torque_Nmm"))
-      near(*s.heads.at(0)[h].torque * 1e3, slip["heads"]["torque_Nmm"][h]);
+    if (slip["heads"].contains("torque_Nmm")) near(*s.heads.at(0)[h].torque * 1e3, slip["heads"]["torque_Nmm"][h]);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Running, SolvedCase,
-                         testing::Values("lesson-tension", "lesson-load-drives",
-                                         "lesson-inverted-heads", "lesson-full"),
+                         testing::Values("lesson-tension", "lesson-load-drives", "lesson-inverted-heads",
+                                         "lesson-full"),
                          [](const auto& info) {
                            std::string name = info.param;
                            std::ranges::replace(name, '-', '_');
@@ -138,8 +133,7 @@ TEST(RunningLoads, TendToThoseAtRestInProportionToFriction) {
   const Case c = running(base());
   const auto growth = [&](double friction) {
     const LoadCaseResult r = solved(with(c, friction));
-    return largest(r.threads->screw.normal_load) / r.running->at_rest.largest_normal_load.screw -
-           1.0;
+    return largest(r.threads->screw.normal_load) / r.running->at_rest.largest_normal_load.screw - 1.0;
   };
   EXPECT_NEAR(growth(1e-9), 0.0, 1e-8);
   EXPECT_NEAR(growth(2e-4) / growth(1e-4), 2.0, 1e-3);
@@ -213,8 +207,7 @@ TEST(RunningLoads, AreThoseOfTheMirrorImage) {
   for (std::size_t k = 0; k < a.threads->screw.normal_load.size(); ++k) {
     EXPECT_NEAR(a.threads->screw.normal_load[k], b.threads->screw.normal_load[k], 1e-8);
     EXPECT_NEAR(a.threads->screw.friction->radial[k], b.threads->screw.friction->radial[k], 1e-8);
-    EXPECT_NEAR(a.threads->screw.friction->tangential[k], -b.threads->screw.friction->tangential[k],
-                1e-8);
+    EXPECT_NEAR(a.threads->screw.friction->tangential[k], -b.threads->screw.friction->tangential[k], 1e-8);
   }
 }
 
@@ -249,8 +242,7 @@ TEST(RunningLoads, GrowWhereTheScrewDrivesAndShrinkWhereTheLoadDoes) {
     return solved(c);
   };
   const auto percent = [](const LoadCaseResult& r, Interface i) {
-    return 100.0 *
-           (largest((*r.threads)[i].normal_load) / r.running->at_rest.largest_normal_load[i] - 1.0);
+    return 100.0 * (largest((*r.threads)[i].normal_load) / r.running->at_rest.largest_normal_load[i] - 1.0);
   };
   const LoadCaseResult drives = of(Direction::tension, 1.0), driven = of(Direction::tension, -1.0);
   EXPECT_NEAR(percent(drives, Interface::screw), 29.6, 0.05);
@@ -259,9 +251,7 @@ TEST(RunningLoads, GrowWhereTheScrewDrivesAndShrinkWhereTheLoadDoes) {
   EXPECT_NEAR(percent(driven, Interface::nut), 9.2, 0.05);
   EXPECT_NEAR(percent(of(Direction::compression, -1.0), Interface::screw), 17.8, 0.05);
   EXPECT_NEAR(percent(of(Direction::compression, 1.0), Interface::screw), -14.7, 0.05);
-  const auto guide = [](const LoadCaseResult& r, std::size_t h) {
-    return r.slip->heads[0][h].guide_force;
-  };
+  const auto guide = [](const LoadCaseResult& r, std::size_t h) { return r.slip->heads[0][h].guide_force; };
   EXPECT_NEAR(guide(drives, 0), -592.0, 0.5);
   EXPECT_NEAR(guide(drives, 1), 182.0, 0.5);
   EXPECT_NEAR(guide(driven, 0), -173.0, 0.5);
@@ -282,8 +272,7 @@ TEST(RunningLoads, StaticOnesStayOnRequest) {
   double outwards = 0.0;
   for (const Interface i : kInterfaces)
     for (const double load : (*r.threads)[i].normal_load)
-      outwards +=
-          (i == Interface::screw ? 1.0 : -1.0) * load * std::sin((*r.threads)[i].normal_angle);
+      outwards += (i == Interface::screw ? 1.0 : -1.0) * load * std::sin((*r.threads)[i].normal_angle);
   EXPECT_NEAR(r.slip->heads[0][0].guide_force + r.slip->heads[0][1].guide_force, -outwards, 1e-9);
   EXPECT_LT(r.slip->heads[0][0].guide_force, -300.0);
   EXPECT_GT(r.slip->heads[0][1].guide_force, 300.0);
@@ -304,8 +293,7 @@ TEST(RunningLoads, FrictionJamsTheScrewThatDrivesAlone) {
       if (back.load_cases[0].speed) *back.load_cases[0].speed *= -1.0;
       const LoadCaseResult driven = solved(back);
       EXPECT_TRUE(driven.running->converged()) << name(driven.running->status);
-      EXPECT_NEAR(driven.slip->power.total(), driven.slip->power_loss_input_output,
-                  1e-8 * driven.slip->power.total());
+      EXPECT_NEAR(driven.slip->power.total(), driven.slip->power_loss_input_output, 1e-8 * driven.slip->power.total());
     }
 }
 
@@ -324,11 +312,10 @@ TEST(RunningLoads, AreFoundShortOfTheJam) {
 TEST(RunningLoads, RollersThatLeaveTheScrewAreTold) {
   const auto told = [](const std::string& speed) {
     const Case c =
-        input::read_case_input(
-            input::load_source(PRS_SOURCE_DIR "/configs/31_running_screw.yaml",
-                               {"load_cases[0].axial_force=50 N", "operation.speed=" + speed,
-                                "materials.density=7800 kg/m^3"}),
-            Command::slip)
+        input::read_case_input(input::load_source(PRS_SOURCE_DIR "/configs/31_running_screw.yaml",
+                                                  {"load_cases[0].axial_force=50 N", "operation.speed=" + speed,
+                                                   "materials.density=7800 kg/m^3"}),
+                               Command::slip)
             .values;
     const std::vector<Warning> warnings = analyze_slip(c).load_cases[0].warnings;
     return std::ranges::count(warnings, "lifted_rollers", &Warning::code);
@@ -342,9 +329,9 @@ void expect_turned(const Case& c) {
   const LoadCaseResult r = solved(c);
   ASSERT_TRUE(r.threads) << name(r.running->status);
   const Contacts contacts = checked_contacts(c, Detail::numbers);
-  SectorSolver solver(build_sector(sector_model(
-      contacts.mechanism, *c.structure, *c.materials, c.model, contact_laws(c, contacts),
-      Direction::tension, *c.load_cases[0].position, c.deviations)));
+  SectorSolver solver(
+      build_sector(sector_model(contacts.mechanism, *c.structure, *c.materials, c.model, contact_laws(c, contacts),
+                                Direction::tension, *c.load_cases[0].position, c.deviations)));
   const Sector& sector = solver.sector();
   const fe::Equations& equations = solver.equations();
   solver.solve(c.load_cases[0].axial_force);
@@ -377,8 +364,7 @@ void expect_turned(const Case& c) {
         const Eigen::VectorXd push = turned(i, k);
         residual -= n.force * push;
         const auto& s = equations.springs()[static_cast<std::size_t>(spring)];
-        for (std::size_t t = 0; t < s.count; ++t)
-          matrix.col(s.equation[t]) -= n.tangent * s.coefficient[t] * push;
+        for (std::size_t t = 0; t < s.count; ++t) matrix.col(s.equation[t]) -= n.tangent * s.coefficient[t] * push;
       }
     q.set_to_step(fe::State(q), 1.0, matrix.partialPivLu().solve(residual));
   }

@@ -46,8 +46,7 @@ StudySummary summary(const Study& study, const RowBlock& rows) {
 }
 
 TEST(StudyStatistics, FollowTheirClosedForms) {
-  const ResponseStatistics s =
-      summary(sampled(Plan::monte_carlo, 4), block({99.0, 2.0, 8.0, -4.0, 2.0})).statistics[0];
+  const ResponseStatistics s = summary(sampled(Plan::monte_carlo, 4), block({99.0, 2.0, 8.0, -4.0, 2.0})).statistics[0];
   EXPECT_EQ(s.count, 4U);
   EXPECT_DOUBLE_EQ(s.mean, 2.0);
   EXPECT_DOUBLE_EQ(*s.standard_deviation, std::sqrt(24.0));  // 72/3
@@ -56,10 +55,8 @@ TEST(StudyStatistics, FollowTheirClosedForms) {
   EXPECT_EQ(s.max, 8.0);
   EXPECT_EQ(s.max_design, 2U);
   // -4 2 2 8: at 3 p from the first.
-  EXPECT_THAT(
-      s.quantiles,
-      ElementsAre(testing::DoubleEq(-4.0 + 6 * 0.03), testing::DoubleEq(-4.0 + 6 * 0.15), 2.0,
-                  testing::DoubleEq(2.0 + 6 * 0.85), testing::DoubleEq(2.0 + 6 * 0.97)));
+  EXPECT_THAT(s.quantiles, ElementsAre(testing::DoubleEq(-4.0 + 6 * 0.03), testing::DoubleEq(-4.0 + 6 * 0.15), 2.0,
+                                       testing::DoubleEq(2.0 + 6 * 0.85), testing::DoubleEq(2.0 + 6 * 0.97)));
   EXPECT_EQ(s.histogram.from, -4.0);
   EXPECT_EQ(s.histogram.to, 8.0);
   EXPECT_THAT(s.histogram.counts, ElementsAre(1, 0, 2, 1));
@@ -75,8 +72,7 @@ TEST(StudyStatistics, SmallSpreadAboutALargeMeanKeepsItsDigits) {
 
 TEST(StudyStatistics, LeaveOutFailedDesignsAndMissingNumbers) {
   const Study study = sampled(Plan::monte_carlo, 3, {"y", "z"});
-  const RowBlock rows{
-      0, 4, {0.0, 0.0, 1.0, 5.0, 7.0, 7.0, 3.0, kNoResponse}, {{2, {"refused", "no"}}}};
+  const RowBlock rows{0, 4, {0.0, 0.0, 1.0, 5.0, 7.0, 7.0, 3.0, kNoResponse}, {{2, {"refused", "no"}}}};
   const StudySummary s = summary(study, rows);
   EXPECT_EQ(s.statistics[0].count, 2U);
   EXPECT_EQ(s.statistics[0].mean, 2.0);
@@ -102,16 +98,14 @@ TEST(StudyStatistics, QuantilesOfManyDesignsComeFromPartOfThem) {
   constexpr std::size_t kDesigns = 200'000;
   std::vector<double> values(kDesigns);
   std::iota(values.begin(), values.end(), 0.0);
-  const ResponseStatistics s =
-      summary(sampled(Plan::monte_carlo, kDesigns - 1), block(values)).statistics[0];
+  const ResponseStatistics s = summary(sampled(Plan::monte_carlo, kDesigns - 1), block(values)).statistics[0];
   EXPECT_EQ(s.count, kDesigns - 1);
   EXPECT_EQ(s.values_kept, kMostValuesKept);
   for (std::size_t k = 0; k < kProbabilities.size(); ++k) {
     const double p = kProbabilities[k];
     EXPECT_NEAR(s.quantiles[k] / kDesigns, p, 4 * std::sqrt(p * (1 - p) / 65'536)) << p;
   }
-  EXPECT_EQ(std::accumulate(s.histogram.counts.begin(), s.histogram.counts.end(), std::size_t{0}),
-            kMostValuesKept);
+  EXPECT_EQ(std::accumulate(s.histogram.counts.begin(), s.histogram.counts.end(), std::size_t{0}), kMostValuesKept);
 }
 
 /// About one design in a hundred, without a pattern.
@@ -176,8 +170,7 @@ TEST(StudyAnalysis, DoesNotDependOnHowTheRowsAreCut) {
   for (const Plan plan : {Plan::latin_hypercube, Plan::sobol_indices}) {
     const Study study = sampled(plan, 1000, {"y", "z"});
     const StudySummary whole = in_blocks_of(study, design_count(study));
-    for (const std::size_t size : {1U, 7U, 128U, 999U})
-      expect_same(in_blocks_of(study, size), whole);
+    for (const std::size_t size : {1U, 7U, 128U, 999U}) expect_same(in_blocks_of(study, size), whole);
   }
 }
 

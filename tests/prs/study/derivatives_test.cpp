@@ -32,11 +32,11 @@ CaseDerivatives derivatives_of(const std::string& factors, const std::string& te
                                    "'nut.axial_load_N[7]', "
                                    "screw.peak_pressure_MPa.max",
                                const std::string& command = "solve") {
-  return case_derivatives(input::read_study_input({"case.yaml",
-                                                   text + "study: {command: " + command +
-                                                       ", plan: derivatives, factors: [" + factors +
-                                                       "], responses: [" + responses + "]}\n",
-                                                   {}}));
+  return case_derivatives(
+      input::read_study_input({"case.yaml",
+                               text + "study: {command: " + command + ", plan: derivatives, factors: [" + factors +
+                                   "], responses: [" + responses + "]}\n",
+                               {}}));
 }
 
 /// Elasticity of a response; the derivative must exist.
@@ -71,14 +71,12 @@ TEST(Derivatives, OfTheLoadIsTheTangentStiffness) {
 /// By the stiffness of the screw's end, also of a moment that the file has as 0.
 TEST(Derivatives, OfAllRollersAreTheComplianceOfTheScrewsEnd) {
   SKIP_UNDER_SANITIZERS();
-  const std::string text =
-      input::abevi_with("{name: pull,", "{name: pull, moment: {y: 0 N m, z: 0 N m},") +
-      "model: {mechanism: full}\n"
-      "deviations: {roller_diameter: [0 um, 4 um, 0 um, 0 um, 1 um, 0 um, 0 um, 0 um, 0 um, 0 um, "
-      "0 um]}\n";
-  const CaseDerivatives d =
-      derivatives_of("{path: 'load_cases[0].axial_force'}, {path: 'load_cases[0].moment.z'}", text,
-                     "axial_displacement_um, tangent_stiffness_N_per_um");
+  const std::string text = input::abevi_with("{name: pull,", "{name: pull, moment: {y: 0 N m, z: 0 N m},") +
+                           "model: {mechanism: full}\n"
+                           "deviations: {roller_diameter: [0 um, 4 um, 0 um, 0 um, 1 um, 0 um, 0 um, 0 um, 0 um, 0 um, "
+                           "0 um]}\n";
+  const CaseDerivatives d = derivatives_of("{path: 'load_cases[0].axial_force'}, {path: 'load_cases[0].moment.z'}",
+                                           text, "axial_displacement_um, tangent_stiffness_N_per_um");
   const Case c = input::read_case_text(text, "case.yaml", {}, Command::solve);
   const Result solved = analyze(c);
   const Eigen::MatrixXd& compliance = solved.load_cases[0].full->screw_end.compliance;
@@ -95,8 +93,7 @@ std::string exact(double x) {
 }
 
 /// Central difference of whole solves, extrapolated to a step of 0.
-double by_solves(const std::string& path, double at, const std::string& unit,
-                 const std::string& text, auto response) {
+double by_solves(const std::string& path, double at, const std::string& unit, const std::string& text, auto response) {
   const auto value = [&](double x) {
     const std::string override = path + "=" + exact(x) + " " + unit;
     return response(analyze(input::read_case_text(text, "case.yaml", {override}, Command::solve)));
@@ -119,14 +116,12 @@ TEST(Derivatives, AgreeWithDifferencesOfWholeSolves) {
                           {"structure.screw.bore", 6.0, "mm"},
                           {"materials.poisson_ratio", 0.3, ""}};
   std::string factors;
-  for (const Input& i : inputs)
-    factors += std::string(factors.empty() ? "" : ", ") + "{path: " + i.path + "}";
+  for (const Input& i : inputs) factors += std::string(factors.empty() ? "" : ", ") + "{path: " + i.path + "}";
   const CaseDerivatives d = derivatives_of(factors, input::kAbevi);
   for (std::size_t f = 0; f < std::size(inputs); ++f) {
     const auto& [path, at, unit] = inputs[f];
-    const double displacement = by_solves(path, at, unit, input::kAbevi, [](const Result& r) {
-      return *r.load_cases[0].axial_displacement * 1e6;
-    });
+    const double displacement = by_solves(path, at, unit, input::kAbevi,
+                                          [](const Result& r) { return *r.load_cases[0].axial_displacement * 1e6; });
     const double pressure = by_solves(path, at, unit, input::kAbevi, [](const Result& r) {
       return r.load_cases[0].threads->screw.peak_pressure[0] * 1e-6;
     });
@@ -147,8 +142,8 @@ TEST(Derivatives, OfAContactNeedNoEquilibrium) {
 
 TEST(Derivatives, OfContactsAreOfTheLoadCaseThatContactAnswers) {
   const std::string text = input::kAbevi + "  - {axial_force: 22 kN, share: equal}\n";
-  const CaseDerivatives d = derivatives_of("{path: 'load_cases[2].axial_force'}", text,
-                                           "'screw.axial_load_N[0]'", "contact");
+  const CaseDerivatives d =
+      derivatives_of("{path: 'load_cases[2].axial_force'}", text, "'screw.axial_load_N[0]'", "contact");
   ASSERT_TRUE(d.values.at(0));
   EXPECT_NEAR(elasticity(d, 0, 0), 1.0, 1e-10);
 }
@@ -161,9 +156,7 @@ TEST(Derivatives, SayWhereThereIsNone) {
 }
 
 TEST(Derivatives, NeedAModelThatHasThem) {
-  EXPECT_THROW(
-      derivatives_of("{path: mechanism.lead}", input::kAbevi + "model: {bodies: influence}\n"),
-      CaseError);
+  EXPECT_THROW(derivatives_of("{path: mechanism.lead}", input::kAbevi + "model: {bodies: influence}\n"), CaseError);
 }
 
 }  // namespace

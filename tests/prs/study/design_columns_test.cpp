@@ -47,8 +47,7 @@ const char* const kResponses[] = {"axial_displacement_um",
 class RandomStudies {
  public:
   explicit RandomStudies(std::uint64_t seed)
-      : usual_(seed),
-        others_(seed + 1, contact::test::RandomMechanisms::Rollers::straight_or_concave) {}
+      : usual_(seed), others_(seed + 1, contact::test::RandomMechanisms::Rollers::straight_or_concave) {}
 
   std::string next() {
     const int kind = next_++;
@@ -60,9 +59,8 @@ class RandomStudies {
     std::string text = fmt::format(
         "mechanism:\n  type: {}\n  profile_plane: {}\n  lead: {}\n  starts: {{screw: {:.0f}, "
         "roller: {:.0f}}}\n  flank_angle: {{screw: {} rad, roller: {} rad, nut: {} rad}}\n",
-        standard ? "standard" : "inverted",
-        m.screw.plane == contact::ProfilePlane::normal ? "normal" : "axial", metres(m.screw.lead),
-        std::round(std::abs(m.screw.lead) / pitch), std::round(std::abs(m.roller.lead) / pitch),
+        standard ? "standard" : "inverted", m.screw.plane == contact::ProfilePlane::normal ? "normal" : "axial",
+        metres(m.screw.lead), std::round(std::abs(m.screw.lead) / pitch), std::round(std::abs(m.roller.lead) / pitch),
         m.screw.flank_angle, m.roller.flank_angle, m.nut.flank_angle);
     const double d = 2.0;
     if (designed)
@@ -72,37 +70,33 @@ class RandomStudies {
           metres(d * m.screw.pitch_radius), metres(usual_.uniform(0.0, 0.01) * pitch),
           metres(usual_.uniform(0.0, 0.01) * pitch));
     else
-      text += fmt::format(
-          "  pitch_diameter: {{screw: {}, roller: {}, nut: {}}}\n  centre_distance: {}\n",
-          metres(d * m.screw.pitch_radius), metres(d * m.roller.pitch_radius),
-          metres(d * m.nut.pitch_radius), metres(c));
-    text += fmt::format("  profile: {{screw: {}, roller: {}, nut: {}}}\n", profile(m.screw),
-                        profile(m.roller), profile(m.nut));
+      text += fmt::format("  pitch_diameter: {{screw: {}, roller: {}, nut: {}}}\n  centre_distance: {}\n",
+                          metres(d * m.screw.pitch_radius), metres(d * m.roller.pitch_radius),
+                          metres(d * m.nut.pitch_radius), metres(c));
+    text += fmt::format("  profile: {{screw: {}, roller: {}, nut: {}}}\n", profile(m.screw), profile(m.roller),
+                        profile(m.nut));
     const bool refined = kind % 16 >= 8;
     if (kind % 6 == 5 && !refined)  // thicknesses are of bars alone
       for (const char* part : {"screw", "roller", "nut"})
         text += fmt::format("{}    {}: {{addendum: {}, dedendum: {}, thickness: {}}}\n",
                             part[0] == 's' ? "  thread:\n" : "", part, metres(0.2 * pitch),
-                            metres(usual_.uniform(0.25, 0.3) * pitch),
-                            metres(usual_.uniform(0.45, 0.5) * pitch));
-    text +=
-        fmt::format("  rollers: {}\n  contacts_per_roller: {}\n", std::max(1, fit - 1), threads);
+                            metres(usual_.uniform(0.25, 0.3) * pitch), metres(usual_.uniform(0.45, 0.5) * pitch));
+    text += fmt::format("  rollers: {}\n  contacts_per_roller: {}\n", std::max(1, fit - 1), threads);
     const double length = (threads + 8) * pitch, outer = 2.4 * (c + m.roller.pitch_radius);
     text += fmt::format(
         "structure:\n  screw: {{free_length: {}, bore: {}}}\n  roller: {{end_length: {}, "
         "end_diameter: {}}}\n  nut:\n    length: {}\n    outer_diameter: {}\n    flanges: [{{from: "
         "{}, to: {}, outer_diameter: {}}}]\n    thrust: {{tension: {}, compression: {}}}\n",
-        metres(pitch), metres(0.3 * m.screw.pitch_radius), metres(2 * pitch),
-        metres(m.roller.pitch_radius), metres(length), metres(outer), metres(pitch),
-        metres(3 * pitch), metres(1.2 * outer), metres(3 * pitch), metres(pitch));
+        metres(pitch), metres(0.3 * m.screw.pitch_radius), metres(2 * pitch), metres(m.roller.pitch_radius),
+        metres(length), metres(outer), metres(pitch), metres(3 * pitch), metres(1.2 * outer), metres(3 * pitch),
+        metres(pitch));
     text += "materials: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}\n";
     if (kind % 7 == 3)
       text += fmt::format("deviations: {{crowning: {}, pitch_error: {{screw: {{linear: {}}}}}}}\n",
                           metres(5e-4 * pitch), metres(5e-4 * pitch));
     if (refined || kind % 8 == 1)
-      text += fmt::format(
-          "model: {{bodies: {}{}}}\n", refined ? "refined" : "bars",
-          kind % 8 == 1 ? fmt::format(", tooth_compliance: {{yamamoto: {}}}", metres(pitch)) : "");
+      text += fmt::format("model: {{bodies: {}{}}}\n", refined ? "refined" : "bars",
+                          kind % 8 == 1 ? fmt::format(", tooth_compliance: {{yamamoto: {}}}", metres(pitch)) : "");
     text += fmt::format(
         "load_cases:\n  - {{name: pull, axial_force: 9 kN, direction: tension, position: {0}}}\n"
         "  - {{name: push, axial_force: 5 kN, direction: compression, position: {0}}}\n",
@@ -118,8 +112,7 @@ class RandomStudies {
     const std::size_t count = std::size(kResponses) - (kind % 2 == 0 ? 4 : 0);
     for (std::size_t k = 0; k < count; ++k) {
       // Without it, no stiffness at the load is computed.
-      if (kind % 3 == 0 && kResponses[k] == std::string_view("tangent_stiffness_N_per_um"))
-        continue;
+      if (kind % 3 == 0 && kResponses[k] == std::string_view("tangent_stiffness_N_per_um")) continue;
       text += fmt::format("{}'{}'", k == 0 ? "" : ", ", kResponses[k]);
     }
     return text + "]}\n";
@@ -143,15 +136,13 @@ struct Expected {
   std::vector<double> row;
 };
 
-Expected expected(const input::StudyInput& in, std::size_t design,
-                  const std::vector<ResultNumber>& numbers) {
+Expected expected(const input::StudyInput& in, std::size_t design, const std::vector<ResultNumber>& numbers) {
   Expected e;
   try {
     const Case c = DesignReader(in).read(design);
     const Result result = analyze(c, kManyDesigns);
     for (const ResultNumber& number : numbers)
-      e.row.push_back(
-          *number.value({result.contacts, &result.load_cases[number.load_case.value_or(0)]}));
+      e.row.push_back(*number.value({result.contacts, &result.load_cases[number.load_case.value_or(0)]}));
     for (const LoadCaseResult& load : result.load_cases)
       if (!load.converged()) e.status = {"not converged", ""};
   } catch (const input::InputError& error) {
@@ -193,8 +184,7 @@ TEST(DesignColumns, GiveTheRowsOfTheScalarChain) {
         }
         ++converged;
         const auto has = [&](const char* words) { return text.find(words) != std::string::npos; };
-        kinds.insert(
-            {has("standard"), has("plane: normal"), has("design"), has("roller: {convex")});
+        kinds.insert({has("standard"), has("plane: normal"), has("design"), has("roller: {convex")});
         for (std::size_t i = 0; i < numbers.size(); ++i) {
           const double value = block.responses[k * numbers.size() + i];
           const double wanted = rows[k].row[i];
@@ -203,8 +193,7 @@ TEST(DesignColumns, GiveTheRowsOfTheScalarChain) {
           const double scale = of_one_thread ? rows[k].row[i - 1] : wanted;
           const double difference = std::abs((value - wanted) / scale);
           worst = std::max(worst, difference);
-          EXPECT_LE(difference, 1e-11)
-              << simd::name(set) << ", design " << k << ", " << in.study.responses[i];
+          EXPECT_LE(difference, 1e-11) << simd::name(set) << ", design " << k << ", " << in.study.responses[i];
         }
       }
     }

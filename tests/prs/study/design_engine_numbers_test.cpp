@@ -63,9 +63,7 @@ struct Evaluated {
       : input(input::read_study_input({"case.yaml", text, {}})),
         block(DesignEngine(input).evaluate(0, design_count(input.study))) {}
 
-  const double* of(std::size_t design) const {
-    return &block.responses[design * input.study.responses.size()];
-  }
+  const double* of(std::size_t design) const { return &block.responses[design * input.study.responses.size()]; }
 
   input::StudyInput input;
   RowBlock block;
@@ -78,8 +76,7 @@ class Verdicts {
     designs_ += block.rows;
     for (const RowBlock::Failure& failure : block.failures) {
       static const std::regex number(R"([-+]?[0-9][0-9.]*(e[-+]?[0-9]+)?)");
-      ++failed_[failure.status.name + ": " +
-                std::regex_replace(failure.status.reason, number, "#")];
+      ++failed_[failure.status.name + ": " + std::regex_replace(failure.status.reason, number, "#")];
     }
   }
   void print(const std::string& title) const {
@@ -109,9 +106,7 @@ struct Worst {
 };
 
 /// 0 also where neither has an answer.
-double relative(double a, double b) {
-  return std::isnan(a) && std::isnan(b) ? 0.0 : std::abs(a / b - 1.0);
-}
+double relative(double a, double b) { return std::isnan(a) && std::isnan(b) ? 0.0 : std::abs(a / b - 1.0); }
 
 struct LoadOracles {
   Worst balance{"threads carry the force", 1e-10};
@@ -142,8 +137,7 @@ struct LoadOracles {
   /// Equal answers, the interfaces exchanged or not.
   static double difference(const double* a, const double* b, bool exchanged = false) {
     double worst = 0.0;
-    for (const LoadNumber k : {kDisplacement, kSecant, kTangent})
-      worst = std::max(worst, relative(a[k], b[k]));
+    for (const LoadNumber k : {kDisplacement, kSecant, kTangent}) worst = std::max(worst, relative(a[k], b[k]));
     const int to_nut = exchanged ? kNutLeast - kScrewLeast : 0;
     for (const int k : {kScrewLeast, kScrewMost, kNutLeast, kNutMost}) {
       const int other = k < kNutLeast ? k + to_nut : k - to_nut;
@@ -164,14 +158,13 @@ void for_each_load(const Evaluated& a, const Evaluated& b, Compare compare) {
 /// Screws with every option of bars or refined bodies, and those that can be exchanged.
 Screw realistic(RandomScrews& screws, int k, const char* bodies) {
   const bool bars = std::string(bodies) == "bars";
-  Screw s =
-      screws.next(bars && k % 3 == 1 ? RandomScrews::Kind::swappable : RandomScrews::Kind::any);
+  Screw s = screws.next(bars && k % 3 == 1 ? RandomScrews::Kind::swappable : RandomScrews::Kind::any);
   const bool rigid = k % 4 == 1;
   if (k % 12 == 1 && bars) s.guidance = "both_end_nodes";
   s.model = fmt::format("bodies: {}, roller: {}", bodies, rigid ? "rigid_bending" : "flexible");
   if (k % 5 == 2)
-    s.deviations = fmt::format("{{crowning: {} m, pitch_error: {{nut: {{linear: {} m}}}}}}",
-                               3e-4 * s.pitch, 2e-5 * s.pitch);
+    s.deviations =
+        fmt::format("{{crowning: {} m, pitch_error: {{nut: {{linear: {} m}}}}}}", 3e-4 * s.pitch, 2e-5 * s.pitch);
   return s;
 }
 
@@ -190,9 +183,8 @@ void expect_mechanics(const char* bodies, int families, std::uint64_t seed) {
     for (std::size_t d = 0; d < designs.block.rows; ++d)
       for (const int load : {0, int{kLoadNumbers}})
         if (!std::isnan(designs.of(d)[0])) oracles.see(designs.of(d) + load, s, text);
-    for_each_load(designs, evaluated(left_handed(s)), [&](const double* a, const double* b) {
-      oracles.hand.take(LoadOracles::difference(a, b), text);
-    });
+    for_each_load(designs, evaluated(left_handed(s)),
+                  [&](const double* a, const double* b) { oracles.hand.take(LoadOracles::difference(a, b), text); });
     if (!s.overridden || !s.deviations.empty()) continue;
     for_each_load(designs, evaluated(swapped(s)), [&](const double* a, const double* b) {
       oracles.swap.take(LoadOracles::difference(a, b, true), text);
@@ -226,8 +218,7 @@ Screw extreme(RandomScrews& random) {
   s.thrust_compression = s.nut_length - s.thrust_tension;
   s.position = 0.5 * (s.nut_length - (s.threads - 1) * s.pitch);
   const char* models[] = {"bodies: bars", "bodies: bars, roller_shear: true", "bodies: refined"};
-  s.model = fmt::format("{}, roller: {}", models[random.whole(0, 2)],
-                        random.chance() ? "flexible" : "rigid_bending");
+  s.model = fmt::format("{}, roller: {}", models[random.whole(0, 2)], random.chance() ? "flexible" : "rigid_bending");
   const auto about = [](const char* path, const char* unit, double value, double range) {
     return Screw::Drawn{path, unit, value * (1.0 - range), value * (1.0 + range)};
   };
@@ -253,10 +244,8 @@ Screw extreme(RandomScrews& random) {
       {"load_cases[1].axial_force", "N", 1e-3, 1e15, true},
       {"deviations.crowning", "m", 1e-12, 1.0, true},
       {"deviations.pitch_error.nut.linear", "m", -0.1 * s.pitch, 0.1 * s.pitch}};
-  if (!s.designed)
-    all.push_back(about("mechanism.centre_distance", "m", 0.5 * d + s.radius.roller, 0.02));
-  if (s.guidance.starts_with("{"))
-    all.push_back({"structure.roller.guidance.ring", "N/m", 1e-6, 1e20, true});
+  if (!s.designed) all.push_back(about("mechanism.centre_distance", "m", 0.5 * d + s.radius.roller, 0.02));
+  if (s.guidance.starts_with("{")) all.push_back({"structure.roller.guidance.ring", "N/m", 1e-6, 1e20, true});
   s.drawn.clear();
   for (int n = random.whole(1, 4); n > 0; --n) {
     const auto at = static_cast<std::size_t>(random.whole(0, static_cast<int>(all.size()) - 1));
@@ -277,15 +266,11 @@ TEST(DesignEngineNumbers, ExtremeScrewsConvergeOrSayWhyNot) {
     const Evaluated designs(text);
     verdicts.add(designs.block);
     // What it does not take, the program refuses with the key at fault; what it takes, converges.
-    static const std::regex at_fault(
-        R"((mechanism|structure|deviations|load_cases\[.\])\.[a-z_.0-9\[\]]*: .*)");
+    static const std::regex at_fault(R"((mechanism|structure|deviations|load_cases\[.\])\.[a-z_.0-9\[\]]*: .*)");
     for (const RowBlock::Failure& failure : designs.block.failures)
-      EXPECT_TRUE(failure.status.name == "refused" &&
-                  std::regex_match(failure.status.reason, at_fault))
+      EXPECT_TRUE(failure.status.name == "refused" && std::regex_match(failure.status.reason, at_fault))
           << failure.status.name << ": " << failure.status.reason << '\n'
-          << text
-          << testing::PrintToString(
-                 overrides(designs.input.study, design(designs.input.study, failure.row)));
+          << text << testing::PrintToString(overrides(designs.input.study, design(designs.input.study, failure.row)));
     for (std::size_t d = 0; d < designs.block.rows; ++d)
       for (const int load : {0, int{kLoadNumbers}}) {
         const double* numbers = designs.of(d) + load;
@@ -298,8 +283,7 @@ TEST(DesignEngineNumbers, ExtremeScrewsConvergeOrSayWhyNot) {
   }
   verdicts.print("extreme");
   oracles.print();
-  std::printf("  %d loads of screws too soft for the effect of Poisson's ratio\n",
-              without_stiffness);
+  std::printf("  %d loads of screws too soft for the effect of Poisson's ratio\n", without_stiffness);
 }
 
 /// Each thread of each roller, a force off the axis in its plane of symmetry.
@@ -314,12 +298,10 @@ TEST(DesignEngineNumbers, RealisticFullMechanismsAllConvergeAndObeyMechanics) {
     s.rollers = std::max(s.rollers, 3);
     s.model = "mechanism: full";
     s.rings = "nut";
-    s.bearings = fmt::format("[{{position: {} m, lateral: rigid, tilt: rigid}}]",
-                             s.position - s.free_length);
+    s.bearings = fmt::format("[{{position: {} m, lateral: rigid, tilt: rigid}}]", s.position - s.free_length);
     s.force = RandomScrews::load_at(1.5e9, s);
-    std::erase_if(s.drawn, [](const Screw::Drawn& d) {
-      return d.path.ends_with("position") || d.path.ends_with("free_length");
-    });
+    std::erase_if(
+        s.drawn, [](const Screw::Drawn& d) { return d.path.ends_with("position") || d.path.ends_with("free_length"); });
     for (Screw::Drawn& d : s.drawn)
       if (d.path.ends_with("axial_force")) d.from = 0.1 * s.force, d.to = 4.0 * s.force;
     s.drawn.push_back({"load_cases[0].eccentricity.y", "m", 0.0, 0.3 * s.radius.screw});
@@ -330,9 +312,8 @@ TEST(DesignEngineNumbers, RealisticFullMechanismsAllConvergeAndObeyMechanics) {
       for (const int load : {0, int{kLoadNumbers}})
         if (!std::isnan(designs.of(d)[0])) oracles.see(designs.of(d) + load, s, text);
     const Evaluated mirrored(left_handed(s).text("solve", 19, k, load_responses()));
-    for_each_load(designs, mirrored, [&](const double* a, const double* b) {
-      oracles.hand.take(LoadOracles::difference(a, b), text);
-    });
+    for_each_load(designs, mirrored,
+                  [&](const double* a, const double* b) { oracles.hand.take(LoadOracles::difference(a, b), text); });
   }
   verdicts.print("realistic, full mechanism");
   oracles.print();
@@ -367,15 +348,13 @@ TEST(DesignEngineNumbers, RealisticBodiesOfRevolutionAllConvergeAndObeyMechanics
 TEST(DesignEngineNumbers, RealisticScrewsLoseWhatTheyAreGiven) {
   RandomScrews random(2031);
   Verdicts verdicts;
-  Worst balance{"input is output and losses", 1e-8},
-      shafts{"losses from shafts and contacts", 1e-8}, torques{"torques of screw and nut", 1e-9},
-      hand{"left as right", 1e-9};
+  Worst balance{"input is output and losses", 1e-8}, shafts{"losses from shafts and contacts", 1e-8},
+      torques{"torques of screw and nut", 1e-9}, hand{"left as right", 1e-9};
   enum { kScrewTorque, kNutTorque, kLoss, kFromShafts, kSlipRatio, kForce, kSpeed };
   std::vector<std::string> responses;
   for (const char* load : {"load_cases[0].", "load_cases[1]."})
-    for (const char* path :
-         {"slip.torque_screw_Nm", "slip.torque_nut_Nm", "slip.power_loss_W",
-          "slip.power_loss_input_output_W", "slip.slip_ratio", "axial_force_N", "slip.speed_rpm"})
+    for (const char* path : {"slip.torque_screw_Nm", "slip.torque_nut_Nm", "slip.power_loss_W",
+                             "slip.power_loss_input_output_W", "slip.slip_ratio", "axial_force_N", "slip.speed_rpm"})
       responses.push_back(std::string(load) + path);
   for (int k = 0; k < test::samples(4, 400) && !HasFailure(); ++k) {
     Screw s = random.next();
@@ -400,8 +379,8 @@ TEST(DesignEngineNumbers, RealisticScrewsLoseWhatTheyAreGiven) {
         const double* a = designs.of(d) + load;
         const double* b = mirrored.of(d) + load;
         const double turn = a[kSpeed] * std::numbers::pi / 30.0;
-        const double out = (load == 0 ? 1.0 : -1.0) * a[kForce] * s.hand * s.starts * s.pitch *
-                           turn / (2.0 * std::numbers::pi);
+        const double out =
+            (load == 0 ? 1.0 : -1.0) * a[kForce] * s.hand * s.starts * s.pitch * turn / (2.0 * std::numbers::pi);
         const double scale = std::abs(out) + a[kLoss];
         balance.take(std::abs(a[kScrewTorque] * turn - out - a[kLoss]) / scale, text);
         shafts.take(std::abs(a[kFromShafts] - a[kLoss]) / scale, text);
@@ -412,8 +391,7 @@ TEST(DesignEngineNumbers, RealisticScrewsLoseWhatTheyAreGiven) {
     }
   }
   verdicts.print("realistic, slip");
-  for (const Worst& w : {balance, shafts, torques, hand})
-    std::printf("  %-50s %.1e\n", w.what, w.value);
+  for (const Worst& w : {balance, shafts, torques, hand}) std::printf("  %-50s %.1e\n", w.what, w.value);
   EXPECT_TRUE(verdicts.all_converged());
 }
 
@@ -426,8 +404,7 @@ struct Solved {
       for (const std::string& path : input.study.responses) {
         const ResultNumber number = *result_number(path);
         numbers.push_back(
-            number.value({result.contacts, &result.load_cases[number.load_case.value_or(0)]})
-                .value_or(kNoResponse));
+            number.value({result.contacts, &result.load_cases[number.load_case.value_or(0)]}).value_or(kNoResponse));
       }
     } catch (const std::exception&) {
       converged = false;
@@ -475,8 +452,8 @@ TEST(DesignEngineNumbers, SingleCasesSayTheSame) {
     for (const int load : {0, int{kLoadNumbers}})
       program.take(LoadOracles::difference(&numbers[load], designs.of(last) + load), text);
   }
-  std::printf("%d designs, %d refused; %.1e, through the program %.1e\n", compared, refused,
-              worst.value, program.value);
+  std::printf("%d designs, %d refused; %.1e, through the program %.1e\n", compared, refused, worst.value,
+              program.value);
   EXPECT_GT(compared, count);
 }
 
@@ -501,9 +478,7 @@ TEST(DesignEngineNumbers, ADesignHasTheSameBitsInAnyBatch) {
       for (std::size_t last = whole.block.rows; last > 0;) {  // The last first.
         const std::size_t first = last > batch ? last - batch : 0;
         const RowBlock part = engine.evaluate(first, last - first);
-        ASSERT_EQ(std::memcmp(part.responses.data(), whole.of(first),
-                              (last - first) * responses * sizeof(double)),
-                  0)
+        ASSERT_EQ(std::memcmp(part.responses.data(), whole.of(first), (last - first) * responses * sizeof(double)), 0)
             << text << "designs " << first << " to " << last;
         compared += last - first;
         last = first;

@@ -42,9 +42,7 @@ input::StudyInput study_of(const std::string& study, const std::string& text = i
 }
 
 /// Every design at once.
-RowBlock all(const DesignEngine& engine) {
-  return engine.evaluate(0, design_count(engine.study()));
-}
+RowBlock all(const DesignEngine& engine) { return engine.evaluate(0, design_count(engine.study())); }
 
 std::optional<std::string> reason(const RowBlock& block, std::size_t row) {
   for (const RowBlock::Failure& failure : block.failures)
@@ -76,8 +74,7 @@ Said said_by(Command command, const Case& c, const input::Source& source) {
                                                    : analyze(c);
   const bool measures = command == Command::measures;
   return {measures ? document_of(measures_analysis(), *result, {})
-                   : document_of(command == Command::slip ? slip_analysis() : solve_analysis(),
-                                 result->analysis, {}),
+                   : document_of(command == Command::slip ? slip_analysis() : solve_analysis(), result->analysis, {}),
           [result, measures](const ResultNumber& number) {
             const Result& analysis = result->analysis;
             Answer answer{.contacts = analysis.contacts};
@@ -87,8 +84,7 @@ Said said_by(Command command, const Case& c, const input::Source& source) {
               const std::size_t k = *number.load_case;
               if (k >= analysis.load_cases.size()) return std::optional<double>();
               answer.load_case = &analysis.load_cases[k];
-              if (measures && result->load_measures[k])
-                answer.load_measures = &*result->load_measures[k];
+              if (measures && result->load_measures[k]) answer.load_measures = &*result->load_measures[k];
             }
             return number.value(answer);
           }};
@@ -112,20 +108,18 @@ load_cases:
   const double expected[] = {22e3, 44e3, 500.0, 33e3, 44e3, 750.0};  // As in the file, with 33 kN.
   ASSERT_EQ(rows.responses.size(), std::size(expected));
   EXPECT_TRUE(rows.failures.empty());
-  for (std::size_t k = 0; k < std::size(expected); ++k)
-    EXPECT_NEAR(rows.responses[k], expected[k], 1e-9 * expected[k]);
+  for (std::size_t k = 0; k < std::size(expected); ++k) EXPECT_NEAR(rows.responses[k], expected[k], 1e-9 * expected[k]);
 }
 
 TEST(DesignEngine, StopsBetweenSlowDesignsAndKeepsThoseBefore) {
   const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/09_slip_and_dissipation.yaml");
   for (const char* command : {"slip", "solve"}) {
     const bool full = std::string_view(command) == "solve";
-    const input::StudyInput in = study_of(
-        fmt::format(
-            "{{command: {}, factors: [{{path: mechanism.contacts_per_roller, values: [3, 4, "
-            "5, 6, 7]}}], responses: [screw.peak_pressure_MPa.max]}}",
-            command),
-        text + (full ? "model: {mechanism: full}\n" : ""));
+    const input::StudyInput in =
+        study_of(fmt::format("{{command: {}, factors: [{{path: mechanism.contacts_per_roller, values: [3, 4, "
+                             "5, 6, 7]}}], responses: [screw.peak_pressure_MPa.max]}}",
+                             command),
+                 text + (full ? "model: {mechanism: full}\n" : ""));
     const DesignEngine engine(in);
     const RowBlock whole = all(engine);
     int asked = 0;
@@ -145,30 +139,27 @@ TEST(ResultNumber, SaysWhatTheDocumentSaysToEveryCommand) {
       {"23_crowning", Command::measures},        {"26_unequal_rollers", Command::solve},
       {"28_driving_load", Command::slip},        {"30_duty_cycle", Command::slip}};
   // About the solution, not the design.
-  const std::set<std::string> left{
-      "iterations",       "relative_residual", "slip.evaluations", "slip.relative_residue",
-      "heat.evaluations", "running.rounds",    "running.change"};
+  const std::set<std::string> left{"iterations",       "relative_residual", "slip.evaluations", "slip.relative_residue",
+                                   "heat.evaluations", "running.rounds",    "running.change"};
   std::size_t compared = 0;
   // Sanitizers: contacts, measures, slip.
   for (std::size_t l = 0; l < std::size(lessons); l += test::sanitized() ? 3 : 1) {
     const auto& [lesson, command] = lessons[l];
-    const input::Source source =
-        input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson + ".yaml", {});
+    const input::Source source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson + ".yaml", {});
     const Said said = said_by(command, input::read_case_input(source, command).values, source);
     std::vector<std::string> paths = response_paths(said.document);
     for (std::size_t k = 0, count = paths.size(); k < count; ++k) {
       const std::string path = paths[k];
       if (!path.ends_with(".max")) continue;
       const std::string series = path.substr(0, path.size() - 4);
-      for (const char* word : {".min", ".mean", "[0]", "[2]", "[0][1]", "[99]"})
-        paths.push_back(series + word);
+      for (const char* word : {".min", ".mean", "[0]", "[2]", "[0][1]", "[99]"}) paths.push_back(series + word);
     }
     for (std::size_t k = 0, count = paths.size(); k < count; ++k)
       for (const char* load_case : {"load_cases[0].", "load_cases[1].", "load_cases[77]."})
         paths.push_back(load_case + paths[k]);
-    for (const char* more : {"life.cycles.matrix.count[1][2]", "life.cycles.matrix.count.max",
-                             "life.capacity.dynamic_capacity_range_N[1]", "contact.screw.normal[2]",
-                             "heat_cycle.temperature_degC.nut.mean"})
+    for (const char* more :
+         {"life.cycles.matrix.count[1][2]", "life.cycles.matrix.count.max", "life.capacity.dynamic_capacity_range_N[1]",
+          "contact.screw.normal[2]", "heat_cycle.temperature_degC.nut.mean"})
       paths.emplace_back(more);
     for (const std::string& path : paths) {
       const std::size_t end = path.starts_with("load_cases[") ? path.find('.') + 1 : 0;
@@ -195,16 +186,15 @@ TEST(ResultNumber, SaysWhatTheDocumentSays) {
     const Result result = slips ? analyze_slip(c) : analyze(c);
     const auto document = document_of(slips ? slip_analysis() : solve_analysis(), result, {});
     std::vector<std::string> paths = response_paths(document);
-    for (const char* more : {"nut.peak_pressure_MPa.min", "screw.approach_um.mean",
-                             "nut.load_rate_percent[3]", "load_cases[1].axial_displacement_um"})
+    for (const char* more : {"nut.peak_pressure_MPa.min", "screw.approach_um.mean", "nut.load_rate_percent[3]",
+                             "load_cases[1].axial_displacement_um"})
       paths.emplace_back(more);
     std::size_t known = 0;
     for (const std::string& path : paths) {
       const std::optional<ResultNumber> number = result_number(path);
       if (!number) continue;
       ++known;
-      const LoadCaseResult* of =
-          number->load_case ? &result.load_cases.at(*number->load_case) : nullptr;
+      const LoadCaseResult* of = number->load_case ? &result.load_cases.at(*number->load_case) : nullptr;
       EXPECT_EQ(number->value({result.contacts, of}), response(document, path)) << path;
     }
     EXPECT_GE(known, slips ? 75U : 45U) << lesson;
@@ -214,11 +204,10 @@ TEST(ResultNumber, SaysWhatTheDocumentSays) {
 }
 
 TEST(ResultNumber, LeavesToTheDocumentWhatNoTableKnows) {
-  for (const char* path :
-       {"name", "", ".", "screw", "screw.peak_pressure_MPa", "screw.peak_pressure_MPa.most",
-        "screw.peak_pressure_MPa[x]", "screw.peak_pressure_MPa[1].max", "load_cases",
-        "load_cases[0]", "load_cases[0]axial_displacement_um", "contact.screw", "contact.roller.x",
-        "slip.share_percent", "contact.screw.normal", "iterations"})
+  for (const char* path : {"name", "", ".", "screw", "screw.peak_pressure_MPa", "screw.peak_pressure_MPa.most",
+                           "screw.peak_pressure_MPa[x]", "screw.peak_pressure_MPa[1].max", "load_cases",
+                           "load_cases[0]", "load_cases[0]axial_displacement_um", "contact.screw", "contact.roller.x",
+                           "slip.share_percent", "contact.screw.normal", "iterations"})
     EXPECT_FALSE(result_number(path)) << path;
 }
 
@@ -232,8 +221,7 @@ TEST(DesignEngine, DesignGivesWhatTheCommandGives) {
         text);
     const DesignEngine engine(in);
     const RowBlock block = all(engine);
-    const Result direct =
-        analyze(input::read_case_text(text, "case.yaml", {"mechanism.rollers=9"}, Command::solve));
+    const Result direct = analyze(input::read_case_text(text, "case.yaml", {"mechanism.rollers=9"}, Command::solve));
     const double* row = block.responses.data() + 4;
     const LoadCaseResult& pull = direct.load_cases[0];
     EXPECT_NEAR(row[0] / (*pull.axial_displacement * 1e6), 1.0, 1e-10);
@@ -248,19 +236,16 @@ TEST(DesignEngine, DesignGivesWhatTheCommandGives) {
 
 /// Where the chain has too few digits the study solves as the command does.
 TEST(DesignEngine, DeliversWhateverTheCommandSolves) {
-  const std::string factors[] = {"structure.roller.guidance={ring: 1e-3 N/m}",
-                                 "structure.screw.free_length=1e-12 mm"};
+  const std::string factors[] = {"structure.roller.guidance={ring: 1e-3 N/m}", "structure.screw.free_length=1e-12 mm"};
   for (const std::string& factor : factors) {
     const std::size_t equals = factor.find('=');
     const input::StudyInput in =
-        study_of("{command: solve, plan: grid, factors: [{path: " + factor.substr(0, equals) +
-                 ", values: [" + factor.substr(equals + 1) +
-                 "]}], responses: [axial_displacement_um, tangent_stiffness_N_per_um]}");
+        study_of("{command: solve, plan: grid, factors: [{path: " + factor.substr(0, equals) + ", values: [" +
+                 factor.substr(equals + 1) + "]}], responses: [axial_displacement_um, tangent_stiffness_N_per_um]}");
     const RowBlock block = all(DesignEngine(in));
     ASSERT_TRUE(block.failures.empty()) << *reason(block, 1);
     const double* row = block.responses.data() + 2;  // behind the base case
-    const Result direct =
-        analyze(input::read_case_text(input::kAbevi, "case.yaml", {factor}, Command::solve));
+    const Result direct = analyze(input::read_case_text(input::kAbevi, "case.yaml", {factor}, Command::solve));
     const LoadCaseResult& pull = direct.load_cases[0];
     ASSERT_TRUE(pull.converged()) << factor;
     EXPECT_NEAR(row[0] / (*pull.axial_displacement * 1e6), 1.0, 1e-9) << factor;
@@ -269,27 +254,23 @@ TEST(DesignEngine, DeliversWhateverTheCommandSolves) {
 }
 
 TEST(DesignEngine, DocumentAndTablesGiveTheSame) {
-  const std::string factors =
-      "factors: [{path: mechanism.flank_angle, values: {from: 40 deg, to: 50 deg, steps: 5}}]";
-  const input::StudyInput by_tables =
-      study_of("{command: solve, plan: one_at_a_time, " + factors +
-               ", responses: [axial_displacement_um, nut.peak_pressure_MPa.max]}");
+  const std::string factors = "factors: [{path: mechanism.flank_angle, values: {from: 40 deg, to: 50 deg, steps: 5}}]";
+  const input::StudyInput by_tables = study_of("{command: solve, plan: one_at_a_time, " + factors +
+                                               ", responses: [axial_displacement_um, nut.peak_pressure_MPa.max]}");
   const input::StudyInput by_document =
       study_of("{command: solve, plan: one_at_a_time, " + factors +
                ", responses: [axial_displacement_um, nut.peak_pressure_MPa.max, iterations]}");
   const RowBlock a = all(DesignEngine(by_tables)), b = all(DesignEngine(by_document));
   for (std::size_t row = 0; row < a.rows; ++row)
-    for (std::size_t k = 0; k < 2; ++k)
-      EXPECT_NEAR(a.responses[2 * row + k] / b.responses[3 * row + k], 1.0, 1e-10);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(a.responses[2 * row + k] / b.responses[3 * row + k], 1.0, 1e-10);
 }
 
 /// Of other load cases than the first, of what lies below the surface, and of lives.
 TEST(DesignEngine, GivesWhatTheCommandGivesWhateverTheResponse) {
-  const std::string
-      measures = "measures: {friction_coefficient: 0.01}\n",
-      life =
-          "life: {position: 30 mm, spectrum: [{force: 20 kN, direction: tension, share: "
-          "0.3}, {force: 9 kN, direction: compression, share: 0.7}]}\n";
+  const std::string measures = "measures: {friction_coefficient: 0.01}\n",
+                    life =
+                        "life: {position: 30 mm, spectrum: [{force: 20 kN, direction: tension, share: "
+                        "0.3}, {force: 9 kN, direction: compression, share: 0.7}]}\n";
   struct Asked {
     Command command;
     std::string name, case_text;
@@ -310,15 +291,13 @@ TEST(DesignEngine, GivesWhatTheCommandGivesWhateverTheResponse) {
       {Command::measures,
        "measures",
        measures,
-       {"load_cases[3].measures.yang_largest_load_rate_percent",
-        "load_cases[3].measures.yang_load_rate_percent[19]",
+       {"load_cases[3].measures.yang_largest_load_rate_percent", "load_cases[3].measures.yang_load_rate_percent[19]",
         "load_cases[3].measures.l10_revolutions", "screw.max_shear_stress_MPa.mean"}},
       {Command::life,
        "life",
        life,
-       {"life.system.l10_revolutions", "life.tension.screw.l10_revolutions[3]",
-        "life.weakest_thread.thread", "life.capacity.dynamic_capacity_range_N[0]",
-        "life.compression.static_safety"}}};
+       {"life.system.l10_revolutions", "life.tension.screw.l10_revolutions[3]", "life.weakest_thread.thread",
+        "life.capacity.dynamic_capacity_range_N[0]", "life.compression.static_safety"}}};
   for (const Asked& a : asked) {
     std::string responses;
     for (const std::string& path : a.responses) responses += ", '" + path + "'";
@@ -336,10 +315,8 @@ TEST(DesignEngine, GivesWhatTheCommandGivesWhateverTheResponse) {
     for (std::size_t row = 0; row < block.rows; ++row) {
       if (reason(block, row)) continue;
       ++answered;
-      const input::Source source{"case.yaml", in.source.text,
-                                 overrides(engine.study(), draws(engine.study(), row))};
-      const Said said =
-          said_by(a.command, input::read_case_input(source, a.command).values, source);
+      const input::Source source{"case.yaml", in.source.text, overrides(engine.study(), draws(engine.study(), row))};
+      const Said said = said_by(a.command, input::read_case_input(source, a.command).values, source);
       for (std::size_t k = 0; k < a.responses.size(); ++k) {
         const std::optional<double> expected = response(said.document, a.responses[k]);
         ASSERT_TRUE(expected) << a.responses[k];
@@ -353,13 +330,13 @@ TEST(DesignEngine, GivesWhatTheCommandGivesWhateverTheResponse) {
 
 TEST(DesignEngine, CutsDoNotMatter) {
   for (const char* command : {"solve", "contact"}) {
-    const input::StudyInput in = study_of(
-        std::string("{command: ") + command +
-        ", plan: latin_hypercube, samples: 60, factors: [{path: mechanism.flank_angle, within: "
-        "0.2}, {path: mechanism.rollers, values: [9, 10, 11, 99]}, {path: "
-        "mechanism.contacts_per_roller, values: [8, 17, 20]}], responses: "
-        "[contact.screw.hertz_constant_N_per_mm1_5" +
-        (command[0] == 's' ? ", axial_displacement_um]}" : "]}"));
+    const input::StudyInput in =
+        study_of(std::string("{command: ") + command +
+                 ", plan: latin_hypercube, samples: 60, factors: [{path: mechanism.flank_angle, within: "
+                 "0.2}, {path: mechanism.rollers, values: [9, 10, 11, 99]}, {path: "
+                 "mechanism.contacts_per_roller, values: [8, 17, 20]}], responses: "
+                 "[contact.screw.hertz_constant_N_per_mm1_5" +
+                 (command[0] == 's' ? ", axial_displacement_um]}" : "]}"));
     const DesignEngine engine(in);
     const RowBlock whole = all(engine);
     EXPECT_FALSE(whole.failures.empty());
@@ -371,21 +348,20 @@ TEST(DesignEngine, CutsDoNotMatter) {
         EXPECT_EQ(std::memcmp(part.responses.data(), whole.responses.data() + first * responses,
                               part.responses.size() * sizeof(double)),
                   0);
-        for (std::size_t row = 0; row < part.rows; ++row)
-          EXPECT_EQ(reason(part, row), reason(whole, first + row));
+        for (std::size_t row = 0; row < part.rows; ++row) EXPECT_EQ(reason(part, row), reason(whole, first + row));
       }
   }
 }
 
 TEST(DesignEngine, DesignsByTheirDrawsGiveWhatTheyGiveByIndex) {
   for (const char* command : {"solve", "contact"}) {
-    const input::StudyInput in = study_of(
-        std::string("{command: ") + command +
-        ", plan: latin_hypercube, samples: 80, factors: [{path: mechanism.flank_angle, within: "
-        "0.2}, {path: mechanism.rollers, values: [9, 10, 99], with: [{path: "
-        "mechanism.contacts_per_roller, values: [8, 17, 20]}]}], responses: "
-        "[contact.screw.hertz_constant_N_per_mm1_5" +
-        (command[0] == 's' ? ", axial_displacement_um]}" : "]}"));
+    const input::StudyInput in =
+        study_of(std::string("{command: ") + command +
+                 ", plan: latin_hypercube, samples: 80, factors: [{path: mechanism.flank_angle, within: "
+                 "0.2}, {path: mechanism.rollers, values: [9, 10, 99], with: [{path: "
+                 "mechanism.contacts_per_roller, values: [8, 17, 20]}]}], responses: "
+                 "[contact.screw.hertz_constant_N_per_mm1_5" +
+                 (command[0] == 's' ? ", axial_displacement_um]}" : "]}"));
     const DesignEngine engine(in);
     const RowBlock by_index = all(engine);
     std::vector<std::vector<Draw>> designs;
@@ -393,28 +369,22 @@ TEST(DesignEngine, DesignsByTheirDrawsGiveWhatTheyGiveByIndex) {
     const RowBlock by_draws = engine.evaluate(designs);
     EXPECT_FALSE(by_index.failures.empty());
     ASSERT_EQ(by_draws.responses.size(), by_index.responses.size());
-    EXPECT_EQ(std::memcmp(by_draws.responses.data(), by_index.responses.data(),
-                          by_index.responses.size() * sizeof(double)),
-              0);
-    for (std::size_t row = 0; row < by_index.rows; ++row)
-      EXPECT_EQ(reason(by_draws, row), reason(by_index, row));
+    EXPECT_EQ(
+        std::memcmp(by_draws.responses.data(), by_index.responses.data(), by_index.responses.size() * sizeof(double)),
+        0);
+    for (std::size_t row = 0; row < by_index.rows; ++row) EXPECT_EQ(reason(by_draws, row), reason(by_index, row));
 
     // A design that no plan drew, against the program's own reading of its texts.
-    const std::vector<Draw> own{{.kind = Draw::Kind::number, .number = 44.25},
-                                {.kind = Draw::Kind::level, .level = 1}};
-    const Case c = input::read_case_text(input::kAbevi, "case.yaml", overrides(engine.study(), own),
-                                         Command::solve);
+    const std::vector<Draw> own{{.kind = Draw::Kind::number, .number = 44.25}, {.kind = Draw::Kind::level, .level = 1}};
+    const Case c = input::read_case_text(input::kAbevi, "case.yaml", overrides(engine.study(), own), Command::solve);
     EXPECT_EQ(c.mechanism.rollers, 10);
     EXPECT_EQ(c.mechanism.contacts_per_roller, 17);
     const RowBlock one = engine.evaluate({designs[3], own});
     const std::size_t responses = engine.study().responses.size();
-    EXPECT_EQ(std::memcmp(one.responses.data(), by_index.responses.data() + 3 * responses,
-                          responses * sizeof(double)),
+    EXPECT_EQ(std::memcmp(one.responses.data(), by_index.responses.data() + 3 * responses, responses * sizeof(double)),
               0);
     if (command[0] == 's') {
-      EXPECT_NEAR(
-          one.responses[responses + 1] / (*analyze(c).load_cases[0].axial_displacement * 1e6), 1.0,
-          1e-10);
+      EXPECT_NEAR(one.responses[responses + 1] / (*analyze(c).load_cases[0].axial_displacement * 1e6), 1.0, 1e-10);
     }
   }
 }
@@ -436,8 +406,7 @@ TEST(DesignEngine, UnknownResponseNamesTheNearest) {
 class ParametricStudy : public testing::Test {
  protected:
   ParametricStudy()
-      : input_(input::read_study_input(
-            input::load_source(PRS_SOURCE_DIR "/configs/10_parametric_study.yaml", {}))),
+      : input_(input::read_study_input(input::load_source(PRS_SOURCE_DIR "/configs/10_parametric_study.yaml", {}))),
         engine_(input_),
         block_(all(engine_)) {}
 
@@ -450,8 +419,7 @@ class ParametricStudy : public testing::Test {
     std::vector<std::size_t> found;
     for (std::size_t row = 1; row < block_.rows; ++row) {
       const Design d = design(engine_.study(), row);
-      if (!reason(block_, row) && engine_.study().factors[d.settings.at(0).factor].path == path)
-        found.push_back(row);
+      if (!reason(block_, row) && engine_.study().factors[d.settings.at(0).factor].path == path) found.push_back(row);
     }
     return found;
   }

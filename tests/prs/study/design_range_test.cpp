@@ -13,8 +13,8 @@ TEST(Shard, IsReadFromOneToCount) {
   EXPECT_EQ(parse_shard("1/1"), (Shard{0, 1}));
   EXPECT_EQ(parse_shard("3/8"), (Shard{2, 8}));
   EXPECT_EQ(name(Shard{2, 8}), "3/8");
-  for (const char* text : {"", "3", "/8", "3/", "0/8", "9/8", "-1/8", "3/8x", " 3/8", "3 /8",
-                           "1.5/8", "a/b", "1/0", "1/1000001", "1/99999999999999999999999"})
+  for (const char* text : {"", "3", "/8", "3/", "0/8", "9/8", "-1/8", "3/8x", " 3/8", "3 /8", "1.5/8", "a/b", "1/0",
+                           "1/1000001", "1/99999999999999999999999"})
     EXPECT_EQ(parse_shard(text), std::nullopt) << text;
 }
 

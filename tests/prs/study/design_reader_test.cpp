@@ -44,8 +44,8 @@ struct Values {
     if constexpr (std::is_same_v<T, double>)
       all.push_back(fmt::format("{}={:a}", key, leaf.value));
     else if constexpr (std::is_same_v<T, LeastLife>)
-      all.push_back(fmt::format("{}={:a} {:a}", key, leaf.value.duration.value_or(-1.0),
-                                leaf.value.travel.value_or(-1.0)));
+      all.push_back(
+          fmt::format("{}={:a} {:a}", key, leaf.value.duration.value_or(-1.0), leaf.value.travel.value_or(-1.0)));
     else
       all.push_back(fmt::format("{}={}", key, leaf.value));
   }
@@ -62,8 +62,8 @@ struct Values {
   }
   void list(std::string_view key, const OneOr& value) {
     using Form = OneOr::Form;
-    const bool whole = value.form == Form::parts || value.form == Form::ends ||
-                       value.form == Form::word || value.are_several;
+    const bool whole =
+        value.form == Form::parts || value.form == Form::ends || value.form == Form::word || value.are_several;
     list(key, whole ? value.several() : value.one());
   }
 };
@@ -145,11 +145,10 @@ std::vector<std::string> numeric_paths(const std::string& name, Command command)
   return paths;
 }
 
-std::string study_of(Command command, const std::string& plan,
-                     const std::vector<std::string>& paths, const std::string& way) {
+std::string study_of(Command command, const std::string& plan, const std::vector<std::string>& paths,
+                     const std::string& way) {
   std::string study = fmt::format("study:\n  command: {}\n  {}\n  factors:\n", name(command), plan);
-  for (const std::string& path : paths)
-    study += fmt::format("    - {{path: \"{}\", {}}}\n", path, way);
+  for (const std::string& path : paths) study += fmt::format("    - {{path: \"{}\", {}}}\n", path, way);
   return study;
 }
 
@@ -170,16 +169,14 @@ StudyInput all_numbers(const Lesson& l, const std::string& plan, const std::stri
 /// Sanitizers see every third: what they have in common is read alike.
 std::vector<Lesson> some_lessons() {
   std::vector<Lesson> lessons;
-  for (std::size_t k = 0; k < std::size(kLessons); k += test::sanitized() ? 3 : 1)
-    lessons.push_back(kLessons[k]);
+  for (std::size_t k = 0; k < std::size(kLessons); k += test::sanitized() ? 3 : 1) lessons.push_back(kLessons[k]);
   return lessons;
 }
 
 TEST(DesignReader, ReadsEveryNumberAsItsText) {
   const auto designs = static_cast<std::size_t>(test::samples(40, 1000));
   for (const Lesson& l : some_lessons()) {
-    const int refused = refused_of(
-        all_numbers(l, "plan: latin_hypercube\n  samples: 1000", "within: 0.01 %"), designs);
+    const int refused = refused_of(all_numbers(l, "plan: latin_hypercube\n  samples: 1000", "within: 0.01 %"), designs);
     EXPECT_LT(refused, static_cast<int>(designs)) << l.name;
   }
 }
@@ -190,27 +187,25 @@ TEST(DesignReader, RefusesAsTheTextIsRefused) {
   const std::vector<Lesson> lessons = some_lessons();
   int refused = 0;
   for (const Lesson& l : lessons)
-    refused +=
-        refused_of(all_numbers(l, "plan: monte_carlo\n  samples: 1000", "within: 30 %"), designs);
+    refused += refused_of(all_numbers(l, "plan: monte_carlo\n  samples: 1000", "within: 30 %"), designs);
   EXPECT_GT(3 * refused, static_cast<int>(designs * lessons.size()));
 }
 
 // Load cases that agree in all but name and force are checked once, those that vary each.
 TEST(DesignReader, LoadCasesAreRefusedWhetherTheyVaryOrNot) {
   for (const char* lesson_name : {"03_load_sweep", "04_contacts_from_geometry"}) {
-    const StudyInput in = read_study_input(
-        lesson(lesson_name,
-               "study:\n  command: solve\n  plan: monte_carlo\n  samples: 200\n  factors:\n"
-               "    - {path: structure.nut.length, uniform: {from: 80 mm, to: 92 mm}}\n"
-               "    - {path: \"load_cases[0].position\", uniform: {from: 0 mm, to: 90 mm}}\n"));
+    const StudyInput in =
+        read_study_input(lesson(lesson_name,
+                                "study:\n  command: solve\n  plan: monte_carlo\n  samples: 200\n  factors:\n"
+                                "    - {path: structure.nut.length, uniform: {from: 80 mm, to: 92 mm}}\n"
+                                "    - {path: \"load_cases[0].position\", uniform: {from: 0 mm, to: 90 mm}}\n"));
     EXPECT_GT(refused_of(in, 60), 5) << lesson_name;
   }
 }
 
 /// The lesson on real parts with some factors.
 StudyInput real_parts(const std::string& plan, const std::string& factors) {
-  return read_study_input(
-      lesson("11_real_parts", "study:\n  command: solve\n  " + plan + "\n  factors:\n" + factors));
+  return read_study_input(lesson("11_real_parts", "study:\n  command: solve\n  " + plan + "\n  factors:\n" + factors));
 }
 
 const std::string kMixed = R"(
@@ -253,9 +248,7 @@ TEST(DesignReader, ReadsListedPlans) {
     - {path: "load_cases[0].speed", values: [100 rpm]}
 )";
   EXPECT_GT(refused_of(real_parts("plan: one_at_a_time", factors), 1000), 3);
-  EXPECT_GT(
-      refused_of(real_parts("plan: grid", factors.substr(factors.find("    - {path: st"))), 1000),
-      10);
+  EXPECT_GT(refused_of(real_parts("plan: grid", factors.substr(factors.find("    - {path: st"))), 1000), 10);
 }
 
 const std::string kTogether = R"(
@@ -278,15 +271,14 @@ TEST(DesignReader, SetsCompanionsAsTheirTextsDo) {
 }
 
 TEST(DesignReader, CompanionsTakeTheLevelOfTheirFactor) {
-  const StudyInput in = read_study_input(
-      lesson("11_real_parts",
-             "study:\n  command: solve\n  plan: grid\n  factors:\n    - {path: mechanism.rollers, "
-             "values: [9, 11], with: [{path: materials.youngs_modulus, values: [200 GPa, 210 "
-             "GPa]}]}\n    - {path: structure.screw.bore, values: [4 mm, 5 mm]}\n"));
+  const StudyInput in =
+      read_study_input(lesson("11_real_parts",
+                              "study:\n  command: solve\n  plan: grid\n  factors:\n    - {path: mechanism.rollers, "
+                              "values: [9, 11], with: [{path: materials.youngs_modulus, values: [200 GPa, 210 "
+                              "GPa]}]}\n    - {path: structure.screw.bore, values: [4 mm, 5 mm]}\n"));
   ASSERT_EQ(design_count(in.study), 5U);
   EXPECT_THAT(overrides(in.study, design(in.study, 2)),
-              ElementsAre("mechanism.rollers=9", "materials.youngs_modulus=200 GPa",
-                          "structure.screw.bore=5 mm"));
+              ElementsAre("mechanism.rollers=9", "materials.youngs_modulus=200 GPa", "structure.screw.bore=5 mm"));
   DesignReader reader(in);
   EXPECT_EQ(reader.read(1).materials->screw.youngs_modulus, 200e9);
   const Case& c = reader.read(3);
@@ -297,11 +289,10 @@ TEST(DesignReader, CompanionsTakeTheLevelOfTheirFactor) {
 
 /// A speed along the axis stays where a study changes the lead, and may be a factor itself.
 TEST(DesignReader, SpeedsAlongTheAxisFollowTheLead) {
-  Source source =
-      lesson("09_slip_and_dissipation",
-             "study: {command: slip, plan: grid, factors: [{path: mechanism.lead, "
-             "values: [5 mm, 8 mm]}, {path: operation.speed, values: [100 mm/s, 3 in/s, "
-             "500 rpm]}]}");
+  Source source = lesson("09_slip_and_dissipation",
+                         "study: {command: slip, plan: grid, factors: [{path: mechanism.lead, "
+                         "values: [5 mm, 8 mm]}, {path: operation.speed, values: [100 mm/s, 3 in/s, "
+                         "500 rpm]}]}");
   source.overrides = {"load_cases[1].speed=-40 mm/s"};
   const StudyInput input = read_study_input(source);
   ASSERT_EQ(design_count(input.study), 7U);  // The first is that of the file.
@@ -318,12 +309,12 @@ TEST(DesignReader, SpeedsAlongTheAxisFollowTheLead) {
 }
 
 TEST(DesignReader, RangeOfForcesIsExpandedAnew) {
-  const StudyInput in = read_study_input(
-      {"case.yaml",
-       kAbevi + "study:\n  command: solve\n  plan: sobol\n  samples: 20\n  factors:\n    - {path: "
-                "\"load_cases[1].axial_force.to\", uniform: {from: 30 kN, to: 45 kN}}\n    - "
-                "{path: \"load_cases[1].position\", within: 5 %}\n",
-       {}});
+  const StudyInput in =
+      read_study_input({"case.yaml",
+                        kAbevi + "study:\n  command: solve\n  plan: sobol\n  samples: 20\n  factors:\n    - {path: "
+                                 "\"load_cases[1].axial_force.to\", uniform: {from: 30 kN, to: 45 kN}}\n    - "
+                                 "{path: \"load_cases[1].position\", within: 5 %}\n",
+                        {}});
   EXPECT_EQ(refused_of(in, 21), 0);
 }
 
@@ -339,9 +330,9 @@ TEST(Slot, OneValueForAllPartsIsThreeNumbers) {
   CaseFile file;
   const Slot all = find_slot(file, "mechanism.flank_angle");
   EXPECT_EQ(all.kind, Slot::Kind::number);
-  EXPECT_THAT(all.numbers, ElementsAre(&file.values.mechanism.flank_angle.screw,
-                                       &file.values.mechanism.flank_angle.roller,
-                                       &file.values.mechanism.flank_angle.nut));
+  EXPECT_THAT(all.numbers,
+              ElementsAre(&file.values.mechanism.flank_angle.screw, &file.values.mechanism.flank_angle.roller,
+                          &file.values.mechanism.flank_angle.nut));
   EXPECT_THAT(find_slot(file, "mechanism.flank_angle.nut").numbers,
               ElementsAre(&file.values.mechanism.flank_angle.nut));
 }
@@ -373,12 +364,10 @@ TEST(Slot, TakesWhatTheReaderTakes) {
   const Slot lead = find_slot(file, "mechanism.lead");
   EXPECT_EQ(slot_value(lead, "5 mm"), 0.005);
   EXPECT_EQ(slot_value(lead, 5.0, find_unit("mm", unit::length)), 0.005);
-  for (const char* text : {"0 mm", "5", "5 kN", "\"5 mm\"", "", "1e40 m"})
-    EXPECT_FALSE(slot_value(lead, text)) << text;
+  for (const char* text : {"0 mm", "5", "5 kN", "\"5 mm\"", "", "1e40 m"}) EXPECT_FALSE(slot_value(lead, text)) << text;
   const Slot rollers = find_slot(file, "mechanism.rollers");
   EXPECT_EQ(slot_value(rollers, "9"), 9.0);
-  for (const char* text : {"0", "9.5", "9 mm", "1001", "nine"})
-    EXPECT_FALSE(slot_value(rollers, text)) << text;
+  for (const char* text : {"0", "9.5", "9 mm", "1001", "nine"}) EXPECT_FALSE(slot_value(rollers, text)) << text;
 }
 
 }  // namespace

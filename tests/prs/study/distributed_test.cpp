@@ -45,8 +45,7 @@ TEST_F(Distributed, FilesAreThoseOfOneProcess) {
   const fs::path alone = temporary.path() / "alone";
   ASSERT_EQ(test::Process(study(file, alone)).wait(), 0);
   const auto expected = test::files_in(alone);
-  for (const char* name : {"study.csv", "study.nc", "study.json"})
-    EXPECT_TRUE(expected.contains(name)) << name;
+  for (const char* name : {"study.csv", "study.nc", "study.json"}) EXPECT_TRUE(expected.contains(name)) << name;
   for (int ranks = 4; ranks >= 1; ranks -= test::count(2, 1)) {
     const fs::path folder = temporary.path() / std::to_string(ranks);
     ASSERT_EQ(test::Process(on_ranks(ranks, study(file, folder))).wait(), 0);
@@ -58,8 +57,7 @@ TEST_F(Distributed, KilledRankEndsTheJobAndAnyNumberOfRanksContinues) {
   test::write_study_file(file, 150'000);
   const fs::path folder = temporary.path() / "killed";
   const fs::path ids = temporary.path() / "rank";
-  Words ranks{"sh", "-c",
-              "echo $$ > '" + ids.string() + "'.$OMPI_COMM_WORLD_RANK; exec \"$0\" \"$@\""};
+  Words ranks{"sh", "-c", "echo $$ > '" + ids.string() + "'.$OMPI_COMM_WORLD_RANK; exec \"$0\" \"$@\""};
   for (const std::string& word : study(file, folder)) ranks.push_back(word);
   test::Process job(on_ranks(4, ranks));
   const fs::path journal = journal_path(folder, {});
@@ -89,8 +87,8 @@ TEST_F(Distributed, WrongInputEndsAllRanksWithItsStatus) {
 TEST_F(Distributed, RanksWithDifferentArgumentsAreRefused) {
   test::write_study_file(file, 100);
   const Words ranks{"sh", "-c",
-                    std::string("exec ") + test::program() + " study '" + file.string() +
-                        "' --output '" + temporary.path().string() + "'/$OMPI_COMM_WORLD_RANK"};
+                    std::string("exec ") + test::program() + " study '" + file.string() + "' --output '" +
+                        temporary.path().string() + "'/$OMPI_COMM_WORLD_RANK"};
   EXPECT_EQ(test::Process(on_ranks(2, ranks)).wait(), 2);
 }
 

@@ -44,24 +44,19 @@ using Respond = std::function<std::vector<double>(const std::vector<double>& x)>
 
 std::vector<std::size_t> idle_of(const Study& study, const Respond& respond) {
   FollowedFactors followed(study);
-  for (std::size_t k = 0; k < design_count(study); ++k)
-    followed.add(respond(values_of(draws(study, k))), k);
+  for (std::size_t k = 0; k < design_count(study); ++k) followed.add(respond(values_of(draws(study, k))), k);
   return followed.idle();
 }
 
-const Respond kFirstAndLast = [](const std::vector<double>& x) {
-  return std::vector{x.front() * x.back(), 7.0};
-};
+const Respond kFirstAndLast = [](const std::vector<double>& x) { return std::vector{x.front() * x.back(), 7.0}; };
 
 TEST(IdleFactors, OfListedPlansAreThoseThatNoResponseFollows) {
   // One at a time from 0, a product of two factors does not move.
   const Respond sum = [](const std::vector<double>& x) { return std::vector{x[0] - x[2], 7.0}; };
   EXPECT_THAT(idle_of(factor_study(Plan::one_at_a_time, {2, 3, 4}), sum), ElementsAre(1));
-  EXPECT_THAT(idle_of(factor_study(Plan::one_at_a_time, {2, 3, 4}), kFirstAndLast),
-              ElementsAre(0, 1, 2));
+  EXPECT_THAT(idle_of(factor_study(Plan::one_at_a_time, {2, 3, 4}), kFirstAndLast), ElementsAre(0, 1, 2));
   EXPECT_THAT(idle_of(factor_study(Plan::grid, {2, 3, 4}), kFirstAndLast), ElementsAre(1));
-  EXPECT_THAT(idle_of(factor_study(Plan::sobol_indices, {0, 0, 0}, 8), kFirstAndLast),
-              ElementsAre(1));
+  EXPECT_THAT(idle_of(factor_study(Plan::sobol_indices, {0, 0, 0}, 8), kFirstAndLast), ElementsAre(1));
 }
 
 TEST(IdleFactors, OneDesignOfAGridIsEnoughToFollow) {
@@ -72,11 +67,7 @@ TEST(IdleFactors, OneDesignOfAGridIsEnoughToFollow) {
       followed.add(std::vector{1.0, k == odd ? 1.0 + 1e-16 * 4 : 1.0}, k);
     EXPECT_THAT(followed.idle(), IsEmpty()) << odd;
   }
-  EXPECT_THAT(idle_of(study,
-                      [](const auto&) {
-                        return std::vector{1.0, kNoResponse};
-                      }),
-              ElementsAre(0, 1, 2));
+  EXPECT_THAT(idle_of(study, [](const auto&) { return std::vector{1.0, kNoResponse}; }), ElementsAre(0, 1, 2));
 }
 
 TEST(IdleFactors, AFactorThatDoesNotVaryIsNone) {
@@ -91,14 +82,11 @@ TEST(IdleFactors, DesignsWithoutNumbersTellNothingAndOneOfThemFollows) {
   const Study study = factor_study(Plan::one_at_a_time, {3, 2});
   const std::vector<double> none(2, kNoResponse);
   EXPECT_THAT(idle_of(study, [&](const auto&) { return none; }), IsEmpty());
-  const Respond fails = [&](const std::vector<double>& x) {
-    return x[0] == 3.0 ? none : std::vector{1.0, 1.0};
-  };
+  const Respond fails = [&](const std::vector<double>& x) { return x[0] == 3.0 ? none : std::vector{1.0, 1.0}; };
   EXPECT_THAT(idle_of(study, fails), ElementsAre(1));
 }
 
-std::vector<std::size_t> idle_drawn(const Study& study, const Respond& respond,
-                                    std::size_t* designs = nullptr) {
+std::vector<std::size_t> idle_drawn(const Study& study, const Respond& respond, std::size_t* designs = nullptr) {
   return idle_drawn_factors(study, nullptr, [&](const std::vector<std::vector<Draw>>& drawn) {
     RowBlock block{0, drawn.size(), {}, {}};
     for (const std::vector<Draw>& draw : drawn)
@@ -113,9 +101,7 @@ TEST(IdleFactors, OfDrawnPlansAreFoundByPairsOfDesigns) {
     const Study study = factor_study(plan, {0, 2, 0, 1}, 50);
     std::size_t designs = 0;
     // Where all others are as in the file, at 0, the product would not follow.
-    const Respond product = [](const std::vector<double>& x) {
-      return std::vector{x[0] * x[2], 1.0};
-    };
+    const Respond product = [](const std::vector<double>& x) { return std::vector{x[0] * x[2], 1.0}; };
     EXPECT_THAT(idle_drawn(study, product, &designs), ElementsAre(1));
     EXPECT_EQ(designs, 12u);                          // Four of each factor that varies.
     EXPECT_THAT(idle_of(study, product), IsEmpty());  // Its own designs do not tell.

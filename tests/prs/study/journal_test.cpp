@@ -30,9 +30,7 @@ using testing::HasSubstr;
 constexpr std::size_t kJournalDesigns = 1000;
 constexpr std::size_t kRows = 30;
 
-void write(const fs::path& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
+void write(const fs::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
 /// A journal of three blocks, not in their order; returns where each ends.
 std::vector<std::uint64_t> write_journal(const fs::path& path) {
@@ -49,8 +47,8 @@ TEST(Journal, GivesBackEveryBit) {
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "study.journal";
   RowBlock block{5, 2, {}, {{1, {"refused", std::string("a\0\n\xff,", 5)}}}};
-  for (const std::uint64_t bits : {0x7ff8000000000abcULL, 0xfff0000000000000ULL, 1ULL,
-                                   0x8000000000000000ULL, 0x3ff0000000000001ULL, 0ULL})
+  for (const std::uint64_t bits :
+       {0x7ff8000000000abcULL, 0xfff0000000000000ULL, 1ULL, 0x8000000000000000ULL, 0x3ff0000000000001ULL, 0ULL})
     block.responses.push_back(std::bit_cast<double>(bits));
   {
     Journal journal = Journal::append_to(path, synthetic_header(kJournalDesigns));
@@ -62,8 +60,7 @@ TEST(Journal, GivesBackEveryBit) {
   EXPECT_EQ(journal.records()[0].designs, (DesignRange{5, 2}));
   const RowBlock read = journal.block(journal.records()[0]);
   for (std::size_t k = 0; k < block.responses.size(); ++k)
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.responses[k]),
-              std::bit_cast<std::uint64_t>(block.responses[k]));
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.responses[k]), std::bit_cast<std::uint64_t>(block.responses[k]));
   ASSERT_EQ(read.failures.size(), 1u);
   EXPECT_EQ(read.failures[0].row, 1u);
   EXPECT_EQ(read.failures[0].status.reason, block.failures[0].status.reason);
@@ -73,8 +70,7 @@ TEST(Journal, TakesWhatWasEncodedForItsStudy) {
   const Journal journal = Journal::temporary(synthetic_header(kJournalDesigns));
   const std::string record = encode(synthetic_rows(100, kRows));
   EXPECT_TRUE(journal.takes(record));
-  for (std::size_t size = 0; size < record.size(); ++size)
-    EXPECT_FALSE(journal.takes(record.substr(0, size))) << size;
+  for (std::size_t size = 0; size < record.size(); ++size) EXPECT_FALSE(journal.takes(record.substr(0, size))) << size;
   EXPECT_FALSE(journal.takes(record + '\0'));
   EXPECT_FALSE(journal.takes(encode(synthetic_rows(kJournalDesigns, kRows))));
 }
@@ -141,8 +137,8 @@ TEST(Journal, AnyFlippedBitIsFoundAndWhatStandsBeforeItIsKept) {
       const Journal journal = Journal::read(path);
       ASSERT_EQ(journal.records().size(), intact) << k;
       for (std::size_t r = 0; r < intact; ++r)
-        ASSERT_TRUE(same_rows(journal.block(journal.records()[r]),
-                              synthetic_rows(journal.records()[r].designs.first, kRows)));
+        ASSERT_TRUE(
+            same_rows(journal.block(journal.records()[r]), synthetic_rows(journal.records()[r].designs.first, kRows)));
     } catch (const StudyFolderError&) {
       ASSERT_LT(k, first_record + 100);  // Records have no error of their own.
     }
@@ -165,9 +161,9 @@ TEST(Journal, WhatIsNoJournalIsRefused) {
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "study.journal";
   write(path, "design,status\n0,converged\n");
-  for (const std::string& error :
-       {folder_error_of([&] { Journal::read(path); }),
-        folder_error_of([&] { Journal::append_to(path, synthetic_header(kJournalDesigns)); })}) {
+  for (const std::string& error : {folder_error_of([&] { Journal::read(path); }), folder_error_of([&] {
+                                     Journal::append_to(path, synthetic_header(kJournalDesigns));
+                                   })}) {
     EXPECT_THAT(error, HasSubstr(path.string() + ": error: "));
     EXPECT_THAT(error, HasSubstr("--restart"));
   }
@@ -176,9 +172,7 @@ TEST(Journal, WhatIsNoJournalIsRefused) {
   EXPECT_EQ(Journal::read(path).header().designs, kJournalDesigns);
 }
 
-std::string word(std::uint64_t number) {
-  return std::string(reinterpret_cast<const char*>(&number), sizeof number);
-}
+std::string word(std::uint64_t number) { return std::string(reinterpret_cast<const char*>(&number), sizeof number); }
 
 std::string text_of(const std::string& text) { return word(text.size()) + text; }
 
@@ -211,8 +205,7 @@ TEST(Journal, HeadersThatNoStudyWritesAreRefused) {
                                texts + word(~std::uint64_t{0}),
                                word(~std::uint64_t{0}),
                                texts + word(1) + word(kHuge) + lists};
-  for (std::size_t length = 0; length < good.size(); ++length)
-    bad.push_back(good.substr(0, length));
+  for (std::size_t length = 0; length < good.size(); ++length) bad.push_back(good.substr(0, length));
   for (const std::string& header : bad) {
     write(path, journal_of(header));
     EXPECT_THAT(folder_error_of([&] { Journal::read(path); }), HasSubstr("no journal of a study"));
@@ -237,8 +230,7 @@ TEST(Journal, LinksPipesAndFoldersAreRefusedAndLeftAlone) {
     for (const std::string& error :
          {folder_error_of([&] { Journal::read(path); }),
           folder_error_of([&] { Journal::append_to(path, synthetic_header(kJournalDesigns)); }),
-          folder_error_of(
-              [&] { Journal::append_to(path, synthetic_header(kJournalDesigns), true); })})
+          folder_error_of([&] { Journal::append_to(path, synthetic_header(kJournalDesigns), true); })})
       EXPECT_THAT(error, HasSubstr(path.string() + ": error: got " + what));
     fs::remove(path);
   };
@@ -265,8 +257,7 @@ TEST(Journal, OfAnotherStudyIsRefused) {
   other_key.key = "other";
   JournalHeader other_responses = synthetic_header(kJournalDesigns);
   other_responses.responses.pop_back();
-  for (const JournalHeader& header :
-       {other_key, other_responses, synthetic_header(kJournalDesigns + 1)}) {
+  for (const JournalHeader& header : {other_key, other_responses, synthetic_header(kJournalDesigns + 1)}) {
     const std::string error = folder_error_of([&] { Journal::append_to(path, header); });
     EXPECT_THAT(error, HasSubstr(temporary.path().string() + ": error: "));
     EXPECT_THAT(error, HasSubstr("--output"));

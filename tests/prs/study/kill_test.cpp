@@ -105,8 +105,7 @@ void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& comman
       const double moment = enough() ? 2.0 : share(random);
       test::Process process(command(folder.path()));
       if (moment <= 1.0) {
-        if (moment > 0.0)
-          wait_for_bytes(process, folder.path(), done + static_cast<std::uintmax_t>(moment * rest));
+        if (moment > 0.0) wait_for_bytes(process, folder.path(), done + static_cast<std::uintmax_t>(moment * rest));
         process.kill();
       }
       const int status = process.wait();
@@ -117,8 +116,7 @@ void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& comman
     }
     ASSERT_TRUE(test::files_in(folder.path()) == expected) << "after " << hits << " kills";
   }
-  EXPECT_GT(with_journal, 0) << hits << " kills hit, in " << studies << " studies of " << all_bytes
-                             << " bytes";
+  EXPECT_GT(with_journal, 0) << hits << " kills hit, in " << studies << " studies of " << all_bytes << " bytes";
 }
 
 TEST(KilledStudy, EndsWithTheFilesOfAnUndisturbedOne) {

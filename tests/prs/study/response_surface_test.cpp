@@ -61,8 +61,7 @@ TEST_P(Corners, FollowTheClosedForm) {
   EXPECT_NEAR(fit.effects[0].contribution_percent, 75.0, 1e-12);
   EXPECT_NEAR(fit.effects[1].contribution_percent, 25.0, 1e-12);
   EXPECT_NEAR(fit.r_squared, 40.0 / 41.0, 1e-14);
-  EXPECT_NEAR(*fit.adjusted_r_squared,
-              1.0 - (0.25 * rows / (rows - 3)) / (10.25 * rows / (rows - 1)), 1e-13);
+  EXPECT_NEAR(*fit.adjusted_r_squared, 1.0 - (0.25 * rows / (rows - 3)) / (10.25 * rows / (rows - 1)), 1e-13);
   for (const FactorEffect& effect : fit.effects)
     EXPECT_NEAR(*effect.standard_error, std::sqrt(0.25 / (rows - 3)), 1e-13);
 }

@@ -32,8 +32,7 @@ TEST(Response, SummarisesArrays) {
 }
 
 TEST(Response, SummarisesRowsByRollerAndThread) {
-  const Json document =
-      Json::parse(R"({"load_cases": [{"screw": {"normal_load_N": [[3, 1], [2, 6]]}}]})");
+  const Json document = Json::parse(R"({"load_cases": [{"screw": {"normal_load_N": [[3, 1], [2, 6]]}}]})");
   EXPECT_EQ(response(document, "screw.normal_load_N[1][0]"), 2.0);
   EXPECT_EQ(response(document, "screw.normal_load_N[0].max"), 3.0);
   EXPECT_EQ(response(document, "screw.normal_load_N.max"), 6.0);
@@ -43,17 +42,16 @@ TEST(Response, SummarisesRowsByRollerAndThread) {
 }
 
 TEST(Response, IsAbsentWhereThePathLeadsNowhere) {
-  for (const char* path :
-       {"", ".", "name", "slip", "slip.", "slip..efficiency", "slip.efficienc",
-        "screw.axial_load_N", "screw.axial_load_N[3]", "screw.axial_load_N[",
-        "screw.axial_load_N[x]", "screw.axial_load_N.max.max", "load_cases[9].name", "[0]"})
+  for (const char* path : {"", ".", "name", "slip", "slip.", "slip..efficiency", "slip.efficienc", "screw.axial_load_N",
+                           "screw.axial_load_N[3]", "screw.axial_load_N[", "screw.axial_load_N[x]",
+                           "screw.axial_load_N.max.max", "load_cases[9].name", "[0]"})
     EXPECT_FALSE(response(kDocument, path)) << path;
   EXPECT_FALSE(response(nullptr, "x"));
 }
 
 TEST(Response, KnowsItsPaths) {
-  EXPECT_THAT(response_paths(kDocument), ElementsAre("axial_force_N", "screw.axial_load_N.max",
-                                                     "slip.efficiency", "contact.nut.backlash_mm"));
+  EXPECT_THAT(response_paths(kDocument),
+              ElementsAre("axial_force_N", "screw.axial_load_N.max", "slip.efficiency", "contact.nut.backlash_mm"));
 }
 
 }  // namespace

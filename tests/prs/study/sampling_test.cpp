@@ -47,8 +47,7 @@ double kolmogorov_smirnov(std::vector<double> sample, const std::function<double
   double distance = 0.0;
   for (std::size_t k = 0; k < sample.size(); ++k) {
     const double f = cdf(sample[k]);
-    distance =
-        std::max({distance, f - static_cast<double>(k) / n, static_cast<double>(k + 1) / n - f});
+    distance = std::max({distance, f - static_cast<double>(k) / n, static_cast<double>(k + 1) / n - f});
   }
   return distance * std::sqrt(n);
 }
@@ -80,8 +79,8 @@ TEST(Permuted, AllPermutationsAreAsLikely) {
     for (std::uint64_t k = 0; k < 4; ++k) order[k] = permuted(key, k, 4);
     std::size_t rank = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto smaller = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(k),
-                                         order.end(), [&](auto o) { return o < order[k]; });
+      const auto smaller = std::count_if(order.begin() + static_cast<std::ptrdiff_t>(k), order.end(),
+                                         [&](auto o) { return o < order[k]; });
       rank = rank * (4 - k) + static_cast<std::size_t>(smaller);
     }
     ++seen[rank];
@@ -110,9 +109,8 @@ TEST(LatinHypercube, DimensionsAndSeedsAreUncorrelated) {
   std::vector<std::vector<double>> columns;
   for (const std::uint64_t seed : {1, 2, 3})
     for (std::size_t dimension = 0; dimension < 4; ++dimension)
-      columns.push_back(numbers(kSamples, [&](std::uint64_t k) {
-        return latin_hypercube_number(seed, dimension, k, kSamples);
-      }));
+      columns.push_back(
+          numbers(kSamples, [&](std::uint64_t k) { return latin_hypercube_number(seed, dimension, k, kSamples); }));
   for (std::size_t i = 0; i < columns.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_LT(std::abs(correlation(columns[i], columns[j])), 4.0 / std::sqrt(kSamples));
@@ -135,15 +133,13 @@ TEST(MonteCarlo, IsUniformAndIndependent) {
   std::vector<std::vector<double>> columns;
   for (const std::uint64_t seed : {0, 1})
     for (std::size_t dimension = 0; dimension < 4; ++dimension)
-      columns.push_back(
-          numbers(20'000, [&](std::uint64_t k) { return monte_carlo_number(seed, dimension, k); }));
+      columns.push_back(numbers(20'000, [&](std::uint64_t k) { return monte_carlo_number(seed, dimension, k); }));
   for (std::size_t i = 0; i < columns.size(); ++i) {
     EXPECT_LT(kolmogorov_smirnov(columns[i], uniform_cdf), kOneInAThousand);
     const std::vector<double> head(columns[i].begin(), columns[i].end() - 1);
     const std::vector<double> tail(columns[i].begin() + 1, columns[i].end());
     EXPECT_LT(std::abs(correlation(head, tail)), 4.0 / std::sqrt(2e4));
-    for (std::size_t j = 0; j < i; ++j)
-      EXPECT_LT(std::abs(correlation(columns[i], columns[j])), 4.0 / std::sqrt(2e4));
+    for (std::size_t j = 0; j < i; ++j) EXPECT_LT(std::abs(correlation(columns[i], columns[j])), 4.0 / std::sqrt(2e4));
   }
 }
 
@@ -160,8 +156,7 @@ TEST(Sobol, StartsWithThePublishedPoints) {
                                 {0.1875, 0.3125, 0.9375},
                                 {0.6875, 0.8125, 0.4375}};
   for (std::uint64_t k = 0; k < 10; ++k)
-    for (std::size_t d = 0; d < 3; ++d)
-      EXPECT_EQ(static_cast<double>(sobol_fraction(d, k)) * 0x1p-64, points[k][d]);
+    for (std::size_t d = 0; d < 3; ++d) EXPECT_EQ(static_cast<double>(sobol_fraction(d, k)) * 0x1p-64, points[k][d]);
 }
 
 TEST(Sobol, IsBoostsSequenceFarOut) {
@@ -193,8 +188,7 @@ TEST(Sobol, ShiftedPointIsUniform) {
 }
 
 /// Root mean square error over seeds of the mean of a product of 1 + (x - 1/2), which is 1.
-double integration_error(double (*number)(std::uint64_t, std::size_t, std::uint64_t),
-                         std::uint64_t samples) {
+double integration_error(double (*number)(std::uint64_t, std::size_t, std::uint64_t), std::uint64_t samples) {
   constexpr std::uint64_t kSeeds = 16;
   double squares = 0.0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
@@ -213,8 +207,7 @@ double integration_error(double (*number)(std::uint64_t, std::size_t, std::uint6
 TEST(Sobol, IntegratesFasterThanMonteCarlo) {
   const double far = integration_error(sobol_number, 8192);
   EXPECT_GT(integration_error(sobol_number, 128), 32.0 * far);
-  EXPECT_LT(integration_error(monte_carlo_number, 128),
-            16.0 * integration_error(monte_carlo_number, 8192));
+  EXPECT_LT(integration_error(monte_carlo_number, 128), 16.0 * integration_error(monte_carlo_number, 8192));
   EXPECT_GT(integration_error(monte_carlo_number, 8192), 20.0 * far);
 }
 
@@ -223,8 +216,7 @@ TEST(NormalQuantile, InvertsTheDistribution) {
   EXPECT_EQ(normal_quantile(0.5), 0.0);
   EXPECT_NEAR(normal_quantile(0.975), 1.95996398454005, 1e-14);
   EXPECT_NEAR(normal_quantile(0.99), 2.32634787404084, 1e-14);
-  for (const double u : {1e-300, 1e-12, 1e-3, 0.2, 0.499})
-    EXPECT_NEAR(normal_cdf(normal_quantile(u)) / u, 1.0, 1e-12);
+  for (const double u : {1e-300, 1e-12, 1e-3, 0.2, 0.499}) EXPECT_NEAR(normal_cdf(normal_quantile(u)) / u, 1.0, 1e-12);
   EXPECT_NEAR(normal_quantile(0.9), -normal_quantile(0.1), 1e-15);
 }
 

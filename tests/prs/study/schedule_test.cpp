@@ -111,8 +111,7 @@ TEST(Schedule, WhatGoesWrongEndsIt) {
       return test::synthetic_rows(first, count);
     };
     const auto give = [&](std::size_t most) { return next(most); };
-    EXPECT_THROW(run_schedule(threads, 1, give, failing, [](const std::string&) {}),
-                 std::bad_alloc);
+    EXPECT_THROW(run_schedule(threads, 1, give, failing, [](const std::string&) {}), std::bad_alloc);
     EXPECT_LT(evaluated, 1000);
     const auto refuse = [](const std::string&) { throw std::runtime_error("full"); };
     EXPECT_THROW(run_schedule(threads, 1, give, test::synthetic_rows, refuse), std::runtime_error);

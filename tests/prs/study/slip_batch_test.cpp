@@ -23,9 +23,7 @@ namespace {
 
 /// Of `test::random_slip`, some with mixed friction, plain bearings, wear, imposed slip ratios.
 Case random_design(std::mt19937_64& random, int patch_points) {
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   Case c = test::random_slip(random);
   c.model.patch_points = patch_points;
   if (uniform(0.0, 1.0) < 0.3) c = test::with_mixed_friction(c, uniform(0.0, 0.2), 2.0);
@@ -53,8 +51,7 @@ class Difference {
   void of(double value, double expected) { of(value, expected, std::abs(expected)); }
   void of(const std::vector<double>& values, const std::vector<double>& expected) {
     EXPECT_EQ(values.size(), expected.size());
-    for (std::size_t k = 0; k < values.size() && k < expected.size(); ++k)
-      of(values[k], expected[k]);
+    for (std::size_t k = 0; k < values.size() && k < expected.size(); ++k) of(values[k], expected[k]);
   }
   void of(const std::optional<double>& value, const std::optional<double>& expected) {
     EXPECT_EQ(value.has_value(), expected.has_value());
@@ -82,8 +79,8 @@ double difference(const LoadCaseResult& value, const LoadCaseResult& expected, c
   EXPECT_EQ(s.self_locking, t.self_locking);
   const double power = t.power.total();
   d.of(s.power.total(), power);
-  for (const auto source : {&PowerBySource::screw, &PowerBySource::nut,
-                            &PowerBySource::carrier_roller, &PowerBySource::carrier_screw})
+  for (const auto source :
+       {&PowerBySource::screw, &PowerBySource::nut, &PowerBySource::carrier_roller, &PowerBySource::carrier_screw})
     d.of(s.power.*source, t.power.*source, power);
   const double shaft = std::abs(t.torque_screw) + power / std::abs(t.speed);
   d.of(s.torque_screw, t.torque_screw, shaft);
@@ -180,14 +177,13 @@ carrier: {bearing: {length: 5 mm, diameter: 5 mm, radial_clearance: 0.1 mm}}
 )";
 
 input::StudyInput study(const std::string& rest) {
-  return input::read_study_input(
-      {"case.yaml",
-       kStudy +
-           ("study: {command: slip, plan: monte_carlo, samples: 2000, factors: [{path: "
-            "mechanism.flank_angle, within: 3 %}, {path: operation.speed, log_uniform: "
-            "{from: 6 rpm, to: 1200 rpm}}, ") +
-           rest + "}\n",
-       {}});
+  return input::read_study_input({"case.yaml",
+                                  kStudy +
+                                      ("study: {command: slip, plan: monte_carlo, samples: 2000, factors: [{path: "
+                                       "mechanism.flank_angle, within: 3 %}, {path: operation.speed, log_uniform: "
+                                       "{from: 6 rpm, to: 1200 rpm}}, ") +
+                                      rest + "}\n",
+                                  {}});
 }
 
 TEST(SlipBatch, ADesignTakesNoMemory) {
@@ -217,8 +213,7 @@ TEST(SlipBatch, AnswersDesignsAsTheScalarChainDoes) {
       if (!slip.converged()) status.name = name(slip.status);
       if (slip.converged()) {
         EXPECT_NEAR(block.responses[2 * k] / *slip.efficiency, 1.0, 1e-12);
-        EXPECT_NEAR(block.responses[2 * k + 1] / (slip.threads.screw.central_film[0] * 1e9), 1.0,
-                    1e-12);
+        EXPECT_NEAR(block.responses[2 * k + 1] / (slip.threads.screw.central_film[0] * 1e9), 1.0, 1e-12);
       }
     } catch (const CaseError& error) {
       status = {"refused", std::string(error.path()) + ": " + error.what()};

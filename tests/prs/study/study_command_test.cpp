@@ -109,17 +109,14 @@ study:
   const fs::path parts = temporary.path() / "parts", whole = temporary.path() / "whole";
   EXPECT_EQ(prs(into(parts, "--shard 1/2")).status, 0);
   EXPECT_EQ(prs(into(parts, "--shard 2/2")).status, 0);
-  EXPECT_EQ(prs("study merge '" + parts.string() + "' --quiet --csv-digits 17 --output '" +
-                whole.string() + "'")
-                .status,
-            0);
+  EXPECT_EQ(
+      prs("study merge '" + parts.string() + "' --quiet --csv-digits 17 --output '" + whole.string() + "'").status, 0);
   EXPECT_TRUE(files_in(whole) == expected);
 
   // Between designs the error falls with the square of the step, here 0.24 mm of a bore in 21 mm.
-  const Outcome direct =
-      prs("solve '" + file.string() +
-          "' --json --set 'structure.nut.outer_diameter=45 mm' --set 'structure.screw.bore=3.1 mm' "
-          "--set 'structure.screw.free_length=13 mm'");
+  const Outcome direct = prs("solve '" + file.string() +
+                             "' --json --set 'structure.nut.outer_diameter=45 mm' --set 'structure.screw.bore=3.1 mm' "
+                             "--set 'structure.screw.free_length=13 mm'");
   ASSERT_EQ(direct.status, 0) << direct.err;
   const auto document = nlohmann::json::parse(direct.out);
   EXPECT_NEAR(std::stod(rows[901].at("axial_stiffness_N_per_um")) /
@@ -140,8 +137,7 @@ TEST_F(StudyCommand, WritesTheSameFilesOnAnyNumberOfThreadsAndInShards) {
   const fs::path one = temporary.path() / "one", two = temporary.path() / "two";
   EXPECT_EQ(prs(into(one, "--shard 1/3")).status, 0);
   EXPECT_EQ(prs(into(two, "--shard 3/3")).status, 0);
-  const std::string merge =
-      "study merge '" + one.string() + "' '" + two.string() + "' --quiet --output ";
+  const std::string merge = "study merge '" + one.string() + "' '" + two.string() + "' --quiet --output ";
   const Outcome incomplete = prs(merge + (temporary.path() / "m").string());
   EXPECT_EQ(incomplete.status, 2);
   EXPECT_EQ(incomplete.out, "");
@@ -165,22 +161,19 @@ TEST_F(StudyCommand, SaysWhichFactorsOverridesMakeVoidAndWhichMovedNothing) {
       "mechanism.flank_angle: moved no response: all stay the same to the last digit; add a "
       "response "
       "that follows it, or delete the factor";
-  for (const char* plan :
-       {"one_at_a_time", "grid", "latin_hypercube, samples: 20", "sobol_indices, samples: 8"}) {
-    const std::string study = "--set 'study={command: solve, plan: " + std::string(plan) + ", " +
-                              factors + "responses: [axial_stiffness_N_per_um]}' ";
+  for (const char* plan : {"one_at_a_time", "grid", "latin_hypercube, samples: 20", "sobol_indices, samples: 8"}) {
+    const std::string study = "--set 'study={command: solve, plan: " + std::string(plan) + ", " + factors +
+                              "responses: [axial_stiffness_N_per_um]}' ";
     const Outcome run = prs(lesson + study + "--json");
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_THAT(run.err, HasSubstr("warning: " + is_void)) << plan;
     const auto document = nlohmann::json::parse(run.out);
-    EXPECT_THAT(document["warnings"].get<std::vector<std::string>>(),
-                testing::ElementsAre(is_void, is_idle))
-        << plan;
+    EXPECT_THAT(document["warnings"].get<std::vector<std::string>>(), testing::ElementsAre(is_void, is_idle)) << plan;
     EXPECT_THAT(prs(lesson + study).out, HasSubstr("moved no response")) << plan;
   }
   // Pressures follow, on loads that do not.
-  const Outcome pressures = prs(lesson + "--json --set 'study={command: solve, plan: grid, " +
-                                factors + "responses: [screw.peak_pressure_MPa.max]}'");
+  const Outcome pressures = prs(lesson + "--json --set 'study={command: solve, plan: grid, " + factors +
+                                "responses: [screw.peak_pressure_MPa.max]}'");
   EXPECT_THAT(nlohmann::json::parse(pressures.out)["warnings"].get<std::vector<std::string>>(),
               testing::ElementsAre(testing::HasSubstr("flank_angle: moves no load or stiffness:")));
   // Without overrides all of it follows.
@@ -221,9 +214,8 @@ TEST_F(StudyCommand, InterruptedItContinues) {
   const Outcome resumed = prs(loud + folder.string() + "'");
   ASSERT_EQ(resumed.status, 0);
   int total = 0, found = 0, computed = 0;
-  ASSERT_EQ(std::sscanf(resumed.err.c_str(), "%d designs: %d were in the journal, %d computed",
-                        &total, &found, &computed),
-            3)
+  ASSERT_EQ(
+      std::sscanf(resumed.err.c_str(), "%d designs: %d were in the journal, %d computed", &total, &found, &computed), 3)
       << resumed.err;
   EXPECT_GE(total, designs);  // And the base case.
   EXPECT_GT(found, 0);
@@ -293,8 +285,7 @@ TEST_F(StudyCommand, RestartDiscardsWhatWasComputed) {
 
 TEST_F(StudyCommand, WithoutAFolderOnlySpeaks) {
   test::write_study_file(file, 200);
-  const Outcome run =
-      prs("study '" + file.string() + "'", "TMPDIR='" + temporary.path().string() + "'");
+  const Outcome run = prs("study '" + file.string() + "'", "TMPDIR='" + temporary.path().string() + "'");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_NE(run.out, "");

@@ -27,8 +27,7 @@ Factor factor(const std::string& path, const std::string& unit, double at) {
 CaseDerivatives sample_derivatives() {
   CaseDerivatives d;
   d.study.responses = {"axial_stiffness_N_per_um"};
-  d.study.factors = {factor("bore", "mm", 6.0), factor("diameter", "mm", 20.0),
-                     factor("length", "mm", 90.0)};
+  d.study.factors = {factor("bore", "mm", 6.0), factor("diameter", "mm", 20.0), factor("length", "mm", 90.0)};
   d.values = {800.0};
   d.factors = {{{Derivative{-10.0, -0.075, 1e-9}}, ""},
                {{Derivative{80.0, 2.0, 1e-8}}, ""},

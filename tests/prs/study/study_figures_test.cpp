@@ -28,8 +28,7 @@ TEST(StudyFigures, OfOneFactorAtATimeLeaveGaps) {
   EXPECT_THAT(names(figures), ElementsAre("01_y", "02_z_max"));
   const std::vector<Series>& lines = figures[0].panels.at(0).series;
   ASSERT_THAT(lines, SizeIs(2));
-  EXPECT_THAT(lines[0].parts,
-              ElementsAre(Polyline{{1.0, 10.0}, {2.0, 20.0}}, Polyline{{4.0, 40.0}}));
+  EXPECT_THAT(lines[0].parts, ElementsAre(Polyline{{1.0, 10.0}, {2.0, 20.0}}, Polyline{{4.0, 40.0}}));
   EXPECT_THAT(lines[1].parts, ElementsAre(Polyline{{2.0, 20.0}}));
 }
 
@@ -41,8 +40,8 @@ TEST(StudyFigures, ForcesOfTenKilonewtonsAndMoreAreInKilonewtons) {
     for (int k = 1; k <= 10; ++k) many.push_back(0.1 * k);
     study.factors = {sample::counted("x", many), sample::counted("y", many)};
     study.responses = {"measures.dynamic_capacity_N"};
-    const StudyResult result = sample::run(
-        study, [&](const std::vector<double>& x) { return std::vector{largest * x[0] * x[1]}; });
+    const StudyResult result =
+        sample::run(study, [&](const std::vector<double>& x) { return std::vector{largest * x[0] * x[1]}; });
     return figure(study_pictures(result), "map", {});
   };
   const Figure large = drawn(2e4), small = drawn(9e3);
@@ -77,24 +76,22 @@ TEST(StudyFigures, ShowPowerBySourceWhereItIsRecorded) {
   ASSERT_THAT(figure.panels, SizeIs(2));
   // Of the 200 W in the file the screw takes 3/4: 37.5, 75 and 150 % at 1, 2 and 4.
   const Polyline& screw = figure.panels[0].series.at(0).parts.at(0);
-  EXPECT_THAT(screw,
-              ElementsAre(ElementsAre(1.0, 0.0), ElementsAre(2.0, 0.0), ElementsAre(4.0, 0.0),
-                          ElementsAre(4.0, 150.0), ElementsAre(2.0, 75.0), ElementsAre(1.0, 37.5)));
+  EXPECT_THAT(screw, ElementsAre(ElementsAre(1.0, 0.0), ElementsAre(2.0, 0.0), ElementsAre(4.0, 0.0),
+                                 ElementsAre(4.0, 150.0), ElementsAre(2.0, 75.0), ElementsAre(1.0, 37.5)));
   EXPECT_THAT(svg_file(figure), AllOf(HasSubstr(">as in the file<"), HasSubstr("(3.55)<")));
 
   Study less = slip_study();
   less.responses = {"slip.efficiency"};
   const auto efficiency = [](const std::vector<double>& x) { return std::vector{x[0]}; };
-  EXPECT_THAT(names(study_figures(sample::run(less, efficiency))),
-              ElementsAre("01_slip_efficiency"));
+  EXPECT_THAT(names(study_figures(sample::run(less, efficiency))), ElementsAre("01_slip_efficiency"));
 }
 
 TEST(StudyFigures, ParetoGraphAddsUpTheRankedContributions) {
   const std::vector<Figure> figures = study_figures(sample::sampled(Plan::latin_hypercube));
-  EXPECT_THAT(names(figures), ElementsAre("contributions_01_screw_peak_pressure_MPa_max",
-                                          "contributions_02_nut_peak_pressure_MPa_max",
-                                          "designs_01_screw_peak_pressure_MPa_max",
-                                          "designs_02_nut_peak_pressure_MPa_max", "histograms"));
+  EXPECT_THAT(
+      names(figures),
+      ElementsAre("contributions_01_screw_peak_pressure_MPa_max", "contributions_02_nut_peak_pressure_MPa_max",
+                  "designs_01_screw_peak_pressure_MPa_max", "designs_02_nut_peak_pressure_MPa_max", "histograms"));
   const Panel& panel = figures[0].panels.at(0);
   EXPECT_THAT(panel.labels, SizeIs(3));
   const std::vector<Tick>& ticks = figures[0].y.ticks;
@@ -150,8 +147,7 @@ TEST(StudyFigures, GridHasALineForEachLevelAndAPanelForEachOther) {
   const Study study = grid({sample::counted("position", {1.0, 2.0, 3.0}), words("direction"),
                             sample::counted("force", {40.0, 10.0, 20.0, 30.0})});
   const auto answer = [](const std::vector<double>& x) {
-    return x[2] == 20.0 && x[0] == 1.0 ? std::vector<double>{}
-                                       : std::vector{100.0 * x[0] + 1000.0 * x[1] + x[2]};
+    return x[2] == 20.0 && x[0] == 1.0 ? std::vector<double>{} : std::vector{100.0 * x[0] + 1000.0 * x[1] + x[2]};
   };
   const std::vector<Figure> figures = study_figures(sample::run(study, answer));
   ASSERT_THAT(figures, SizeIs(1));
@@ -162,9 +158,8 @@ TEST(StudyFigures, GridHasALineForEachLevelAndAPanelForEachOther) {
   EXPECT_EQ(figure.panels[1].title, "Direction compression");
   ASSERT_THAT(figure.legend, SizeIs(3));
   EXPECT_EQ(figure.legend[1].title, "Position 2");
-  EXPECT_THAT(
-      figure.panels[1].series.at(1).parts,
-      ElementsAre(Polyline{{10.0, 1210.0}, {20.0, 1220.0}, {30.0, 1230.0}, {40.0, 1240.0}}));
+  EXPECT_THAT(figure.panels[1].series.at(1).parts,
+              ElementsAre(Polyline{{10.0, 1210.0}, {20.0, 1220.0}, {30.0, 1230.0}, {40.0, 1240.0}}));
   EXPECT_THAT(figure.panels[0].series.at(0).parts,
               ElementsAre(Polyline{{10.0, 110.0}}, Polyline{{30.0, 130.0}, {40.0, 140.0}}));
 }
@@ -201,8 +196,7 @@ TEST(StudyFigures, EnvelopeIsAMapAndASurfaceWithItsPoints) {
   for (int k = 0; k < 12; ++k) many.push_back(1.0 + 0.5 * k);
   Study study = grid({sample::counted("x", many), sample::counted("y", many)});
   for (Factor& factor : study.factors) factor.continuous = true;
-  study.envelope = Envelope{.measures = {{"y", 2.0}},
-                            .points = {{"A", {{1.25, 3.0}}, {}}, {"B", {}, {{"y", 1e3}}}}};
+  study.envelope = Envelope{.measures = {{"y", 2.0}}, .points = {{"A", {{1.25, 3.0}}, {}}, {"B", {}, {{"y", 1e3}}}}};
   study.envelope->normalise = Envelope::Normalise::none;
   const auto product = [](const std::vector<double>& x) { return std::vector{x[0] * x[1]}; };
   const std::vector<Figure> figures = study_figures(sample::run(study, product));

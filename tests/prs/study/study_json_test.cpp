@@ -114,15 +114,13 @@ TEST(StudyJson, SaysHowManyDesignsItShows) {
   EXPECT_EQ(json["designs_shown"], kMostRowsShown);
   EXPECT_EQ(json["designs"].size(), kMostRowsShown);
   EXPECT_EQ(json["summary"]["designs"], kMostRowsShown + 6);
-  EXPECT_EQ(json["summary"]["statistics"]["nut.peak_pressure_MPa.max"]["count"],
-            kMostRowsShown + 5);
+  EXPECT_EQ(json["summary"]["statistics"]["nut.peak_pressure_MPa.max"]["count"], kMostRowsShown + 5);
 }
 
 TEST(StudyJson, TextIsThatOfTheDocument) {
   const auto expect_same = [](const StudyResult& result) {
     std::string text;
-    write_study(study_outline(result, kStudyInfo), result,
-                [&](std::string_view piece) { text += piece; });
+    write_study(study_outline(result, kStudyInfo), result, [&](std::string_view piece) { text += piece; });
     EXPECT_EQ(text, json_text(study_json(result, kStudyInfo)));
   };
   expect_same(sample::counting());

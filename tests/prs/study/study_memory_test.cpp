@@ -14,8 +14,8 @@ namespace {
 TEST(StudyMemory, IsTheSameForMoreDesigns) {
   SKIP_UNDER_SANITIZERS();
   const auto peak = [](const std::string& samples) {
-    test::Process run({test::program(), "study", PRS_SOURCE_DIR "/configs/15_sensitivity.yaml",
-                       "--set", "study.samples=" + samples, "--threads", "1", "--quiet"});
+    test::Process run({test::program(), "study", PRS_SOURCE_DIR "/configs/15_sensitivity.yaml", "--set",
+                       "study.samples=" + samples, "--threads", "1", "--quiet"});
     rusage use{};
     EXPECT_EQ(run.wait(&use), 0);
     return use.ru_maxrss;  // [kB]

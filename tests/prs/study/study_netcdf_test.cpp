@@ -114,8 +114,7 @@ TEST(StudyNetcdf, HoldsWhatTheDesignsSetAndGave) {
       ASSERT_TRUE(std::isnan(expected) ? std::isnan(values[k]) : values[k] == expected) << k;
     }
   }
-  for (std::size_t k = 0; k < kDesigns; ++k)
-    ASSERT_EQ(status[k], k % 97 != 13 ? 0.0 : k % 2 == 0 ? 1.0 : 2.0) << k;
+  for (std::size_t k = 0; k < kDesigns; ++k) ASSERT_EQ(status[k], k % 97 != 13 ? 0.0 : k % 2 == 0 ? 1.0 : 2.0) << k;
 }
 
 TEST(StudyNetcdf, SaysWhatItsNumbersAre) {
@@ -137,10 +136,8 @@ TEST(StudyNetcdf, SaysWhatItsNumbersAre) {
   EXPECT_EQ(file.text("slip.efficiency", "long_name"), "efficiency");
   EXPECT_THAT(file.texts("mechanism.profile.nut", "words"),
               testing::ElementsAre("straight", "{convex: 6 mm}", "{concave: 7 mm}"));
-  EXPECT_EQ(file.text("mechanism.profile.nut", "flag_meanings"),
-            "straight _convex__6_mm_ _concave__7_mm_");
-  EXPECT_THAT(file.text("status", "flag_meanings"),
-              testing::StartsWith("converged refused failed iteration_limit"));
+  EXPECT_EQ(file.text("mechanism.profile.nut", "flag_meanings"), "straight _convex__6_mm_ _concave__7_mm_");
+  EXPECT_THAT(file.text("status", "flag_meanings"), testing::StartsWith("converged refused failed iteration_limit"));
 }
 
 /// Object headers of an HDF5 file, and those of them that hold dates: bit 5 of the flags (HDF5 file

@@ -25,14 +25,12 @@ Source with_factor(const std::string& factor) {
   return source_of("study:\n  command: solve\n  factors:\n    - {" + factor + "}\n");
 }
 
-Factor read(const std::string& factor) {
-  return read_study_input(with_factor(factor)).study.factors.at(0);
-}
+Factor read(const std::string& factor) { return read_study_input(with_factor(factor)).study.factors.at(0); }
 
 /// A study of 100 samples; its first factor stands on the same line.
 Source with_samples(const std::string& factor, const std::string& plan = "latin_hypercube") {
-  return source_of("study:\n  {command: solve, plan: " + plan +
-                   ", samples: 100,\n  factors: [\n      {" + factor + "}]}\n");
+  return source_of("study:\n  {command: solve, plan: " + plan + ", samples: 100,\n  factors: [\n      {" + factor +
+                   "}]}\n");
 }
 
 Study drawn(const std::string& factor) { return read_study_input(with_samples(factor)).study; }
@@ -77,15 +75,13 @@ TEST(StudyReader, RangeHasItsEndsAsWritten) {
 }
 
 TEST(StudyReader, LogarithmicRangeIsGeometric) {
-  const Factor f = read(
-      "path: mechanism.lead, values: {from: 1 mm, to: 100 mm, steps: 3, spacing: logarithmic}");
+  const Factor f = read("path: mechanism.lead, values: {from: 1 mm, to: 100 mm, steps: 3, spacing: logarithmic}");
   EXPECT_THAT(texts(f), ElementsAre("1 mm", "10 mm", "100 mm"));
   EXPECT_TRUE(f.logarithmic);
 }
 
 TEST(StudyReader, ProfilesHaveTheirCurvatureForNumber) {
-  const Factor f =
-      read("path: mechanism.profile.nut, values: [{concave: 50 mm}, straight, {convex: 2 cm}]");
+  const Factor f = read("path: mechanism.profile.nut, values: [{concave: 50 mm}, straight, {convex: 2 cm}]");
   EXPECT_EQ(f.unit, "1/mm");
   EXPECT_THAT(texts(f), ElementsAre("{concave: 50 mm}", "straight", "{convex: 2 cm}"));
   EXPECT_THAT(numbers(f), ElementsAre(-0.02, 0.0, 0.05));
@@ -111,8 +107,7 @@ TEST(StudyReader, LoadCasesGoByTheirNames) {
   EXPECT_EQ(by_name.path, by_index.path);
   EXPECT_EQ(by_name.label, "load_cases[push].position");
   EXPECT_EQ(by_name.base->text, by_index.base->text);
-  EXPECT_THAT(error_of("path: \"load_cases[pish].position\", values: [5 mm]"),
-              HasSubstr("did you mean `push`?"));
+  EXPECT_THAT(error_of("path: \"load_cases[pish].position\", values: [5 mm]"), HasSubstr("did you mean `push`?"));
   // Responses count the points of a range, which the first load case is here.
   Source source = source_of(
       "study: {command: solve, factors: [{path: mechanism.rollers, values: [9]}], responses: "
@@ -122,11 +117,10 @@ TEST(StudyReader, LoadCasesGoByTheirNames) {
 }
 
 TEST(StudyReader, SaysWhereARangeBelongs) {
-  EXPECT_THAT(
-      error_of("path: mechanism.lead, from: 4 mm, to: 6 mm, steps: 3"),
-      HasSubstr("study.factors[0].from: unknown key; expected one of path, values, uniform, "
-                "log_uniform, normal, within, label, with; write `values: {from: .., to: "
-                ".., steps: ..}`"));
+  EXPECT_THAT(error_of("path: mechanism.lead, from: 4 mm, to: 6 mm, steps: 3"),
+              HasSubstr("study.factors[0].from: unknown key; expected one of path, values, uniform, "
+                        "log_uniform, normal, within, label, with; write `values: {from: .., to: "
+                        ".., steps: ..}`"));
 }
 
 TEST(StudyReader, RefusesCompanionsThatCannotGoAlong) {
@@ -136,8 +130,7 @@ TEST(StudyReader, RefusesCompanionsThatCannotGoAlong) {
                         "of mechanism.lead"));
   EXPECT_THAT(error_of(lead + "[{path: mechanism.rollers, values: [9, 0]}]"),
               HasSubstr("mechanism.rollers: got 0; expected a whole number"));
-  EXPECT_THAT(error_of(lead + "[{path: mechanism.rolers, values: [9, 10]}]"),
-              HasSubstr("did you mean `rollers`?"));
+  EXPECT_THAT(error_of(lead + "[{path: mechanism.rolers, values: [9, 10]}]"), HasSubstr("did you mean `rollers`?"));
   EXPECT_THAT(error_of(lead + "[{path: mechanism.lead, values: [5 mm, 6 mm]}]"),
               HasSubstr("with[0].path: got mechanism.lead a second time"));
   EXPECT_THAT(error_of(lead + "[{path: study.plan, values: [grid, sobol]}]"),
@@ -153,9 +146,9 @@ TEST(StudyReader, RefusesCompanionsThatCannotGoAlong) {
 }
 
 /// A grid over two lengths, or `second` for the other one, with an envelope.
-Source with_envelope(const std::string& envelope,
-                     const std::string& second =
-                         "{path: structure.screw.bore, values: {from: 2 mm, to: 8 mm, steps: 4}}") {
+Source with_envelope(
+    const std::string& envelope,
+    const std::string& second = "{path: structure.screw.bore, values: {from: 2 mm, to: 8 mm, steps: 4}}") {
   return source_of(
       "study:\n  command: solve\n  plan: grid\n  factors:\n    - {path: "
       "structure.nut.outer_diameter, values: {from: 44 mm, to: 48 mm, steps: 5}}\n    - " +
@@ -168,15 +161,14 @@ const std::string kMeasures =
 
 TEST(StudyReader, EnvelopeRecordsWhatItNeeds) {
   const Study study =
-      read_study_input(
-          with_envelope(kMeasures +
-                        ", combine: sum, normalise: max, points: [{name: A, at: [4.5 cm, 2 mm]}, "
-                        "{name: B, wanted: best}, {name: C, reach: [{response: "
-                        "axial_displacement_um, value: 50}, {response: axial_stiffness_N_per_um, "
-                        "value: 900}]}]"))
+      read_study_input(with_envelope(kMeasures +
+                                     ", combine: sum, normalise: max, points: [{name: A, at: [4.5 cm, 2 mm]}, "
+                                     "{name: B, wanted: best}, {name: C, reach: [{response: "
+                                     "axial_displacement_um, value: 50}, {response: axial_stiffness_N_per_um, "
+                                     "value: 900}]}]"))
           .study;
-  EXPECT_THAT(study.responses, ElementsAre("axial_stiffness_N_per_um", "nut.peak_pressure_MPa.max",
-                                           "axial_displacement_um"));
+  EXPECT_THAT(study.responses,
+              ElementsAre("axial_stiffness_N_per_um", "nut.peak_pressure_MPa.max", "axial_displacement_um"));
   ASSERT_TRUE(study.envelope);
   EXPECT_EQ(study.envelope->combine, Envelope::Combine::sum);
   EXPECT_EQ(study.envelope->normalise, Envelope::Normalise::max);
@@ -194,8 +186,7 @@ TEST(StudyReader, RefusesEnvelopesThatTheGridDoesNotHave) {
   };
   const auto point = [](const std::string& p) { return kMeasures + ", points: [{" + p + "}]"; };
   refused("combine: product", "study.envelope.measures: missing");
-  refused("measures: [{response: a}, {response: a}]",
-          "study.envelope.measures[1].response: got a a second time");
+  refused("measures: [{response: a}, {response: a}]", "study.envelope.measures[1].response: got a a second time");
   refused("measures: [{response: a, weight: 0}]", "study.envelope.measures[0].weight: got 0");
   refused(kMeasures + ", combine: quotient", "study.envelope.combine: got quotient");
   refused(point("name: A"), "study.envelope.points[0]: got none of at, wanted, reach");
@@ -240,12 +231,10 @@ TEST(StudyReader, WrongValueIsReportedWhereItStands) {
   const std::string line = "case.yaml:" + std::to_string(kLine);
   EXPECT_THAT(error_of("path: mechanism.rollers, values: [9, 0]"),
               StartsWith(line + ":45: error: mechanism.rollers: got 0; expected a whole number"));
-  EXPECT_THAT(error_of("path: mechanism.lead, values: [5 kN]"),
-              HasSubstr("`kN` is the unit of a force"));
+  EXPECT_THAT(error_of("path: mechanism.lead, values: [5 kN]"), HasSubstr("`kN` is the unit of a force"));
   EXPECT_THAT(error_of("path: mechanism.lead, values: {from: 5 kN, to: 6 kN, steps: 2}"),
               StartsWith(line + ":45: error: mechanism.lead: got 5 kN"));
-  EXPECT_THAT(error_of("path: mechanism.geometry, values: [design]"),
-              StartsWith(line + ":43: error: mechanism."));
+  EXPECT_THAT(error_of("path: mechanism.geometry, values: [design]"), StartsWith(line + ":43: error: mechanism."));
 }
 
 TEST(StudyReader, UnknownPathIsReportedOnceWhereItStands) {
@@ -265,8 +254,7 @@ TEST(StudyReader, RefusesWhatIsNoStudy) {
       {"path: mechanism.lead, values: {from: 1 mm, to: 1 mm, steps: 2}", "another value"},
       {"path: mechanism.lead, values: {from: 1 mm, to: 2 mm, steps: 1}", "from 2 to 100000"},
       {"path: mechanism.lead, values: {from: a, to: 2 mm, steps: 2}", "got a; expected a number"},
-      {"path: mechanism.lead, values: {from: -1 mm, to: 2 mm, steps: 2, spacing: logarithmic}",
-       "neither of them 0"},
+      {"path: mechanism.lead, values: {from: -1 mm, to: 2 mm, steps: 2, spacing: logarithmic}", "neither of them 0"},
       {"path: mechanism.rollers, values: {from: 8, to: 9, steps: 3}", "got 8.5"},
       {"path: study.command, values: [slip]", "a value outside `study`"},
       {"path: mechanism..lead, values: [5 mm]", "got no path"},
@@ -275,29 +263,24 @@ TEST(StudyReader, RefusesWhatIsNoStudy) {
        "mechanism.rollers, values: [9]",
        "got 100001 values; expected at most 100000"},
   };
-  for (const auto& [factor, message] : wrong)
-    EXPECT_THAT(error_of(std::string(factor)), HasSubstr(message)) << factor;
-  EXPECT_THAT(
-      error_of(
-          "path: mechanism.lead, values: [5 mm]}\n    - {path: mechanism.lead, values: [6 mm]"),
-      HasSubstr("a second time"));
+  for (const auto& [factor, message] : wrong) EXPECT_THAT(error_of(std::string(factor)), HasSubstr(message)) << factor;
+  EXPECT_THAT(error_of("path: mechanism.lead, values: [5 mm]}\n    - {path: mechanism.lead, values: [6 mm]"),
+              HasSubstr("a second time"));
 }
 
 TEST(StudyReader, SampledPlanHasSamplesAndSeed) {
   const std::string factors = ", factors: [{path: mechanism.lead, within: 3 %}]}\n";
-  const Study study =
-      read_study_input(source_of("study: {command: solve, plan: monte_carlo, samples: 500, seed: "
-                                 "9007199254740992" +
-                                 factors))
-          .study;
+  const Study study = read_study_input(source_of("study: {command: solve, plan: monte_carlo, samples: 500, seed: "
+                                                 "9007199254740992" +
+                                                 factors))
+                          .study;
   EXPECT_EQ(study.plan, Plan::monte_carlo);
   EXPECT_EQ(study.samples, 500U);
   EXPECT_EQ(study.seed, std::uint64_t{1} << 53U);
   const auto error = [&](const std::string& keys) {
     return error_of(source_of("study: {command: solve, " + keys + factors));
   };
-  EXPECT_THAT(error("plan: sobol"),
-              HasSubstr("study.samples: missing; expected a whole number from 1 to 999999999"));
+  EXPECT_THAT(error("plan: sobol"), HasSubstr("study.samples: missing; expected a whole number from 1 to 999999999"));
   EXPECT_THAT(error("plan: sobol, samples: 0"), HasSubstr("study.samples: got 0; expected"));
   EXPECT_THAT(error("plan: sobol, samples: 9, seed: -1"),
               HasSubstr("study.seed: got -1; expected a whole number from 0 to 9007199254740992"));
@@ -309,17 +292,16 @@ TEST(StudyReader, SampledPlanHasSamplesAndSeed) {
 
 TEST(StudyReader, GridIsBounded) {
   const std::string range = "values: {from: 4 mm, to: 6 mm, steps: 40000}}";
-  EXPECT_THAT(
-      error_of(source_of("study:\n  command: solve\n  plan: grid\n  factors:\n    - {path: "
-                         "mechanism.lead, " +
-                         range + "\n    - {path: structure.screw.bore, " + range + "\n")),
-      HasSubstr("study.factors: got 1.6e+09 designs; expected fewer than 1000000000 with the "
-                "base case; take "
-                "fewer values"));
+  EXPECT_THAT(error_of(source_of("study:\n  command: solve\n  plan: grid\n  factors:\n    - {path: "
+                                 "mechanism.lead, " +
+                                 range + "\n    - {path: structure.screw.bore, " + range + "\n")),
+              HasSubstr("study.factors: got 1.6e+09 designs; expected fewer than 1000000000 with the "
+                        "base case; take "
+                        "fewer values"));
 }
 
-void expect_distribution(const Factor& factor, const std::string& unit, Distribution::Kind kind,
-                         double first, double second) {
+void expect_distribution(const Factor& factor, const std::string& unit, Distribution::Kind kind, double first,
+                         double second) {
   EXPECT_EQ(factor.unit, unit);
   EXPECT_EQ(factor.distribution.kind, kind);
   EXPECT_DOUBLE_EQ(factor.distribution.first, first);
@@ -334,31 +316,24 @@ TEST(StudyReader, DistributionIsInTheUnitInWhichItIsWritten) {
   expect_distribution(lead, "um", uniform, 4900, 5100);
   EXPECT_EQ(lead.base->text, "5 mm");
   EXPECT_EQ(lead.base->number, 5000.0);
-  expect_distribution(
-      factor("path: \"load_cases[0].axial_force\", log_uniform: {from: 1 kN, to: 45 kN}"), "kN",
-      log_uniform, 1, 45);
-  expect_distribution(
-      factor("path: mechanism.centre_distance, normal: {mean: 14010 um, deviation: 0.002 mm}"),
-      "um", normal, 14010, 2);
+  expect_distribution(factor("path: \"load_cases[0].axial_force\", log_uniform: {from: 1 kN, to: 45 kN}"), "kN",
+                      log_uniform, 1, 45);
+  expect_distribution(factor("path: mechanism.centre_distance, normal: {mean: 14010 um, deviation: 0.002 mm}"), "um",
+                      normal, 14010, 2);
 }
 
 TEST(StudyReader, DistributionAboutTheFileIsInTheUnitOfTheFile) {
   using enum Distribution::Kind;
   const auto factor = [](const std::string& keys) { return drawn(keys).factors.at(0); };
-  expect_distribution(factor("path: mechanism.centre_distance, normal: {deviation: 2 um}"), "mm",
-                      normal, 14, 0.002);
-  expect_distribution(factor("path: materials.youngs_modulus, within: 3 %"), "GPa", uniform,
-                      209 * 0.97, 209 * 1.03);
-  expect_distribution(factor("path: materials.poisson_ratio, within: 0.1"), "", uniform, 0.27,
-                      0.33);
-  expect_distribution(factor("path: mechanism.profile.roller.convex, within: 3%"), "mm", uniform,
-                      4.949747468 * 0.97, 4.949747468 * 1.03);
+  expect_distribution(factor("path: mechanism.centre_distance, normal: {deviation: 2 um}"), "mm", normal, 14, 0.002);
+  expect_distribution(factor("path: materials.youngs_modulus, within: 3 %"), "GPa", uniform, 209 * 0.97, 209 * 1.03);
+  expect_distribution(factor("path: materials.poisson_ratio, within: 0.1"), "", uniform, 0.27, 0.33);
+  expect_distribution(factor("path: mechanism.profile.roller.convex, within: 3%"), "mm", uniform, 4.949747468 * 0.97,
+                      4.949747468 * 1.03);
   // A default.
-  expect_distribution(factor("path: carrier.gear_pressure_angle, within: 10 %"), "deg", uniform, 18,
-                      22);
+  expect_distribution(factor("path: carrier.gear_pressure_angle, within: 10 %"), "deg", uniform, 18, 22);
   // A difference of temperatures does not depend on their zero.
-  const Factor warm =
-      factor("path: deviations.reference_temperature, normal: {deviation: 5 K, mean: 40 degC}");
+  const Factor warm = factor("path: deviations.reference_temperature, normal: {deviation: 5 K, mean: 40 degC}");
   EXPECT_EQ(warm.unit, "degC");
   EXPECT_NEAR(warm.distribution.second, 5.0, 1e-12);
 }
@@ -366,22 +341,18 @@ TEST(StudyReader, DistributionAboutTheFileIsInTheUnitOfTheFile) {
 TEST(StudyReader, ToleranceIsAShareAHalfWidthOrTwoDeviations) {
   using enum Distribution::Kind;
   const auto factor = [](const std::string& keys) { return drawn(keys).factors.at(0); };
-  expect_distribution(factor("path: mechanism.centre_distance, within: 20 um"), "mm", uniform,
-                      13.98, 14.02);
-  expect_distribution(factor("path: mechanism.centre_distance, within: [-0.01 mm, 30 um]"), "mm",
-                      uniform, 13.99, 14.03);
+  expect_distribution(factor("path: mechanism.centre_distance, within: 20 um"), "mm", uniform, 13.98, 14.02);
+  expect_distribution(factor("path: mechanism.centre_distance, within: [-0.01 mm, 30 um]"), "mm", uniform, 13.99,
+                      14.03);
   // Limits of a fit: both deviations on one side.
-  expect_distribution(factor("path: mechanism.centre_distance, within: [2 um, 15 um]"), "mm",
-                      uniform, 14.002, 14.015);
-  expect_distribution(factor("path: materials.youngs_modulus, within: [-1 %, 2 %]"), "GPa", uniform,
-                      209 * 0.99, 209 * 1.02);
-  expect_distribution(factor("path: materials.youngs_modulus, within: [0, 2 %]"), "GPa", uniform,
-                      209, 209 * 1.02);
-  expect_distribution(factor("path: mechanism.centre_distance, within: 0.001 in"), "mm", uniform,
-                      14 - 0.0254, 14 + 0.0254);
+  expect_distribution(factor("path: mechanism.centre_distance, within: [2 um, 15 um]"), "mm", uniform, 14.002, 14.015);
+  expect_distribution(factor("path: materials.youngs_modulus, within: [-1 %, 2 %]"), "GPa", uniform, 209 * 0.99,
+                      209 * 1.02);
+  expect_distribution(factor("path: materials.youngs_modulus, within: [0, 2 %]"), "GPa", uniform, 209, 209 * 1.02);
+  expect_distribution(factor("path: mechanism.centre_distance, within: 0.001 in"), "mm", uniform, 14 - 0.0254,
+                      14 + 0.0254);
   // A nominal value of 0 has no share, but a width.
-  expect_distribution(factor("path: deviations.pitch_error.screw.linear, within: 2 um"), "mm",
-                      uniform, -0.002, 0.002);
+  expect_distribution(factor("path: deviations.pitch_error.screw.linear, within: 2 um"), "mm", uniform, -0.002, 0.002);
 }
 
 TEST(StudyReader, AToleranceOfATemperatureIsADifference) {
@@ -399,8 +370,8 @@ TEST(StudyReader, ValuesAreAChoiceInASampledPlan) {
 }
 
 TEST(StudyReader, EveryEntryOfAListIsDrawnOnItsOwn) {
-  const StudyInput in = read_study_input(with_samples(
-      "path: deviations.pitch_error.screw.list, normal: {deviation: 2 um}, label: pitch error"));
+  const StudyInput in = read_study_input(
+      with_samples("path: deviations.pitch_error.screw.list, normal: {deviation: 2 um}, label: pitch error"));
   ASSERT_EQ(in.study.factors.size(), 20U);  // Contacts of a roller.
   for (std::size_t i = 0; i < 20; ++i) {
     const Factor& f = in.study.factors[i];
@@ -428,14 +399,12 @@ TEST(StudyReader, EntriesOfAListInTheFileAreMeans) {
 
 TEST(StudyReader, DerivativesNameNumbersOfTheFile) {
   const auto source = [](const std::string& factor) {
-    return source_of("study: {command: solve, plan: derivatives, factors: [{path: " + factor +
-                     "}]}\n");
+    return source_of("study: {command: solve, plan: derivatives, factors: [{path: " + factor + "}]}\n");
   };
   const Factor f = read_study_input(source("mechanism.lead")).study.factors.at(0);
   EXPECT_EQ(f.unit, "mm");
   EXPECT_EQ(f.base->number, 5.0);
-  EXPECT_EQ(read_study_input(source("deviations.pitch_error.screw.list")).study.factors.size(),
-            20U);
+  EXPECT_EQ(read_study_input(source("deviations.pitch_error.screw.list")).study.factors.size(), 20U);
   EXPECT_THAT(error_of(source("mechanism.lead, values: [5 mm]")),
               HasSubstr("study.factors[0].values: got [5 mm]; expected a path only with `plan: "
                         "derivatives`"));
@@ -455,8 +424,7 @@ TEST(StudyReader, RefusesAResponseTwice) {
 
 TEST(StudyReader, RefusesWhatCannotBeDrawn) {
   const std::pair<const char*, const char*> wrong[] = {
-      {"path: mechanism.lead",
-       "study.factors[0]: missing what values it takes; expected one of values, uniform"},
+      {"path: mechanism.lead", "study.factors[0]: missing what values it takes; expected one of values, uniform"},
       {"path: mechanism.lead, within: 3 %, values: [5 mm]",
        "study.factors[0].within: got 3 %; expected one way to choose values, `values` stands"},
       {"path: mechanism.lead, uniform: 5 mm", "study.factors[0].uniform: got 5 mm; expected a map"},
@@ -497,10 +465,8 @@ TEST(StudyReader, RefusesWhatCannotBeDrawn) {
       {"path: operation.speed, normal: {deviation: 1 rpm}",
        "normal: missing `mean`; expected it where the file says nothing of operation.speed; add "
        "for example `mean: 0 rpm`"},
-      {"path: structure.screw.bore, normal: {deviation: 1 um, mean: -1 mm}",
-       "structure.screw.bore: got -1 mm"},
-      {"path: mechanism.rollers, uniform: {from: 8, to: 11}",
-       "write the values that it may have, `values: [.., ..]`"},
+      {"path: structure.screw.bore, normal: {deviation: 1 um, mean: -1 mm}", "structure.screw.bore: got -1 mm"},
+      {"path: mechanism.rollers, uniform: {from: 8, to: 11}", "write the values that it may have, `values: [.., ..]`"},
       {"path: model.roller, within: 3 %", "expected the path of a number that may have any value"},
       {"path: \"load_cases[1].axial_force.steps\", within: 3 %", "expected the path of a number"},
       {"path: mechanism.rolers, within: 3 %", "did you mean `rollers`?"},
@@ -512,8 +478,7 @@ TEST(StudyReader, RefusesWhatCannotBeDrawn) {
       {"path: mechanism.starts, values: [{screw: 3}]}, {path: mechanism.starts.screw, values: [3]",
        "got mechanism.starts.screw as well as mechanism.starts; expected factors of which none"},
   };
-  for (const auto& [factor, message] : wrong)
-    EXPECT_THAT(error_of_drawn(factor), HasSubstr(message)) << factor;
+  for (const auto& [factor, message] : wrong) EXPECT_THAT(error_of_drawn(factor), HasSubstr(message)) << factor;
 }
 
 TEST(StudyReader, WrongDistributionIsReportedWhereItStands) {
@@ -536,10 +501,8 @@ TEST(StudyReader, DistributionsAreForSampledPlans) {
 
 TEST(StudyReader, SobolsSequenceHasSoManyDimensions) {
   const auto error = [](const std::string& plan, int contacts) {
-    Source source =
-        with_samples("path: deviations.pitch_error.screw.list, normal: {deviation: 1 nm}", plan);
-    source.overrides = {fmt::format("mechanism.contacts_per_roller={}", contacts),
-                        "structure.nut.length=20 m"};
+    Source source = with_samples("path: deviations.pitch_error.screw.list, normal: {deviation: 1 nm}", plan);
+    source.overrides = {fmt::format("mechanism.contacts_per_roller={}", contacts), "structure.nut.length=20 m"};
     return error_of(source);
   };
   EXPECT_EQ(error("sobol", 3667), "");
@@ -549,8 +512,7 @@ TEST(StudyReader, SobolsSequenceHasSoManyDimensions) {
 }
 
 TEST(StudyReader, BaseCaseMustMeetItsCommand) {
-  const std::string study =
-      "study: {command: slip, factors: [{path: mechanism.rollers, values: [9]}]}\n";
+  const std::string study = "study: {command: slip, factors: [{path: mechanism.rollers, values: [9]}]}\n";
   EXPECT_THAT(error_of(source_of(study)), HasSubstr("operation"));
 }
 
@@ -571,8 +533,8 @@ TEST(StudyReader, OverridesOfTheCommandLineReachFileAndStudy) {
 }
 
 TEST(FlowText, ReadsBackAsTheSameValue) {
-  for (const char* text : {"5 mm", "\"5\"", "straight", "{convex: 6 mm}", "[a, {b: \"c, d\"}]",
-                           "\"say \\\"x\\\"\"", "~"}) {
+  for (const char* text :
+       {"5 mm", "\"5\"", "straight", "{convex: 6 mm}", "[a, {b: \"c, d\"}]", "\"say \\\"x\\\"\"", "~"}) {
     const Source source{"case.yaml", "a: ~\n", {std::string("a=") + text}};
     ErrorList errors(source);
     const Node root = read_document(source, errors);

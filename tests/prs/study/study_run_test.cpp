@@ -113,10 +113,9 @@ TEST(StudyRun, CountsOverlapsOnce) {
   const test::TemporaryDirectory temporary;
   std::mt19937 random(3);
   for (std::size_t shard = 0; shard < 3; ++shard) {
-    Journal journal = Journal::append_to(journal_path(temporary.path(), {shard, 4}),
-                                         synthetic_header(kDesigns, {shard, 4}));
-    for (int k = 0; k < 40; ++k)
-      journal.append(encode(synthetic_rows(random() % 4900, 1 + random() % 100)));
+    Journal journal =
+        Journal::append_to(journal_path(temporary.path(), {shard, 4}), synthetic_header(kDesigns, {shard, 4}));
+    for (int k = 0; k < 40; ++k) journal.append(encode(synthetic_rows(random() % 4900, 1 + random() % 100)));
   }
   const StudyFolder folder(temporary.path(), Use::alone);
   Computer computer;
@@ -134,8 +133,7 @@ TEST(StudyRun, RefusesTheJournalOfAnotherStudyUntilItIsDiscarded) {
   JournalHeader changed = synthetic_header(kDesigns);
   changed.key = "changed";
   const StudyFolder folder(temporary.path(), Use::alone);
-  EXPECT_THAT(folder_error_of([&] { run_study(changed, &folder, computer.run(), {}); }),
-              HasSubstr("of another study"));
+  EXPECT_THAT(folder_error_of([&] { run_study(changed, &folder, computer.run(), {}); }), HasSubstr("of another study"));
   computer.evaluated = 0;
   expect_all_rows(run_study(changed, &folder, computer.run(), {.restart = true}));
   EXPECT_EQ(computer.evaluated, kDesigns);
@@ -164,8 +162,7 @@ TEST(StudyRun, FullDiskLosesNothing) {
   const StudyFolder folder(temporary.path(), Use::alone);
   {
     const test::SmallFilesOnly full_disk(40'000);
-    EXPECT_THROW(run_study(synthetic_header(kDesigns), &folder, computer.run(), {}),
-                 std::system_error);
+    EXPECT_THROW(run_study(synthetic_header(kDesigns), &folder, computer.run(), {}), std::system_error);
   }
   const std::size_t before = computer.evaluated;
   EXPECT_GT(before, 0u);
@@ -189,8 +186,7 @@ TEST(StudyFolder, IsOfOneStudyOrOfShards) {
   {
     const StudyFolder one(path, Use::among_shards);
     { const StudyFolder two(path, Use::among_shards); }
-    EXPECT_THAT(folder_error_of([&] { StudyFolder(path, Use::alone); }),
-                HasSubstr("another process"));
+    EXPECT_THAT(folder_error_of([&] { StudyFolder(path, Use::alone); }), HasSubstr("another process"));
   }
   EXPECT_TRUE(fs::is_empty(path));
   const StudyFolder again(path, Use::alone);
@@ -203,8 +199,7 @@ TEST(StudyFolder, RemovesWhatDeadProcessesLeft) {
   if (dead == 0) ::_exit(0);
   siginfo_t ended;
   ::waitid(P_PID, static_cast<id_t>(dead), &ended, WEXITED | WNOWAIT);  // A zombie until the end.
-  const std::vector<fs::path> left{"study.csv.123-0.tmp", "study.nc.77-1.tmp",
-                                   fmt::format("slip.csv.{}-3.tmp", dead),
+  const std::vector<fs::path> left{"study.csv.123-0.tmp", "study.nc.77-1.tmp", fmt::format("slip.csv.{}-3.tmp", dead),
                                    "plots/01_screw.svg.9-12.tmp", "plots/01_screw.png.9-0.tmp"};
   const std::vector<fs::path> others{"study.csv", "my-1.tmp", "my.csv.1-0.tmp", "plots/01.svg",
                                      fmt::format("slip.csv.{}-0.tmp", ::getpid())};
@@ -244,10 +239,8 @@ TEST(Shards, OfAnEarlierStudyDoNotHinderTheirSuccessors) {
   run_study(old, &folder, computer.run(), {});
   run_study(synthetic_header(kDesigns, {1, 2}), &folder, computer.run(), {});
   const JournalHeader fresh = synthetic_header(kDesigns, {0, 2});
-  EXPECT_THAT(folder_error_of([&] { run_study(fresh, &folder, computer.run(), {}); }),
-              HasSubstr("--restart"));
-  EXPECT_THAT(folder_error_of([&] { gather_rows({temporary.path()}); }),
-              HasSubstr("of another study"));
+  EXPECT_THAT(folder_error_of([&] { run_study(fresh, &folder, computer.run(), {}); }), HasSubstr("--restart"));
+  EXPECT_THAT(folder_error_of([&] { gather_rows({temporary.path()}); }), HasSubstr("of another study"));
   run_study(fresh, &folder, computer.run(), {.restart = true});
   expect_all_rows(gather_rows({temporary.path()}));
 }
@@ -255,8 +248,7 @@ TEST(Shards, OfAnEarlierStudyDoNotHinderTheirSuccessors) {
 TEST(Shards, AreLookedForWhereTheyCanBe) {
   const test::TemporaryDirectory temporary;
   EXPECT_THAT(folder_error_of([&] { gather_rows({temporary.path()}); }), HasSubstr("no journal"));
-  EXPECT_THAT(folder_error_of([&] { gather_rows({temporary.path() / "none"}); }),
-              HasSubstr("no such"));
+  EXPECT_THAT(folder_error_of([&] { gather_rows({temporary.path() / "none"}); }), HasSubstr("no such"));
 }
 
 }  // namespace

@@ -27,8 +27,7 @@ void expect_narrow(const std::string& table) {
 
 TEST(StudyTable, MarksTheBaseCaseInItsPlaceAndGivesReasons) {
   const std::string table = study_table(sample::counting());
-  const std::size_t one = table.find("\n  1 "), base = table.find("\n* 2 "),
-                    three = table.find("\n  3 ");
+  const std::size_t one = table.find("\n  1 "), base = table.find("\n* 2 "), three = table.find("\n  3 ");
   ASSERT_NE(base, std::string::npos) << table;
   EXPECT_LT(one, base);
   EXPECT_LT(base, three);
@@ -39,8 +38,7 @@ TEST(StudyTable, RankingComesFirst) {
   const std::string table = study_table(sample::sampled(Plan::latin_hypercube));
   EXPECT_THAT(table, testing::StartsWith("latin_hypercube: 500 designs, seed 7\n\n"
                                          "max screw peak pressure (MPa): contributions"));
-  const std::size_t a = table.find("  1  flank angle"), b = table.find("  2  b "),
-                    mean = table.find("mean");
+  const std::size_t a = table.find("  1  flank angle"), b = table.find("  2  b "), mean = table.find("mean");
   ASSERT_NE(a, std::string::npos) << table;
   EXPECT_LT(a, b);
   EXPECT_LT(b, mean);
@@ -87,9 +85,9 @@ TEST(StudyTable, GridShowsItsExtremes) {
   const std::string table = study_table(sample::run(study, [](const std::vector<double>& x) {
     return x[0] == 3.0 ? std::vector<double>{} : std::vector{x[0] + x[1]};
   }));
-  EXPECT_THAT(table, AllOf(HasSubstr("grid: 6 designs\n"), HasSubstr("min 3: x 1, y 2\n"),
-                           HasSubstr("max 9: x 4, y 5\n"),
-                           HasSubstr("2 of 7 designs without an answer\n  x=3, y=2 refused")));
+  EXPECT_THAT(table,
+              AllOf(HasSubstr("grid: 6 designs\n"), HasSubstr("min 3: x 1, y 2\n"), HasSubstr("max 9: x 4, y 5\n"),
+                    HasSubstr("2 of 7 designs without an answer\n  x=3, y=2 refused")));
   expect_narrow(table);
 }
 
@@ -103,8 +101,7 @@ TEST(StudyTable, ProgressTellsRateAndTimeLeft) {
   EXPECT_EQ(progress_line(1, 1201, 1.0), "1 of 1201 designs, 1.0 a second, 20:00 left");
   EXPECT_EQ(progress_line(1, 7201, 1.0), "1 of 7201 designs, 1.0 a second, 2:00:00 left");
   EXPECT_EQ(progress_line(0, 5, 0.0), "0 of 5 designs");
-  EXPECT_EQ(progress_line(60, 100, 0.5, 10),
-            "60 of 100 designs (10 from the journal), 100 a second, 0:01 left");
+  EXPECT_EQ(progress_line(60, 100, 0.5, 10), "60 of 100 designs (10 from the journal), 100 a second, 0:01 left");
 }
 
 TEST(StudyText, TitlesAreForPeople) {
@@ -113,13 +110,11 @@ TEST(StudyText, TitlesAreForPeople) {
   EXPECT_EQ(table_response("axial_stiffness_N_per_um").text(), "axial stiffness (N/µm)");
   EXPECT_EQ(table_response("slip.efficiency").text(), "efficiency");
   EXPECT_EQ(table_response("screw.load_rate_percent[0]").text(), "screw load rate, thread 1 (%)");
-  EXPECT_EQ(table_response("contact.nut.body_curvatures_per_mm[1]").text(),
-            "nut body curvatures[1] (1/mm)");
+  EXPECT_EQ(table_response("contact.nut.body_curvatures_per_mm[1]").text(), "nut body curvatures[1] (1/mm)");
   EXPECT_EQ(level_text({"54.33333333333333 mm", 54.33333333333333}, "mm"), "54.3333 mm");
   EXPECT_EQ(level_text({"{convex: 6.25123456 mm}", 0.16}, "1/mm"), "{convex: 6.25123456 mm}");
   EXPECT_EQ(factor_title(sample::counted("mechanism.rollers", {})), "mechanism.rollers");
-  EXPECT_EQ(factor_title(sample::counted("mechanism.rollers", {}, "number of rollers")),
-            "Number of rollers");
+  EXPECT_EQ(factor_title(sample::counted("mechanism.rollers", {}, "number of rollers")), "Number of rollers");
   EXPECT_EQ(factor_title(sample::counted("mechanism.rollers", {}, "n_R")), "n_R");
 }
 

@@ -43,8 +43,7 @@ inline prs::RowBlock synthetic_rows(std::size_t first, std::size_t count) {
     for (std::size_t j = 0; j < kResponses; ++j)
       block.responses.push_back(fails ? none : std::exp(30.0 * (x - 0.5)) * static_cast<double>(j));
     if (fails)
-      block.failures.push_back(
-          {row, {k % 2 == 0 ? "refused" : "failed", "design " + std::to_string(k) + ", \"no\""}});
+      block.failures.push_back({row, {k % 2 == 0 ? "refused" : "failed", "design " + std::to_string(k) + ", \"no\""}});
   }
   return block;
 }
@@ -55,9 +54,7 @@ inline prs::JournalHeader synthetic_header(std::size_t designs, prs::Shard shard
 }
 
 /// Whether two blocks are the same to the last bit.
-inline bool same_rows(const prs::RowBlock& a, const prs::RowBlock& b) {
-  return prs::encode(a) == prs::encode(b);
-}
+inline bool same_rows(const prs::RowBlock& a, const prs::RowBlock& b) { return prs::encode(a) == prs::encode(b); }
 
 /// What the StudyFolderError says that `run` throws; empty where it throws none.
 std::string folder_error_of(auto run) {

@@ -40,8 +40,7 @@ TEST(Tolerances, HalveTheDeviationOfOneFactorAndLeaveTheOthers) {
       for (std::size_t i = 0; i < drawn.size(); ++i) {
         const bool is_halved = halved == 1 ? i == 0 : i > 0 && i < 4;
         const double base = *study.factors[i].base->number;
-        EXPECT_DOUBLE_EQ(half[i].number - base,
-                         (is_halved ? 0.5 : 1.0) * (drawn[i].number - base));
+        EXPECT_DOUBLE_EQ(half[i].number - base, (is_halved ? 0.5 : 1.0) * (drawn[i].number - base));
       }
     }
   }
@@ -61,8 +60,7 @@ StudySummary answered(const Study& study) {
 }
 
 TEST(Tolerances, GainWhatTheVariancesSay) {
-  const std::vector<ToleranceGain> gains =
-      answered(tolerances(Plan::tolerances, 40'000)).tolerances.at(0);
+  const std::vector<ToleranceGain> gains = answered(tolerances(Plan::tolerances, 40'000)).tolerances.at(0);
   ASSERT_EQ(gains.size(), 2u);
   EXPECT_EQ(gains[0].factor, 1u);  // A variance of 12 beside one of 4, about 1.
   const double all = 1.0 + 1.6448536 * 4.0;

@@ -48,12 +48,11 @@ struct Coverage {
   std::vector<int> first, total;
 };
 
-Coverage coverage(const Function& f, const std::vector<double>& first,
-                  const std::vector<double>& total, int repeats, std::size_t samples) {
+Coverage coverage(const Function& f, const std::vector<double>& first, const std::vector<double>& total, int repeats,
+                  std::size_t samples) {
   Coverage c{std::vector<int>(first.size()), std::vector<int>(first.size())};
   for (int k = 0; k < repeats; ++k) {
-    const ResponseIndices result =
-        indices(f, first.size(), samples, 1000U + static_cast<unsigned>(k));
+    const ResponseIndices result = indices(f, first.size(), samples, 1000U + static_cast<unsigned>(k));
     for (std::size_t i = 0; i < first.size(); ++i) {
       const auto& [factor, s, t] = of(result, i);
       c.first[i] += std::abs(s.value - first[i]) <= *s.half_width;
@@ -117,8 +116,7 @@ TEST(VarianceIndices, OfSobolsProduct) {
   const std::vector<double> a{0.0, 1.0, 4.5, 9.0, 99.0};
   const auto g = [&](const std::vector<double>& u) {
     double product = 1.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      product *= (std::abs(4 * u[i] - 2) + a[i]) / (1 + a[i]);
+    for (std::size_t i = 0; i < a.size(); ++i) product *= (std::abs(4 * u[i] - 2) + a[i]) / (1 + a[i]);
     return product;
   };
   double all = 1.0;

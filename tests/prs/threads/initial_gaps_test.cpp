@@ -14,8 +14,8 @@ namespace prs {
 namespace {
 
 PerInterface<std::vector<double>> gaps_of(const test::SectorCase& c) {
-  return initial_gaps(c.mechanism, c.deviations, c.materials,
-                      {c.laws.screw.normal_angle, c.laws.nut.normal_angle}, c.direction);
+  return initial_gaps(c.mechanism, c.deviations, c.materials, {c.laws.screw.normal_angle, c.laws.nut.normal_angle},
+                      c.direction);
 }
 
 PitchError list(std::vector<double> values) { return {0.0, {}, std::move(values)}; }
@@ -153,9 +153,7 @@ TEST(Deviations, AllThreadsButOneRelievedHaveTheClosedForm) {
   EXPECT_NEAR(d.normal_load.nut[0] * std::cos(c.laws.nut.normal_angle) / f, 1.0, 1e-12);
 
   const double e = 209e9;
-  const auto ring = [](double outer, double inner) {
-    return std::numbers::pi / 4 * (outer * outer - inner * inner);
-  };
+  const auto ring = [](double outer, double inner) { return std::numbers::pi / 4 * (outer * outer - inner * inner); };
   const double screw = f * 10e-3 / (e * ring(21e-3, 6e-3) / 11);
   const double nut = f * (29.1666667e-3 - 10e-3) / (e * ring(46e-3, 35e-3) / 11);
   double contacts = 0.0;

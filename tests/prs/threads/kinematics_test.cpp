@@ -20,8 +20,7 @@ KinematicGeometry geometry_of(const Case& c) {
   g.lead = c.mechanism.lead;
   g.gear_ratio = static_cast<double>(c.mechanism.starts.roller) / c.mechanism.starts.screw;
   g.centre_distance = contacts.threads.centre_distance;
-  for (const Interface i : kInterfaces)
-    g.points[i] = contacts.interfaces[i].geometry.point.position;
+  for (const Interface i : kInterfaces) g.points[i] = contacts.interfaces[i].geometry.point.position;
   return g;
 }
 
@@ -45,8 +44,7 @@ TEST(Kinematics, SpeedsObeyGearsAndLead) {
     EXPECT_DOUBLE_EQ(k.screw_to_carrier - k.nut_to_carrier, speed);  // omega_s/n
     EXPECT_DOUBLE_EQ(-k.nut_to_carrier / speed, slip);               // (2.2)
     const bool standard = g.type == Mechanism::Type::standard;       // (2.1)
-    EXPECT_DOUBLE_EQ(standard ? k.nut_to_carrier / k.roller_to_carrier
-                              : -k.screw_to_carrier / k.roller_to_carrier,
+    EXPECT_DOUBLE_EQ(standard ? k.nut_to_carrier / k.roller_to_carrier : -k.screw_to_carrier / k.roller_to_carrier,
                      g.gear_ratio);
     EXPECT_DOUBLE_EQ(k.nut_advance - k.screw_advance, -g.lead / (2 * std::numbers::pi) * speed);
   }

@@ -37,9 +37,8 @@ contact::Thread thread(double pitch_radius, double pitch, double lead, double fl
 }
 
 Mechanism read(const std::string& file, std::vector<std::string> overrides = {}) {
-  return input::read_case_input(
-             input::load_source(PRS_SOURCE_DIR "/validation/yao_2023/" + file, overrides),
-             Command::contact)
+  return input::read_case_input(input::load_source(PRS_SOURCE_DIR "/validation/yao_2023/" + file, overrides),
+                                Command::contact)
       .values.mechanism;
 }
 
@@ -75,8 +74,7 @@ double least_along_edge(const Gap& gap, bool of_roller) {
   const double centre = of_roller ? gap.m.centre_distance : 0.0;
   double least = 1.0;
   for (double turn = -0.3; turn <= 0.3; turn += 1e-4)
-    least = std::min(
-        least, gap(centre + radius * std::cos(facing + turn), radius * std::sin(facing + turn)));
+    least = std::min(least, gap(centre + radius * std::cos(facing + turn), radius * std::sin(facing + turn)));
   return least;
 }
 
@@ -107,8 +105,7 @@ TEST(ThreadWidths, AreThoseOfYaosClosedForms) {
 
 // Any arc: the flanks' points lie on the circle in its plane, for both signs and both planes.
 TEST(ThreadWidths, LeadToPointsOnTheArc) {
-  for (const contact::ProfilePlane plane :
-       {contact::ProfilePlane::normal, contact::ProfilePlane::axial})
+  for (const contact::ProfilePlane plane : {contact::ProfilePlane::normal, contact::ProfilePlane::axial})
     for (const bool internal : {false, true})
       for (const double r_b : {7 * mm, -9 * mm}) {
         contact::Thread t = thread(8 * mm, 2 * mm, 6 * mm, 40 * deg);
@@ -116,18 +113,15 @@ TEST(ThreadWidths, LeadToPointsOnTheArc) {
         t.internal = internal;
         t.profile_curvature = 1.0 / r_b;
         t.thickness = 0.9 * mm;
-        const double to_plane =
-            plane == contact::ProfilePlane::normal ? std::cos(std::atan(3.0 / (8.0 * pi))) : 1.0;
+        const double to_plane = plane == contact::ProfilePlane::normal ? std::cos(std::atan(3.0 / (8.0 * pi))) : 1.0;
         const double outwards = internal ? -1.0 : 1.0;
         // Centre of the arc from the pitch point: into the material by r_B along the normal.
         const double centre_radial = -outwards * r_b * std::sin(t.flank_angle);
         const double centre_axial = 0.5 * to_plane * *t.thickness - r_b * std::cos(t.flank_angle);
         const ThreadWidths w = thread_widths(t).value();
-        EXPECT_NEAR(std::hypot(outwards * *t.addendum - centre_radial,
-                               0.5 * to_plane * w.crest.value() - centre_axial),
+        EXPECT_NEAR(std::hypot(outwards * *t.addendum - centre_radial, 0.5 * to_plane * w.crest.value() - centre_axial),
                     std::abs(r_b), 1e-17);
-        EXPECT_NEAR(std::hypot(-outwards * *t.dedendum - centre_radial,
-                               0.5 * to_plane * w.root.value() - centre_axial),
+        EXPECT_NEAR(std::hypot(-outwards * *t.dedendum - centre_radial, 0.5 * to_plane * w.root.value() - centre_axial),
                     std::abs(r_b), 1e-17);
         EXPECT_LT(w.crest.value(), *t.thickness);
         EXPECT_GT(w.root.value(), *t.thickness);
@@ -172,8 +166,7 @@ TEST(ThreadClearance, OfCrestsIsThatOfYaosClosedForms) {
     const double p = m.roller.pitch, beta_r = m.roller.flank_angle;
     const double r_e = m.roller.pitch_radius / std::sin(beta_r);
     const auto phi_r = [&](double r) {
-      return r_e * std::cos(beta_r) + 0.5 * (p - *m.roller.thickness) -
-             std::sqrt(r_e * r_e - r * r);
+      return r_e * std::cos(beta_r) + 0.5 * (p - *m.roller.thickness) - std::sqrt(r_e * r_e - r * r);
     };
     for (const Interface i : kInterfaces) {
       const contact::Thread& body = i == Interface::screw ? m.screw : m.nut;
@@ -182,10 +175,9 @@ TEST(ThreadClearance, OfCrestsIsThatOfYaosClosedForms) {
       const double c_body = *body.thickness - 2.0 * *body.addendum * tan_body;
       const double c_roller = p - 2.0 * phi_r(m.roller.pitch_radius + *m.roller.addendum);
       // The profile's radius stands in the file with 16 digits.
-      EXPECT_NEAR(c.body_crest.value(),
-                  phi_r(m.roller.pitch_radius - *body.addendum) - 0.5 * c_body, 1e-16);
-      EXPECT_NEAR(c.roller_crest.value(),
-                  0.5 * (p - c_roller - *body.thickness) - *m.roller.addendum * tan_body, 1e-16);
+      EXPECT_NEAR(c.body_crest.value(), phi_r(m.roller.pitch_radius - *body.addendum) - 0.5 * c_body, 1e-16);
+      EXPECT_NEAR(c.roller_crest.value(), 0.5 * (p - c_roller - *body.thickness) - *m.roller.addendum * tan_body,
+                  1e-16);
     }
   }
 }
@@ -193,12 +185,10 @@ TEST(ThreadClearance, OfCrestsIsThatOfYaosClosedForms) {
 // (55) is the least gap of the two surfaces, half the backlash; crests lie on these surfaces, and
 // none comes nearer than the contact point.
 TEST(ThreadClearance, IsTheGapOfTheSurfaces) {
-  std::vector<Mechanism> mechanisms = {read("initial.yaml", kThickness),
-                                       read("optimum.yaml", kThickness)};
+  std::vector<Mechanism> mechanisms = {read("initial.yaml", kThickness), read("optimum.yaml", kThickness)};
   std::vector<std::string> normal = kThickness;
-  normal.insert(normal.end(),
-                {"mechanism.profile_plane=normal", "mechanism.profile.screw={convex: 40 mm}",
-                 "mechanism.profile.nut={concave: 90 mm}"});
+  normal.insert(normal.end(), {"mechanism.profile_plane=normal", "mechanism.profile.screw={convex: 40 mm}",
+                               "mechanism.profile.nut={concave: 90 mm}"});
   mechanisms.push_back(read("initial.yaml", normal));
   for (const Mechanism& mechanism : mechanisms) {
     const Contacts contacts = find_contacts(mechanism, std::nullopt);
@@ -214,8 +204,7 @@ TEST(ThreadClearance, IsTheGapOfTheSurfaces) {
       const double of_body = gap.body().pitch_radius + outwards * *gap.body().addendum;
       const double of_roller = m.roller.pitch_radius + *m.roller.addendum;
       EXPECT_NEAR(gap(of_body, 0.0), c.body_crest.value(), 1e-16);
-      EXPECT_NEAR(gap(m.centre_distance - outwards * of_roller, 0.0), c.roller_crest.value(),
-                  1e-16);
+      EXPECT_NEAR(gap(m.centre_distance - outwards * of_roller, 0.0), c.roller_crest.value(), 1e-16);
       // Over the whole overlap of the two threads.
       double least = 1.0;
       for (double y = -4 * mm; y <= 4 * mm; y += 0.02 * mm)
@@ -243,8 +232,7 @@ TEST(ThreadClearance, OfTwoExternalThreadsIsMutual) {
   contact::MechanismGeometry swapped = m;
   std::swap(swapped.screw, swapped.roller);
   const auto clearance = [](const contact::MechanismGeometry& g) {
-    const contact::ContactPoint point =
-        contact::find_contact_point(contact::screw_pair(g), contact::RollerFace::top);
+    const contact::ContactPoint point = contact::find_contact_point(contact::screw_pair(g), contact::RollerFace::top);
     return thread_clearance(g, Interface::screw, point).value();
   };
   const ThreadClearance a = clearance(m), b = clearance(swapped);
@@ -269,29 +257,24 @@ TEST(ThreadThickness, AddsPlayAndMovesNothing) {
   const Contacts sharp = find_contacts(read("initial.yaml"), std::nullopt);
   const Contacts thin = find_contacts(read("initial.yaml", kThickness), std::nullopt);
   for (const Interface i : kInterfaces) {
-    const contact::ContactPoint &a = sharp.interfaces[i].geometry.point,
-                                &b = thin.interfaces[i].geometry.point;
+    const contact::ContactPoint &a = sharp.interfaces[i].geometry.point, &b = thin.interfaces[i].geometry.point;
     EXPECT_NEAR(b.backlash - a.backlash, (5.0 - 2.0 - 2.4) * mm, 1e-16);
     EXPECT_EQ(a.position, b.position);
     EXPECT_EQ(a.normal, b.normal);
-    EXPECT_EQ(sharp.interfaces[i].geometry.relative.first,
-              thin.interfaces[i].geometry.relative.first);
+    EXPECT_EQ(sharp.interfaces[i].geometry.relative.first, thin.interfaces[i].geometry.relative.first);
   }
-  const Contacts half =
-      find_contacts(read("initial.yaml", {"mechanism.thread.screw.thickness=2.5 mm",
-                                          "mechanism.thread.roller.thickness=2.5 mm",
-                                          "mechanism.thread.nut.thickness=2.5 mm"}),
-                    std::nullopt);
-  EXPECT_EQ(half.interfaces.screw.geometry.point.backlash,
-            sharp.interfaces.screw.geometry.point.backlash);
+  const Contacts half = find_contacts(
+      read("initial.yaml", {"mechanism.thread.screw.thickness=2.5 mm", "mechanism.thread.roller.thickness=2.5 mm",
+                            "mechanism.thread.nut.thickness=2.5 mm"}),
+      std::nullopt);
+  EXPECT_EQ(half.interfaces.screw.geometry.point.backlash, sharp.interfaces.screw.geometry.point.backlash);
   EXPECT_EQ(half.warnings, sharp.warnings);
 }
 
 // The heights of table A1 fit the thicknesses of table A1: no sharpened crown, no meeting roots.
 TEST(ThreadThickness, OfYaosTableFitsItsHeights) {
-  EXPECT_THAT(
-      testing::PrintToString(sentences(find_contacts(read("initial.yaml"), std::nullopt).warnings)),
-      HasSubstr("its flanks meet"));
+  EXPECT_THAT(testing::PrintToString(sentences(find_contacts(read("initial.yaml"), std::nullopt).warnings)),
+              HasSubstr("its flanks meet"));
   EXPECT_TRUE(find_contacts(read("initial.yaml", kThickness), std::nullopt).warnings.empty());
 }
 
@@ -333,20 +316,17 @@ TEST(YaosConstraints, HoldBeforeAndAfterTheOptimization) {
 }
 
 TEST(YaosConstraints, AreNumbersOfDocumentsAndResponses) {
-  Case c = input::read_case_input(
-               input::load_source(PRS_SOURCE_DIR "/validation/yao_2023/initial.yaml", kThickness),
-               Command::contact)
+  Case c = input::read_case_input(input::load_source(PRS_SOURCE_DIR "/validation/yao_2023/initial.yaml", kThickness),
+                                  Command::contact)
                .values;
   const Result result = analyze(c);
   const auto json = document_of(solve_analysis(), result, {"1", "1", ""});
   EXPECT_NEAR(json.at("threads").at("screw").at("crest_width_mm"), 0.57, 1e-12);
   EXPECT_NEAR(json.at("threads").at("nut").at("root_width_mm"), 4.62, 1e-12);
-  for (const std::string key :
-       {"flank_clearance_mm", "body_crest_clearance_mm", "roller_crest_clearance_mm"}) {
+  for (const std::string key : {"flank_clearance_mm", "body_crest_clearance_mm", "roller_crest_clearance_mm"}) {
     const std::optional<ResultNumber> number = result_number("contact.screw." + key);
     ASSERT_TRUE(number) << key;
-    EXPECT_EQ(number->value(Answer{result.contacts}).value(),
-              json.at("contact").at("screw").at(key));
+    EXPECT_EQ(number->value(Answer{result.contacts}).value(), json.at("contact").at("screw").at(key));
   }
   c.mechanism.thread = {};
   const auto bare = document_of(solve_analysis(), analyze(c), {"1", "1", ""});

@@ -25,27 +25,23 @@ const json& full_reference() {
 LoadCaseResult computed(const std::string& name, const std::string& bodies = "bars") {
   std::vector<std::string> overrides;
   if (name == "missing roller") overrides.push_back("deviations.missing_rollers=[1]");
-  if (name == "thick roller")
-    overrides.push_back("deviations.roller_diameter=[4 um, 0 um, 0 um, 0 um, 0 um]");
+  if (name == "thick roller") overrides.push_back("deviations.roller_diameter=[4 um, 0 um, 0 um, 0 um, 0 um]");
   const std::string load_case = overrides.empty() ? name : "aligned";
   overrides.push_back("model.bodies=" + bodies);
-  const Case c =
-      input::read_case((kFullFolder / "full_mechanism.yaml").string(), overrides, Command::solve);
+  const Case c = input::read_case((kFullFolder / "full_mechanism.yaml").string(), overrides, Command::solve);
   const Result result = analyze(c);
-  const auto found = std::ranges::find(result.load_cases, load_case,
-                                       [](const LoadCaseResult& r) { return r.load_case.name; });
+  const auto found =
+      std::ranges::find(result.load_cases, load_case, [](const LoadCaseResult& r) { return r.load_case.name; });
   return *found;
 }
 
-constexpr const char* kFullCases[] = {"aligned", "missing roller", "thick roller", "moment",
-                                      "side force"};
+constexpr const char* kFullCases[] = {"aligned", "missing roller", "thick roller", "moment", "side force"};
 
 /// Largest difference of the rollers' shares, of the load.
 double share_difference(const RollerShares& s, const json& reference) {
   double largest = 0.0;
   for (std::size_t j = 0; j < s.share.size(); ++j)
-    largest = std::max(
-        largest, std::abs(s.share[j] - 0.01 * reference["roller_share_percent"][j].get<double>()));
+    largest = std::max(largest, std::abs(s.share[j] - 0.01 * reference["roller_share_percent"][j].get<double>()));
   return largest;
 }
 
@@ -61,8 +57,8 @@ TEST(FullReference, BarsOfTheScriptGiveTheLoadsOfTheProgram) {
       const double largest = loads["largest_normal_load_N"];
       for (std::size_t j = 0; j < 5; ++j)
         for (std::size_t k = 0; k < 4; ++k)
-          EXPECT_NEAR((*got.threads)[i].normal_load[4 * j + k],
-                      loads["normal_load_N"][j][k].get<double>(), 1e-8 * largest);
+          EXPECT_NEAR((*got.threads)[i].normal_load[4 * j + k], loads["normal_load_N"][j][k].get<double>(),
+                      1e-8 * largest);
       EXPECT_LT(share_difference(*(*got.threads)[i].rollers, loads), 1e-8);
     }
   }
@@ -90,8 +86,7 @@ TEST(FullReference, BarsAreThisFarFromFiniteElements) {
     for (const Interface i : kInterfaces) {
       const json& loads = wanted[i == Interface::screw ? "screw" : "nut"];
       const RollerShares& shares = *(*got.threads)[i].rollers;
-      const double largest =
-          shares.largest_normal_load / (*aligned.threads)[i].rollers->largest_normal_load;
+      const double largest = shares.largest_normal_load / (*aligned.threads)[i].rollers->largest_normal_load;
       EXPECT_NEAR(largest / loads["overload_factor"].get<double>(), ratio.overload[i],
                   0.001 + bar["overload_factor"].get<double>());
       EXPECT_NEAR(share_difference(shares, loads), ratio.share,
@@ -106,8 +101,7 @@ TEST(FullReference, BarsAreThisFarFromFiniteElements) {
 TEST(FullReference, WhatMomentsAddIsThatOfFiniteElements) {
   for (const std::string bodies : {"bars", "refined"}) {
     const LoadCaseResult aligned = computed("aligned", bodies);
-    const json& wanted_aligned =
-        full_reference()["finite elements"]["aligned"]["screw"]["normal_load_N"];
+    const json& wanted_aligned = full_reference()["finite elements"]["aligned"]["screw"]["normal_load_N"];
     for (const std::string name : {"moment", "side force"}) {
       SCOPED_TRACE(bodies + ", " + name);
       const LoadCaseResult got = computed(name, bodies);
@@ -115,8 +109,8 @@ TEST(FullReference, WhatMomentsAddIsThatOfFiniteElements) {
       double largest = 0.0, difference = 0.0, peak = 0.0;
       for (std::size_t j = 0; j < 5; ++j)
         for (std::size_t k = 0; k < 4; ++k) {
-          const double added = got.threads->screw.normal_load[4 * j + k] -
-                               aligned.threads->screw.normal_load[4 * j + k];
+          const double added =
+              got.threads->screw.normal_load[4 * j + k] - aligned.threads->screw.normal_load[4 * j + k];
           const double base = wanted_aligned[j][k];
           const double wanted = screw["normal_load_N"][j][k].get<double>() - base;
           largest = std::max(largest, std::abs(wanted));
@@ -139,8 +133,7 @@ TEST(FullReference, RefinedBodiesShareTheLoadAsFiniteElementsDo) {
     EXPECT_NEAR(*got.axial_displacement * 1e6, displacement, 0.012 * displacement);
     const double bar = full_reference()["error_bar"][name]["roller_share_percent"];
     for (const Interface i : kInterfaces)
-      EXPECT_LT(share_difference(*(*got.threads)[i].rollers,
-                                 wanted[i == Interface::screw ? "screw" : "nut"]),
+      EXPECT_LT(share_difference(*(*got.threads)[i].rollers, wanted[i == Interface::screw ? "screw" : "nut"]),
                 0.01 * std::max(bar, 0.003));
   }
 }

@@ -29,13 +29,11 @@ using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 /// Stiffness of table 7.1 [N/mm] and half a unit of its last digit.
-constexpr double kStiffness[10][2] = {
-    {10672.1, 0.05},  {9353.2, 0.005},  {8170.23, 0.005}, {7112.49, 0.005}, {6168.84, 0.005},
-    {5328.19, 0.005}, {4579.96, 0.005}, {3914.25, 0.005}, {3321.97, 0.005}, {2794.88, 0.005}};
+constexpr double kStiffness[10][2] = {{10672.1, 0.05},  {9353.2, 0.005},  {8170.23, 0.005}, {7112.49, 0.005},
+                                      {6168.84, 0.005}, {5328.19, 0.005}, {4579.96, 0.005}, {3914.25, 0.005},
+                                      {3321.97, 0.005}, {2794.88, 0.005}};
 
-SourceReport report() {
-  return validate(PRS_SOURCE_DIR "/validation/jung_2017", {extension()}).front();
-}
+SourceReport report() { return validate(PRS_SOURCE_DIR "/validation/jung_2017", {extension()}).front(); }
 
 Reference thesis() { return read_reference(PRS_SOURCE_DIR "/validation/jung_2017/reference.yaml"); }
 
@@ -85,8 +83,7 @@ TEST(JungTables, TheLoadOfAThreadIsFixedByTheLastDigits) {
     const std::array<Diameters, 10> rows = case_1();
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const ThreadCompliance c = compliance_as_printed(rows[k]);
-      const double total =
-          c.total() + c.hertz * (std::cbrt(1500.0 / load) - 1.0) + c.teeth * (teeth - 1.0);
+      const double total = c.total() + c.hertz * (std::cbrt(1500.0 / load) - 1.0) + c.teeth * (teeth - 1.0);
       if (std::abs(1e-3 / total - kStiffness[k][0]) > kStiffness[k][1]) ++missed;
     }
     return missed;
@@ -110,14 +107,14 @@ TEST(JungTables, RightColumnsAreThoseOfTheTheory) {
       const double tube = 0.02466 * (mm_outer - mm_wall) * mm_wall * kLength;
       const double rods = 0.006165 * std::pow(1e3 * d.roller, 2) * kRollers * kLength;
       EXPECT_NEAR(m.weight / (tube + rods), 1.0, 1e-4);
-      const std::optional<LemorCapacity> lemor = lemor_capacity(
-          LemorGeometry{.pitch = kPitch,
-                        .roller_diameter = d.roller,
-                        .nut_diameter = d.nut_inner(),
-                        .pitch_circle = d.screw + d.roller,
-                        .contact_angle = std::numbers::pi / 4.0,
-                        .helix_angle = std::atan(kStarts * kPitch / (std::numbers::pi * d.screw)),
-                        .contacts = kContacts});
+      const std::optional<LemorCapacity> lemor =
+          lemor_capacity(LemorGeometry{.pitch = kPitch,
+                                       .roller_diameter = d.roller,
+                                       .nut_diameter = d.nut_inner(),
+                                       .pitch_circle = d.screw + d.roller,
+                                       .contact_angle = std::numbers::pi / 4.0,
+                                       .helix_angle = std::atan(kStarts * kPitch / (std::numbers::pi * d.screw)),
+                                       .contacts = kContacts});
       ASSERT_TRUE(lemor);
       EXPECT_NEAR(m.load_capacity / lemor->capacity, 1.0, 1e-14);
       EXPECT_NEAR(m.load_capacity / printed.load_capacity, 1.0, 1.1e-3);
@@ -131,12 +128,10 @@ TEST(JungTables, HertzTermIsTenThousandTimesTooSmall) {
   const double y = 2.0 * (1.0 - 0.09) / 2.1e11, angle = std::numbers::pi / 4.0;
   for (const Diameters& d : case_1()) {
     double axial_approach = 0.0;
-    for (const auto& [radius, sign] :
-         {std::pair{d.nut_inner() / 2.0, -1.0}, {d.screw / 2.0, 1.0}}) {
+    for (const auto& [radius, sign] : {std::pair{d.nut_inner() / 2.0, -1.0}, {d.screw / 2.0, 1.0}}) {
       const double ball = 2.0 * std::sin(angle) / d.roller;
       const double body = sign * std::cos(angle) / radius, sum = 2.0 * ball + body;
-      const double axial =
-          std::sin(angle) * std::cos(std::atan(1e-2 / (2.0 * std::numbers::pi * radius)));
+      const double axial = std::sin(angle) * std::cos(std::atan(1e-2 / (2.0 * std::numbers::pi * radius)));
       axial_approach += contact_parameters(std::abs(body) / sum).approach *
                         std::pow(1.5 * (1500.0 / axial) * y / sum, 2.0 / 3.0) * sum / 2.0 / axial;
     }
@@ -168,15 +163,13 @@ TEST(JungTables, RollersOfCase2AreAThirdOfTheScrew) {
 /// The printed polynomials are least-squares fits to the recipe's own values, in case 2 too, whose
 /// table is thereby confirmed where it cannot be read. (7.12) holds to the rounding of its table.
 TEST(JungFits, NewFitsGiveThePrintedCoefficients) {
-  const std::map<std::string, double> tolerance = {{"(7.8)", 3e-5},  {"(7.9)", 3e-6},
-                                                   {"(7.10)", 3e-5}, {"(7.11)", 4e-4},
-                                                   {"(7.12)", 0.02}, {"(7.13)", 3e-6}};
+  const std::map<std::string, double> tolerance = {{"(7.8)", 3e-5},  {"(7.9)", 3e-6},  {"(7.10)", 3e-5},
+                                                   {"(7.11)", 4e-4}, {"(7.12)", 0.02}, {"(7.13)", 3e-6}};
   ASSERT_THAT(volume_fits(thesis()), SizeIs(tolerance.size()));
   for (const VolumeFit& fit : volume_fits(thesis())) {
     const std::array<double, 6> again = refitted(fit);
     for (std::size_t k = 0; k < again.size(); ++k)
-      EXPECT_NEAR(again[k] / fit.coefficients[k], 1.0, tolerance.at(fit.equation))
-          << fit.equation << ' ' << k;
+      EXPECT_NEAR(again[k] / fit.coefficients[k], 1.0, tolerance.at(fit.equation)) << fit.equation << ' ' << k;
   }
 }
 
@@ -221,10 +214,9 @@ TEST(JungContactParameters, OneNumberOfTableA1IsWrong) {
   std::vector<std::string> wrong;
   for (const PrintedParameters& line : table_a1(thesis())) {
     const PrintedNumber& f = line.curvature_difference;
-    for (const auto& [printed, parameter] :
-         {std::pair{&line.semi_major, &ContactParameters::semi_major},
-          {&line.semi_minor, &ContactParameters::semi_minor},
-          {&line.approach, &ContactParameters::approach}})
+    for (const auto& [printed, parameter] : {std::pair{&line.semi_major, &ContactParameters::semi_major},
+                                             {&line.semi_minor, &ContactParameters::semi_minor},
+                                             {&line.approach, &ContactParameters::approach}})
       if (unexplained(*printed, f, parameter) > 0.0) wrong.push_back(printed->text);
   }
   EXPECT_THAT(wrong, testing::ElementsAre("0.9429"));
@@ -281,25 +273,21 @@ TEST(JungRecipe, WrongRowsAreToldWithWhatIsExpected) {
   EXPECT_THAT(error_of("", {"54 mm, -27 mm, 9 mm"}), HasSubstr("expected 0.1 mm to 10 m"));
   EXPECT_THAT(error_of("", {"45 mm, 27 mm, 9 mm"}),
               HasSubstr("nut_outer: got 45 mm; expected more than screw and two rollers, 45 mm"));
-  EXPECT_THAT(error_of("", {"400 mm, 10 mm, 30 mm"}),
-              HasSubstr("with this screw take 0.146 to 28.009 mm"));
+  EXPECT_THAT(error_of("", {"400 mm, 10 mm, 30 mm"}), HasSubstr("with this screw take 0.146 to 28.009 mm"));
   EXPECT_EQ(error_of("", {"400 mm, 10 mm, 28.009 mm"}), "no error");
   EXPECT_EQ(error_of("", {"400 mm, 10 mm, 0.146 mm"}), "no error");
   EXPECT_THAT(error_of("/nonexistent.yaml", {}), HasSubstr("no such file"));
 }
 
 TEST(JungRecipe, WrongFilesAreToldWithLineAndKey) {
-  EXPECT_THAT(
-      error_of_file("a.yaml", "diameters:\n  - {nut_outer: 54 mm, screw: 27, roller: 9 mm}\n"),
-      HasSubstr("a.yaml:2:31: error: diameters[0].screw: got 27; expected a length"));
-  EXPECT_THAT(
-      error_of_file("a.yaml", "diameters:\n  - {nut_outer: 54 mm, scew: 27 mm, roller: 9 mm}\n"),
-      testing::AllOf(HasSubstr("scew: unknown key"), HasSubstr("screw: missing")));
+  EXPECT_THAT(error_of_file("a.yaml", "diameters:\n  - {nut_outer: 54 mm, screw: 27, roller: 9 mm}\n"),
+              HasSubstr("a.yaml:2:31: error: diameters[0].screw: got 27; expected a length"));
+  EXPECT_THAT(error_of_file("a.yaml", "diameters:\n  - {nut_outer: 54 mm, scew: 27 mm, roller: 9 mm}\n"),
+              testing::AllOf(HasSubstr("scew: unknown key"), HasSubstr("screw: missing")));
   EXPECT_THAT(error_of_file("a.yaml", "diameters: 5\n"), HasSubstr("expected a list"));
   EXPECT_THAT(error_of_file("a.yaml", "diameters: []\nmore: 1\n"), HasSubstr("more: unknown key"));
   EXPECT_THAT(error_of_file("a.yaml", "5\n"), HasSubstr("expected a map"));
-  EXPECT_THAT(error_of_file("a.csv", "nut_outer_mm,screw_mm\n54,27\n"),
-              HasSubstr("roller_mm: missing"));
+  EXPECT_THAT(error_of_file("a.csv", "nut_outer_mm,screw_mm\n54,27\n"), HasSubstr("roller_mm: missing"));
   EXPECT_THAT(error_of_file("a.csv", "nut_outer_mm,screw_mm,roller_mm\n54,27,9\n45,27,9\n"),
               HasSubstr("a.csv:3:1: error: nut_outer_mm: got 45 mm"));
 }
@@ -313,18 +301,15 @@ struct ProgramRun {
 ProgramRun run_recipe(const std::string& arguments) {
   const test::TemporaryDirectory folder;
   const std::string out = (folder.path() / "out").string();
-  const int status =
-      std::system((std::string("'") + test::program() + "' validate --recipe jung-as-printed " +
-                   arguments + " >'" + out + "' 2>/dev/null")
-                      .c_str());
+  const int status = std::system((std::string("'") + test::program() + "' validate --recipe jung-as-printed " +
+                                  arguments + " >'" + out + "' 2>/dev/null")
+                                     .c_str());
   std::ifstream in(out);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-          std::string(std::istreambuf_iterator<char>(in), {})};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, std::string(std::istreambuf_iterator<char>(in), {})};
 }
 
 TEST(JungRecipe, RunsFromTheCommandLine) {
-  const ProgramRun run =
-      run_recipe("--diameters '54 mm, 27 mm, 9 mm' --diameters '81 mm, 40.5 mm, 18 mm' --json");
+  const ProgramRun run = run_recipe("--diameters '54 mm, 27 mm, 9 mm' --diameters '81 mm, 40.5 mm, 18 mm' --json");
   EXPECT_EQ(run.status, 0);
   const nlohmann::json rows = nlohmann::json::parse(run.out).at("rows");
   ASSERT_THAT(rows, SizeIs(2));

@@ -51,8 +51,7 @@ std::vector<Curve> at_full_load(Keep keep) {
 
 bool everywhere(const Setup&, double) { return true; }
 
-const Setup kExample{2, Direction::tension, Guidance::Kind::both_end_nodes,
-                     RollerContacts::opposite};
+const Setup kExample{2, Direction::tension, Guidance::Kind::both_end_nodes, RollerContacts::opposite};
 
 // The file.
 
@@ -93,9 +92,7 @@ TEST(ReferenceCurves, AreTwentyFourOfTheSameLoads) {
   }
 }
 
-TEST(ReferenceCurves, AnUntouchedCopyReads) {
-  EXPECT_EQ(read_error(lines_of_curves()), "no error");
-}
+TEST(ReferenceCurves, AnUntouchedCopyReads) { EXPECT_EQ(read_error(lines_of_curves()), "no error"); }
 
 TEST(ReferenceCurves, ALoadRateThatBreaksTheSumIsFound) {
   EXPECT_THAT(error_with_field(3, 12, "7.00000"), HasSubstr("curves.csv:3:"));
@@ -140,8 +137,7 @@ TEST(ReferenceCurves, TheTableIsWhole) {
 
 TEST(ReferenceCurves, WindowsLineEndsRead) {
   std::string text;
-  for (const char c : lines_of_curves())
-    text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for (const char c : lines_of_curves()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
   EXPECT_EQ(read_error(text), "no error");
 }
 
@@ -201,8 +197,8 @@ TEST(ComputedCurves, StandAtTheSetupsAndLoadsOfTheReference) {
 TEST(ComputedCurves, OfBarsAreThoseOfTheScript) {
   std::map<std::string, double> displacement;
   for (const test::CsvRow& row : test::parse(test::content_of(kFolder / "data/summary.csv")))
-    displacement[row.at("config") + ' ' + row.at("direction") + ' ' + row.at("guidance") + ' ' +
-                 row.at("lever")] = std::stod(row.at("bars_um"));
+    displacement[row.at("config") + ' ' + row.at("direction") + ' ' + row.at("guidance") + ' ' + row.at("lever")] =
+        std::stod(row.at("bars_um"));
   ASSERT_EQ(displacement.size(), 24u);
   for (const Curve& curve : bar_curves())
     EXPECT_NEAR(curve.points.back().displacement * 1e6, displacement.at(name(curve.setup)), 0.5e-4)
@@ -227,8 +223,7 @@ Fidelities ideal() { return {reference(), bar_curves(), reference(), reference()
 /// reference, refined against the influence model, influence against the reference.
 std::vector<bool> holds(const Fidelities& f) {
   std::vector<bool> all;
-  for (const ComparedStatement& s : compare_statements(f))
-    all.push_back(s.verdict.kind == Verdict::Kind::holds);
+  for (const ComparedStatement& s : compare_statements(f)) all.push_back(s.verdict.kind == Verdict::Kind::holds);
   return all;
 }
 
@@ -282,8 +277,7 @@ TEST(FidelityStatements, NoticeBarsThatAreNoBars) {
 
 TEST(FidelityStatements, DoNotHoldWithoutAllAnswers) {
   Fidelities f = ideal();
-  for (std::vector<Curve>* curves : {&f.bars, &f.refined, &f.influence})
-    curves->back().points.back().load_rate = {};
+  for (std::vector<Curve>* curves : {&f.bars, &f.refined, &f.influence}) curves->back().points.back().load_rate = {};
   EXPECT_EQ(holds(f), (std::vector{false, false, false, false, false}));
   EXPECT_THAT(compare_statements(f)[2].verdict.evidence, HasSubstr("1 of 312 points without"));
 }
@@ -304,20 +298,17 @@ TEST(Fidelities, RefinedStaysWithinItsPromise) {
   const auto curves = computed_curves(screw(), refined, reference());
   const Summary s = summary(curves, reference(), everywhere);
   EXPECT_EQ(s.unsolved, 0);
-  EXPECT_LE(std::abs(s.farthest_stiffness().value), kRefinedError.stiffness)
-      << name(s.farthest_stiffness().setup);
+  EXPECT_LE(std::abs(s.farthest_stiffness().value), kRefinedError.stiffness) << name(s.farthest_stiffness().setup);
   EXPECT_LE(s.worst_loads.value, kRefinedError.load_rate) << name(s.worst_loads.setup);
 }
 
 /// CONFIG 2 in tension; thoroughly all cases.
 TEST(Fidelities, InfluenceIsWithinBothErrorBarsOfTheReference) {
   SKIP_UNDER_SANITIZERS();
-  const auto curves =
-      at_full_load([](const auto& setup) { return test::count(0, 1) == 1 || setup == kExample; });
+  const auto curves = at_full_load([](const auto& setup) { return test::count(0, 1) == 1 || setup == kExample; });
   const Summary s = summary(computed_curves(screw(), influence, curves), curves, everywhere);
   EXPECT_EQ(s.unsolved, 0);
-  EXPECT_LE(std::abs(s.farthest_stiffness().value), kJoint.stiffness)
-      << name(s.farthest_stiffness().setup);
+  EXPECT_LE(std::abs(s.farthest_stiffness().value), kJoint.stiffness) << name(s.farthest_stiffness().setup);
   EXPECT_LE(s.worst_loads.value, kJoint.load_rate) << name(s.worst_loads.setup);
 }
 
@@ -335,8 +326,7 @@ TEST(FidelityTables, GiveTheDiscrepanciesCaseByCase) {
   ASSERT_EQ(stiffness.rows.size(), 24u);
   for (std::size_t k = 0; k < 24; ++k) {
     const CurvePoint &point = bar_curves()[k].points.back(), &full = reference()[k].points.back();
-    EXPECT_NEAR(stiffness.rows[k].values[1], 100 * (full.displacement / point.displacement - 1),
-                1e-9);
+    EXPECT_NEAR(stiffness.rows[k].values[1], 100 * (full.displacement / point.displacement - 1), 1e-9);
     EXPECT_EQ(stiffness.rows[k].values[2], 0.0);
   }
 }
@@ -350,15 +340,13 @@ TEST(FidelityFiles, HoldEveryThreadOfEveryPoint) {
   EXPECT_EQ(row.at("interface"), "nut");
   EXPECT_EQ(row.at("thread"), "6");
   EXPECT_DOUBLE_EQ(std::stod(row.at("load_kN")), 45.0);
-  EXPECT_NEAR(std::stod(row.at("bars_percent")),
-              100 * bar_curves()[3].points.back().load_rate.nut[5], 1e-9);
+  EXPECT_NEAR(std::stod(row.at("bars_percent")), 100 * bar_curves()[3].points.back().load_rate.nut[5], 1e-9);
   const auto points = test::parse(content.at("comparison.csv"));
   ASSERT_EQ(points.size(), 2u * 24 * 13);
   EXPECT_NEAR(std::stod(points[12].at("stiffness_discrepancy_percent")),
               100 * discrepancy(bar_curves()[0].points[12], reference()[0].points[12])->stiffness,
               1e-8);  // Ten digits.
-  EXPECT_THAT(content.at("load_rates.md"),
-              HasSubstr("## 3 compression outer_node half_pitch, 45 kN"));
+  EXPECT_THAT(content.at("load_rates.md"), HasSubstr("## 3 compression outer_node half_pitch, 45 kN"));
 }
 
 TEST(FidelityFiles, LeaveWhatHasNoAnswerEmpty) {
@@ -379,8 +367,7 @@ TEST(FidelityFigures, ShowEveryCaseWithOppositeContacts) {
   }
   EXPECT_EQ(names.size(), 12u);
   EXPECT_TRUE(names.contains("load_rate_config2_compression_outer_node"));
-  const std::vector<Figure> displacement =
-      displacement_figures(models(), reference(), kReferenceError);
+  const std::vector<Figure> displacement = displacement_figures(models(), reference(), kReferenceError);
   ASSERT_EQ(displacement.size(), 2u);
   EXPECT_EQ(displacement[0].panels.size(), 6u);
 }
@@ -396,8 +383,8 @@ TEST(FidelityFigures, DrawTheErrorBarAboutTheReference) {
     EXPECT_DOUBLE_EQ(stroke[1][1], 100 * kReferenceError.load_rate);
   }
   for (const auto& [x, y] : differences.series[3].parts.front()) EXPECT_EQ(y, 0.0);
-  const double expected = 100 * (bar_curves()[0].points.back().load_rate.nut[0] -
-                                 reference()[0].points.back().load_rate.nut[0]);
+  const double expected =
+      100 * (bar_curves()[0].points.back().load_rate.nut[0] - reference()[0].points.back().load_rate.nut[0]);
   EXPECT_DOUBLE_EQ(differences.series[0].parts.front()[0][1], expected);
 }
 

@@ -17,8 +17,7 @@ std::vector<standard_screws::CatalogueScrew> catalogue() {
   return standard_screws::read_catalogue(kFolder + "/screws.csv");
 }
 
-std::vector<std::string> only_with(const std::vector<ComparedStatement>& statements,
-                                   Verdict::Kind kind) {
+std::vector<std::string> only_with(const std::vector<ComparedStatement>& statements, Verdict::Kind kind) {
   std::vector<std::string> texts;
   for (const ComparedStatement& s : statements)
     if (s.verdict.kind == kind) texts.push_back(s.section);
@@ -27,9 +26,9 @@ std::vector<std::string> only_with(const std::vector<ComparedStatement>& stateme
 
 TEST(StandardScrews, TheRangeOfTheCapacityIsThatOfTheCatalogue) {
   const auto rows = standard_screws::compare(catalogue(), standard_screws::Flanks::by_rule);
-  const Interval i = standard_screws::range(
-      rows, &standard_screws::Ratios::dynamic_capacity,
-      [](const standard_screws::Ratios& r) { return r.printed.screw.screw_diameter > 7e-3; });
+  const Interval i =
+      standard_screws::range(rows, &standard_screws::Ratios::dynamic_capacity,
+                             [](const standard_screws::Ratios& r) { return r.printed.screw.screw_diameter > 7e-3; });
   EXPECT_NEAR(i.least, kCapacityOverMakers.least, 0.006);
   EXPECT_NEAR(i.greatest, kCapacityOverMakers.greatest, 0.006);
 }

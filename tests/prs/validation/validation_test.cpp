@@ -22,8 +22,8 @@ const std::filesystem::path kSources = PRS_SOURCE_DIR "/validation";
 
 /// All sources; Abevi's statements, which take a while, have a test of their own.
 std::vector<SourceReport> all_reports() {
-  return validate(kSources, {jung_2017::extension(), sandu_2018::extension(),
-                             standard_screws::extension(), yao_2023::extension()});
+  return validate(
+      kSources, {jung_2017::extension(), sandu_2018::extension(), standard_screws::extension(), yao_2023::extension()});
 }
 
 /// Results of the printed values of a source, by verdict.
@@ -65,8 +65,8 @@ TEST(Validation, NothingUnexpectedAndNothingMissingInAnySource) {
   for (const SourceReport& report : all_reports()) {
     EXPECT_FALSE(report.comparisons.empty()) << report.name;
     for (const Comparison& c : report.comparisons)
-      EXPECT_FALSE(c.unexpected()) << report.name << ' ' << c.case_name << ' '
-                                   << c.reference.quantity << ": " << name(c.outcome());
+      EXPECT_FALSE(c.unexpected()) << report.name << ' ' << c.case_name << ' ' << c.reference.quantity << ": "
+                                   << name(c.outcome());
   }
 }
 
@@ -76,16 +76,13 @@ TEST(Validation, EverySourceFolderHasItsReferenceAndSource) {
     if (!entry.is_directory()) continue;
     const bool has_reference = std::filesystem::exists(entry.path() / "reference.yaml");
     references += has_reference ? 1 : 0;
-    EXPECT_TRUE(has_reference || std::filesystem::is_directory(entry.path() / "data"))
-        << entry.path();
+    EXPECT_TRUE(has_reference || std::filesystem::is_directory(entry.path() / "data")) << entry.path();
     EXPECT_TRUE(std::filesystem::exists(entry.path() / "SOURCE.md")) << entry.path();
   }
   EXPECT_EQ(all_reports().size(), references);
 }
 
-SourceReport sandu_report() {
-  return validate(kSources / "sandu_2018", {sandu_2018::extension()}).front();
-}
+SourceReport sandu_report() { return validate(kSources / "sandu_2018", {sandu_2018::extension()}).front(); }
 
 /// Two signs and one digit in chapter 1 and appendix B; chapters 2 and 3: (2.20), both films, the
 /// roller-nut speed, a mass printed as roughly, and the efficiency for want of the bearing's table.
@@ -120,8 +117,7 @@ TEST(Validation, SandusOwnFormulasGiveHisFilmsAndSpeeds) {
   const std::vector<std::string> texts{"438", "107", "495", "9.3"};
   for (std::size_t k = 0; k < texts.size(); ++k) {
     EXPECT_DOUBLE_EQ(table.rows[0].values[k], printed(texts[k]).value());
-    EXPECT_TRUE(printed(texts[k]).is_reproduced_by(table.rows[1].values[k]))
-        << table.columns[k + 1];
+    EXPECT_TRUE(printed(texts[k]).is_reproduced_by(table.rows[1].values[k])) << table.columns[k + 1];
   }
 }
 
@@ -134,8 +130,7 @@ TEST(Validation, SandusFitDependsOnItsRange) {
   ASSERT_EQ(fits.rows.front().label, "printed");
   for (const std::size_t k : {0u, 1u}) {
     const auto constant = [k](const ValidationTable::Row& row) { return row.values[k]; };
-    const auto [least, most] =
-        std::ranges::minmax_element(fits.rows.begin() + 1, fits.rows.end(), {}, constant);
+    const auto [least, most] = std::ranges::minmax_element(fits.rows.begin() + 1, fits.rows.end(), {}, constant);
     EXPECT_LT(constant(*least), constant(fits.rows.front())) << k;
     EXPECT_GT(constant(*most), constant(fits.rows.front())) << k;
   }
@@ -166,9 +161,7 @@ TEST(Validation, AWrongPrintedDigitIsUnexpected) {
   EXPECT_EQ(outcome_of("printed: '20'"), Outcome::reproduces);
   EXPECT_EQ(outcome_of("printed: '20.01', differs: a slip"), Outcome::differs);
   EXPECT_EQ(outcome_of("printed: '20.00', differs: none"), Outcome::unexpected);
-  EXPECT_EQ(report_of("      - {quantity: contact.lead_mm, where: here, printed: '1'}\n")
-                .comparisons[0]
-                .outcome(),
+  EXPECT_EQ(report_of("      - {quantity: contact.lead_mm, where: here, printed: '1'}\n").comparisons[0].outcome(),
             Outcome::missing);
 }
 
@@ -180,9 +173,7 @@ TEST(Validation, ACorrectedNumberIsHeldToItsDigitsToo) {
 TEST(Validation, AStatedPrecisionReplacesThatOfTheLastDigit) {
   const std::string near = "quantity: contact.screw.radius_on_body_mm, where: r_IS, printed: '15'";
   EXPECT_EQ(report_of("      - {" + near + "}\n").comparisons[0].outcome(), Outcome::reproduces);
-  EXPECT_EQ(report_of("      - {" + near + ", precision: {decimals: 4, because: zeros}}\n")
-                .comparisons[0]
-                .outcome(),
+  EXPECT_EQ(report_of("      - {" + near + ", precision: {decimals: 4, because: zeros}}\n").comparisons[0].outcome(),
             Outcome::unexpected);
 }
 
@@ -191,11 +182,9 @@ TEST(Validation, ReferenceFilesAreReadStrictly) {
   EXPECT_THAT(error_of(value + ", tolerance: 2}\n"), HasSubstr("reference.yaml:6:47: error"));
   EXPECT_THAT(error_of(value + ", tolerance: 2}\n"), HasSubstr("unknown key"));
   EXPECT_THAT(error_of(value + ", precision: {decimals: 4}}\n"), HasSubstr("because"));
-  EXPECT_THAT(error_of(value + ", precision: {decimals: 4.5, because: x}}\n"),
-              HasSubstr("whole number"));
+  EXPECT_THAT(error_of(value + ", precision: {decimals: 4.5, because: x}}\n"), HasSubstr("whole number"));
   EXPECT_THAT(error_of(value + ", corrected: '2'}\n"), HasSubstr("differs"));
-  EXPECT_THAT(error_of("      - {quantity: q, where: w, printed: about 1}\n"),
-              HasSubstr("expected a number"));
+  EXPECT_THAT(error_of("      - {quantity: q, where: w, printed: about 1}\n"), HasSubstr("expected a number"));
   EXPECT_THAT(error_of("      - {where: w, printed: '1'}\n"), HasSubstr("quantity"));
   EXPECT_THAT(error_of(value + "}\nyear: 2018\n"), HasSubstr("year"));
   EXPECT_THAT(error_of(value + "}\n    comand: contact\n"), HasSubstr("comand"));
@@ -215,23 +204,22 @@ SourceReport report_with(const SourceExtension& code) {
 }
 
 TEST(Validation, ASourcesCodeFindsTheFilesBesideItsCase) {
-  const SourceReport report =
-      report_with({.folder = "here",
-                   .tables =
-                       [](const Reference&) {
-                         return std::vector{ValidationTable{"first", {"a"}, {}}};
-                       },
-                   .supplement =
-                       [](const Case& subject, const Reference& reference) {
-                         EXPECT_EQ(subject.mechanism.rollers, 9);
-                         EXPECT_TRUE(std::filesystem::exists(reference.folder / "case.yaml"));
-                         Supplement s;
-                         s.statements.push_back({"1", "a statement", {}});
-                         s.tables.push_back({"second", {"a"}, {}});
-                         s.figures.emplace_back().name = "a figure";
-                         s.files.push_back({"a.csv", "a"});
-                         return s;
-                       }});
+  const SourceReport report = report_with({.folder = "here",
+                                           .tables =
+                                               [](const Reference&) {
+                                                 return std::vector{ValidationTable{"first", {"a"}, {}}};
+                                               },
+                                           .supplement =
+                                               [](const Case& subject, const Reference& reference) {
+                                                 EXPECT_EQ(subject.mechanism.rollers, 9);
+                                                 EXPECT_TRUE(std::filesystem::exists(reference.folder / "case.yaml"));
+                                                 Supplement s;
+                                                 s.statements.push_back({"1", "a statement", {}});
+                                                 s.tables.push_back({"second", {"a"}, {}});
+                                                 s.figures.emplace_back().name = "a figure";
+                                                 s.files.push_back({"a.csv", "a"});
+                                                 return s;
+                                               }});
   ASSERT_EQ(report.tables.size(), 2u);
   EXPECT_EQ(report.tables[1].title, "second");
   EXPECT_EQ(report.statements.size(), 1u);

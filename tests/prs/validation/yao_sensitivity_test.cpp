@@ -20,15 +20,14 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Case initial(const std::vector<std::string>& overrides = {}) {
-  return input::read_case_input(
-             input::load_source(PRS_SOURCE_DIR "/validation/yao_2023/initial.yaml", overrides),
-             Command::contact)
+  return input::read_case_input(input::load_source(PRS_SOURCE_DIR "/validation/yao_2023/initial.yaml", overrides),
+                                Command::contact)
       .values;
 }
 
 Supplement sensitivity(const std::vector<std::string>& overrides = {}) {
-  return yao_2023::sensitivity(
-      initial(overrides), read_reference(PRS_SOURCE_DIR "/validation/yao_2023/reference.yaml"));
+  return yao_2023::sensitivity(initial(overrides),
+                               read_reference(PRS_SOURCE_DIR "/validation/yao_2023/reference.yaml"));
 }
 
 // What the text says of figures 8 and 9 holds but for the load of (27) and two signs.
@@ -42,9 +41,7 @@ TEST(YaoSensitivity, ReproducesTheTextButForTheLoadAndTwoSigns) {
     const bool by_load = s.text.find("sigma_HSR") != std::string::npos;
     const bool by_sign = s.text.find("of the negative effects") != std::string::npos;
     EXPECT_TRUE(by_load || by_sign) << s.text << ": " << s.verdict.evidence;
-    EXPECT_EQ(s.verdict.kind,
-              by_load ? Verdict::Kind::holds_only_with : Verdict::Kind::does_not_hold)
-        << s.text;
+    EXPECT_EQ(s.verdict.kind, by_load ? Verdict::Kind::holds_only_with : Verdict::Kind::does_not_hold) << s.text;
     not_held.push_back(s.text);
   }
   EXPECT_EQ(not_held.size(), 3U);
@@ -60,8 +57,8 @@ TEST(YaoSensitivity, PrintedPercentagesOfTheCurvatureSumsAreMetToAPoint) {
 
 // The lesson is the same study, drawn from the file.
 TEST(YaoSensitivity, LessonRanksAsTheValidationDoes) {
-  const input::StudyInput in = input::read_study_input(
-      input::load_source(PRS_SOURCE_DIR "/configs/15_sensitivity.yaml", {}));
+  const input::StudyInput in =
+      input::read_study_input(input::load_source(PRS_SOURCE_DIR "/configs/15_sensitivity.yaml", {}));
   const DesignEngine engine(in);
   const std::size_t designs = design_count(engine.study());
   ASSERT_EQ(designs, 2001U);
@@ -84,19 +81,16 @@ TEST(YaoSensitivity, LessonRanksAsTheValidationDoes) {
   for (const auto& fit : summary.surfaces->fits) EXPECT_GT(fit->r_squared, 0.998);
   const ValidationTable table = sensitivity().tables.at(0);
   for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(summary.surfaces->fits[2]->effects[k].contribution_percent, table.rows[k].values[1],
-                0.1);
+    EXPECT_NEAR(summary.surfaces->fits[2]->effects[k].contribution_percent, table.rows[k].values[1], 0.1);
 }
 
 TEST(CentredProfile, IsAnArcAboutTheAxis) {
   const contact::MechanismGeometry given = threads_of(initial().mechanism);
-  const contact::MechanismGeometry centred =
-      threads_of(initial({"mechanism.profile.roller=centred"}).mechanism);
-  EXPECT_NEAR(centred.roller.profile_curvature, given.roller.profile_curvature,
-              1e-15 * given.roller.profile_curvature);
+  const contact::MechanismGeometry centred = threads_of(initial({"mechanism.profile.roller=centred"}).mechanism);
+  EXPECT_NEAR(centred.roller.profile_curvature, given.roller.profile_curvature, 1e-15 * given.roller.profile_curvature);
   const contact::MechanismGeometry thicker =
-      threads_of(initial({"mechanism.profile.roller=centred", "mechanism.rollers=6",
-                          "mechanism.flank_angle=30 deg", "mechanism.pitch_diameter.roller=20 mm"})
+      threads_of(initial({"mechanism.profile.roller=centred", "mechanism.rollers=6", "mechanism.flank_angle=30 deg",
+                          "mechanism.pitch_diameter.roller=20 mm"})
                      .mechanism);
   EXPECT_NEAR(1.0 / thicker.roller.profile_curvature, 20e-3, 1e-16);
 }
@@ -115,8 +109,7 @@ TEST(CentredProfile, IsRefusedWhereThereIsNoSuchArc) {
   c.mechanism.pitch_diameter.nut = std::nullopt;
   c.mechanism.centre_distance = std::nullopt;
   problems = check_case(c);
-  EXPECT_TRUE(std::ranges::any_of(
-      problems, [](const Problem& p) { return p.path == "mechanism.profile.roller"; }));
+  EXPECT_TRUE(std::ranges::any_of(problems, [](const Problem& p) { return p.path == "mechanism.profile.roller"; }));
 }
 
 }  // namespace

@@ -18,8 +18,7 @@ TEST(ChainSolver, AgreesWithSparseSolverOnSpecialCases) {
     const Sector sector = c.sector.build();
     ChainSolver chain(sector);
     for (const double force : {1e-3, 50.0, 45e3, 1e7})
-      test::expect_same(test::sparse(sector, force), chain.solve(force),
-                        c.name + ' ' + std::to_string(force));
+      test::expect_same(test::sparse(sector, force), chain.solve(force), c.name + ' ' + std::to_string(force));
   }
 }
 
@@ -35,8 +34,7 @@ TEST(ChainSolver, AgreesWithSparseSolverOnRefinedCases) {
       const Sector sector = refined.build();
       ChainSolver chain(sector);
       for (const double force : {1e-3, 45e3})
-        test::expect_same(test::sparse(sector, force), chain.solve(force),
-                          c.name + ' ' + std::to_string(force));
+        test::expect_same(test::sparse(sector, force), chain.solve(force), c.name + ' ' + std::to_string(force));
     }
   }
 }
@@ -50,8 +48,8 @@ TEST(ChainSolver, AgreesWithSparseSolverForSingleEffects) {
       std::fill(std::begin(on), std::end(on), others);
       on[effect] = !others;
       c.options.refined = {on[0], on[1], on[2], on[3], on[4], on[5], on[6]};
-      c.options.roller_contacts = others ? ModelOptions::RollerContacts::half_pitch_apart
-                                         : ModelOptions::RollerContacts::opposite;
+      c.options.roller_contacts =
+          others ? ModelOptions::RollerContacts::half_pitch_apart : ModelOptions::RollerContacts::opposite;
       const Sector sector = c.build();
       test::expect_same(test::sparse(sector, 45e3), ChainSolver(sector).solve(45e3),
                         "effect " + std::to_string(effect));
@@ -65,14 +63,11 @@ void agree_on_random_sectors(int count, bool refined) {
     if (refined) c = test::refined(c, random);
     const double force = test::random_force(c, random);
     const Sector sector = c.build();
-    test::expect_same(test::sparse(sector, force), ChainSolver(sector).solve(force),
-                      "sector " + std::to_string(k));
+    test::expect_same(test::sparse(sector, force), ChainSolver(sector).solve(force), "sector " + std::to_string(k));
   }
 }
 
-TEST(ChainSolver, AgreesWithSparseSolverOnRandomSectors) {
-  agree_on_random_sectors(test::samples(200, 5000), false);
-}
+TEST(ChainSolver, AgreesWithSparseSolverOnRandomSectors) { agree_on_random_sectors(test::samples(200, 5000), false); }
 
 TEST(ChainSolver, AgreesWithSparseSolverOnRandomRefinedSectors) {
   agree_on_random_sectors(test::samples(60, 2000), true);

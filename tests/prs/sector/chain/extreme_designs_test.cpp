@@ -44,8 +44,8 @@ struct Differences {
   }
 };
 
-void expect_agreement(const LoadDistribution& solve, const LoadDistribution& study,
-                      const std::string& what, Differences& worst) {
+void expect_agreement(const LoadDistribution& solve, const LoadDistribution& study, const std::string& what,
+                      Differences& worst) {
   ASSERT_EQ(fe::name(solve.solve.status), fe::name(study.solve.status)) << what;
   ASSERT_TRUE(solve.solve.converged()) << what;
   ASSERT_EQ(solve.tangent_stiffness.has_value(), study.tangent_stiffness.has_value()) << what;
@@ -72,12 +72,10 @@ TEST(ExtremeDesigns, StudiesAgreeWithSolves) {
     const SectorCase c = test::extreme_sector(random);
     const double force = test::extreme_force(random);
     const Sector sector = c.build();
-    expect_agreement(SectorSolver(sector).solve(force), study(c, sector, force),
-                     "design " + std::to_string(k), worst);
+    expect_agreement(SectorSolver(sector).solve(force), study(c, sector, force), "design " + std::to_string(k), worst);
   }
-  RecordProperty("worst_differences",
-                 fmt::format("load {:.1e}, displacement {:.1e}, tangent {:.1e}", worst.load,
-                             worst.displacement, worst.tangent));
+  RecordProperty("worst_differences", fmt::format("load {:.1e}, displacement {:.1e}, tangent {:.1e}", worst.load,
+                                                  worst.displacement, worst.tangent));
 }
 
 TEST(ExtremeDesigns, SoftRingsConverge) {
@@ -87,8 +85,8 @@ TEST(ExtremeDesigns, SoftRingsConverge) {
       SectorCase c = test::abevi();
       c.structure.roller.guidance = {Guidance::Kind::ring, ring};
       const Sector sector = c.build();
-      expect_agreement(SectorSolver(sector).solve(force), study(c, sector, force),
-                       "ring " + std::to_string(ring), worst);
+      expect_agreement(SectorSolver(sector).solve(force), study(c, sector, force), "ring " + std::to_string(ring),
+                       worst);
     }
 }
 
@@ -116,8 +114,7 @@ TEST(ExtremeDesigns, ThousandsOfThreadsConverge) {
     for (const double force : {1.0, 45e3, 1e7}) {
       c.direction = direction;
       const Sector sector = c.build();
-      expect_agreement(SectorSolver(sector).solve(force), study(c, sector, force),
-                       std::to_string(force), worst);
+      expect_agreement(SectorSolver(sector).solve(force), study(c, sector, force), std::to_string(force), worst);
     }
 }
 
@@ -129,8 +126,7 @@ TEST(ExtremeDesigns, ALoadedSectionAtTheFirstContactIsThatContact) {
   EXPECT_EQ(beside.build().loaded_node, beside.build().screw_nodes.front());
   EXPECT_NE(apart.build().loaded_node, apart.build().screw_nodes.front());
   const LoadDistribution expected = SectorSolver(at.build()).solve(45e3);
-  for (const LoadDistribution& r :
-       {SectorSolver(beside.build()).solve(45e3), study(beside, beside.build(), 45e3)}) {
+  for (const LoadDistribution& r : {SectorSolver(beside.build()).solve(45e3), study(beside, beside.build(), 45e3)}) {
     ASSERT_TRUE(r.solve.converged());
     EXPECT_NEAR(r.axial_displacement / expected.axial_displacement, 1.0, 1e-12);
   }

@@ -21,8 +21,7 @@ using test::SectorCase;
 /// As studies have them: nothing is worked out.
 SectorModel numbers_of(const SectorCase& c) {
   SectorModel s;
-  set_sector_model(s, c.mechanism, c.structure, c.materials, c.options, c.laws, c.direction,
-                   c.position, c.deviations);
+  set_sector_model(s, c.mechanism, c.structure, c.materials, c.options, c.laws, c.direction, c.position, c.deviations);
   return s;
 }
 
@@ -65,9 +64,7 @@ Refined random_designs(int count) {
   return designs;
 }
 
-double largest(const std::vector<double>& values) {
-  return *std::max_element(values.begin(), values.end());
-}
+double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
 /// Largest difference of loads, of the largest load, displacement and tangent stiffness.
 double difference(const LoadDistribution& a, const LoadDistribution& b) {
@@ -75,9 +72,8 @@ double difference(const LoadDistribution& a, const LoadDistribution& b) {
                           std::abs(*a.tangent_stiffness / *b.tangent_stiffness - 1.0));
   for (const Interface i : kInterfaces)
     for (std::size_t k = 0; k < a.normal_load[i].size(); ++k)
-      worst = std::max(
-          {worst, std::abs(a.normal_load[i][k] - b.normal_load[i][k]) / largest(b.normal_load[i]),
-           std::abs(a.approach[i][k] - b.approach[i][k]) / largest(b.approach[i])});
+      worst = std::max({worst, std::abs(a.normal_load[i][k] - b.normal_load[i][k]) / largest(b.normal_load[i]),
+                        std::abs(a.approach[i][k] - b.approach[i][k]) / largest(b.approach[i])});
   return worst;
 }
 
@@ -106,8 +102,8 @@ TEST(RefinedDesigns, AgreeWithSolvesOneAfterTheOther) {
       if (now > 1e-11) ++beyond;
     }
   }
-  std::printf("%zu designs, %zu times stopped by rounding, %zu beyond 1e-11, at most %.1e\n",
-              designs.forces.size(), stopped, beyond, worst);
+  std::printf("%zu designs, %zu times stopped by rounding, %zu beyond 1e-11, at most %.1e\n", designs.forces.size(),
+              stopped, beyond, worst);
   EXPECT_LE(stopped, designs.forces.size() / 1000);
   EXPECT_LE(beyond, designs.forces.size() / 1000);
 }
@@ -142,8 +138,7 @@ TEST(RefinedDesigns, ResultsDoNotDependOnTheDesignsBeside) {
     for (std::size_t k = 0; k < count; ++k) {
       test::expect_identical(together[from(k)], elsewhere[k]);
       LoadDistribution single;
-      RefinedDesignSolver(set).solve({&designs.sectors[k], 1}, {&designs.forces[k], 1},
-                                     {&single, 1});
+      RefinedDesignSolver(set).solve({&designs.sectors[k], 1}, {&designs.forces[k], 1}, {&single, 1});
       test::expect_identical(together[k], single);
     }
   }
@@ -161,8 +156,7 @@ TEST(RefinedDesigns, OneThatFailsLeavesTheOthersAlone) {
     bad.sectors[3].bodies.numbers.material.nut.youngs_modulus = nan;
     bad.forces[6] = nan;
     const std::vector<LoadDistribution> results = bad.solve(set);
-    for (const std::size_t k : {1u, 2u, 3u, 6u})
-      EXPECT_FALSE(results[k].solve.converged()) << name(set) << ' ' << k;
+    for (const std::size_t k : {1u, 2u, 3u, 6u}) EXPECT_FALSE(results[k].solve.converged()) << name(set) << ' ' << k;
     for (const std::size_t k : {0u, 4u, 5u, 7u}) test::expect_identical(expected[k], results[k]);
   }
 }

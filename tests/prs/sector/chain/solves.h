@@ -42,35 +42,30 @@ inline prs::LoadDistribution sparse(const prs::Sector& sector, double force) {
   for (const prs::Interface i : prs::kInterfaces)
     for (int k = 0; k < sector.contacts(); ++k) {
       const auto place = static_cast<std::size_t>(k);
-      const fe::PowerLawSpring& law =
-          sector.model.springs[static_cast<std::size_t>(sector.spring(i, k))].law;
+      const fe::PowerLawSpring& law = sector.model.springs[static_cast<std::size_t>(sector.spring(i, k))].law;
       const auto spring = static_cast<std::size_t>(sector.spring(i, k));
       const double w = equations.springs()[spring].approach(q);
       r.normal_load[i][place] = fe::evaluate(law, w).force;
       r.approach[i][place] = fe::law_approach(law, w);
     }
-  r.axial_displacement =
-      solver.unit_load().dot(q.head) + sector.offset_compliance * force / sector.rollers;
+  r.axial_displacement = solver.unit_load().dot(q.head) + sector.offset_compliance * force / sector.rollers;
   return r;
 }
 
 /// Thread loads to 1e-10 of the largest, displacement to 1e-10, tangent stiffness to `tangent`: it
 /// is that of one solve without refinement.
-inline void expect_same(const prs::LoadDistribution& expected, const prs::LoadDistribution& r,
-                        const std::string& what, double tangent = 1e-8) {
+inline void expect_same(const prs::LoadDistribution& expected, const prs::LoadDistribution& r, const std::string& what,
+                        double tangent = 1e-8) {
   ASSERT_TRUE(expected.solve.converged()) << what;
-  ASSERT_TRUE(r.solve.converged())
-      << what << ' ' << fe::name(r.solve.status) << ' ' << r.solve.relative_residual;
+  ASSERT_TRUE(r.solve.converged()) << what << ' ' << fe::name(r.solve.status) << ' ' << r.solve.relative_residual;
   for (const prs::Interface i : prs::kInterfaces) {
     const std::vector<double>&a = expected.normal_load[i], &b = r.normal_load[i];
     ASSERT_EQ(a.size(), b.size()) << what;
     const double largest = *std::max_element(a.begin(), a.end());
-    const double deepest =
-        *std::max_element(expected.approach[i].begin(), expected.approach[i].end());
+    const double deepest = *std::max_element(expected.approach[i].begin(), expected.approach[i].end());
     for (std::size_t k = 0; k < a.size(); ++k) {
       EXPECT_NEAR(a[k], b[k], 1e-10 * largest) << what << " thread " << k;
-      EXPECT_NEAR(expected.approach[i][k], r.approach[i][k], 1e-10 * deepest)
-          << what << " thread " << k;
+      EXPECT_NEAR(expected.approach[i][k], r.approach[i][k], 1e-10 * deepest) << what << " thread " << k;
     }
   }
   EXPECT_NEAR(r.axial_displacement / expected.axial_displacement, 1.0, 1e-10) << what;
@@ -112,25 +107,21 @@ inline std::vector<NamedCase> special_cases() {
   };
   for (const double position : {54.3333333e-3, 29.1666667e-3, 4e-3})
     add("position " + std::to_string(position), [&](SectorCase& c) { c.position = position; });
-  add("outer node",
-      [](SectorCase& c) { c.structure.roller.guidance.kind = Guidance::Kind::outer_node; });
+  add("outer node", [](SectorCase& c) { c.structure.roller.guidance.kind = Guidance::Kind::outer_node; });
   for (const double ring : {1e4, 2e7, 1e15})
     add("ring", [&](SectorCase& c) { c.structure.roller.guidance = {Guidance::Kind::ring, ring}; });
-  add("rigid bending",
-      [](SectorCase& c) { c.options.roller = ModelOptions::Roller::rigid_bending; });
+  add("rigid bending", [](SectorCase& c) { c.options.roller = ModelOptions::Roller::rigid_bending; });
   add("shear", [](SectorCase& c) { c.options.roller_shear = true; });
   add("no free length", [](SectorCase& c) { c.structure.screw.free_length = 0.0; });
   add("thrust at the first contact", [](SectorCase& c) { c.position = 10e-3; });
-  add("thrust at the last contact",
-      [](SectorCase& c) { c.position = 80e-3 - 19 * axial_pitch(c.mechanism); });
+  add("thrust at the last contact", [](SectorCase& c) { c.position = 80e-3 - 19 * axial_pitch(c.mechanism); });
   for (const double beside : {-1e-6, 1e-9, 3e-4})
     add("thrust beside a contact", [&](SectorCase& c) {
       c.structure.nut.thrust = {c.position + 7 * axial_pitch(c.mechanism) + beside,
                                 c.position + 7 * axial_pitch(c.mechanism) + beside};
     });
   add("thrust at a contact", [](SectorCase& c) {
-    c.structure.nut.thrust = {c.position + 7 * axial_pitch(c.mechanism),
-                              c.position + 12 * axial_pitch(c.mechanism)};
+    c.structure.nut.thrust = {c.position + 7 * axial_pitch(c.mechanism), c.position + 12 * axial_pitch(c.mechanism)};
   });
   add("thrust at the nut's ends",
       [](SectorCase& c) { c.structure.nut.thrust = {.tension = 0.0, .compression = 90e-3}; });
@@ -146,8 +137,7 @@ inline std::vector<NamedCase> special_cases() {
       c.mechanism.contacts_per_roller = contacts;
       c.position = 15e-3;
     });
-  add("pitch error",
-      [](SectorCase& c) { c.mechanism.pitch.roller = axial_pitch(c.mechanism) + 1e-6; });
+  add("pitch error", [](SectorCase& c) { c.mechanism.pitch.roller = axial_pitch(c.mechanism) + 1e-6; });
   add("crowning and relief", [](SectorCase& c) {
     c.deviations.crowning = 6e-6;
     c.deviations.end_relief = {4e-6, 3};
@@ -166,8 +156,7 @@ inline SectorCase refined(SectorCase c, std::mt19937_64& random) {
   const auto mostly = [&] { return std::uniform_int_distribution(0, 3)(random) > 0; };
   c.options.bodies = prs::ModelOptions::Bodies::refined;
   c.options.refined = {mostly(), mostly(), mostly(), mostly(), mostly(), mostly(), mostly()};
-  c.options.roller_contacts =
-      mostly() && mostly() ? Contacts::opposite : Contacts::half_pitch_apart;
+  c.options.roller_contacts = mostly() && mostly() ? Contacts::opposite : Contacts::half_pitch_apart;
   return c;
 }
 

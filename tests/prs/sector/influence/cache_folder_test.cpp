@@ -21,9 +21,7 @@ class CacheFolderTest : public testing::Test {
  protected:
   static std::string digest(char digit) { return std::string(64, digit); }
   fs::path file(char digit) const { return path / (digest(digit) + ".matrices"); }
-  static void write(const fs::path& to, const std::string& text) {
-    std::ofstream(to, std::ios::binary) << text;
-  }
+  static void write(const fs::path& to, const std::string& text) { std::ofstream(to, std::ios::binary) << text; }
 
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "cache";
@@ -67,8 +65,7 @@ TEST_F(CacheFolderTest, WhatWasNotUsedForLongestGoesFirst) {
   for (const char digit : {'a', 'b', 'c'}) {
     small.write(digest(digit), std::string(30, digit));
     // Long ago, in this order.
-    fs::last_write_time(file(digit),
-                        fs::file_time_type::clock::now() - std::chrono::hours(100 - (digit - 'a')));
+    fs::last_write_time(file(digit), fs::file_time_type::clock::now() - std::chrono::hours(100 - (digit - 'a')));
   }
   ASSERT_TRUE(small.read(digest('a')));  // Used now.
   write(path / "notes.txt", std::string(100'000, 'x'));
@@ -84,9 +81,7 @@ TEST_F(CacheFolderTest, WhatWasNotUsedForLongestGoesFirst) {
 }
 
 TEST_F(CacheFolderTest, FilesFromTheFutureCountAsOthersDo) {  // The clock was set back.
-  const auto in_years = [](int years) {
-    return fs::file_time_type::clock::now() + std::chrono::years(years);
-  };
+  const auto in_years = [](int years) { return fs::file_time_type::clock::now() + std::chrono::years(years); };
   const CacheFolder small(path, 2 * 4096);
   const fs::path left = file('c').string() + ".4711.0";
   for (const char digit : {'a', 'b'}) small.write(digest(digit), "old");

@@ -69,9 +69,7 @@ std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges) {
   return nodes;
 }
 
-double radius(const GroovedBody& body, int node) {
-  return body.mesh.nodes[static_cast<std::size_t>(node)].x();
-}
+double radius(const GroovedBody& body, int node) { return body.mesh.nodes[static_cast<std::size_t>(node)].x(); }
 
 Eigen::MatrixXd held_axially(const GroovedBody& body, const std::vector<int>& nodes) {
   std::vector<fe::HarmonicSupport> supports;
@@ -105,8 +103,7 @@ Eigen::MatrixXd nut(double position, double shoulder, int split) {
   s.far_radius = 23e-3;
   s.collars = {{0.0, 10e-3, 31e-3}, {80e-3, 90e-3, 31e-3}};
   s.radii = {shoulder};
-  const GroovedBody body =
-      mesh_grooved_body(s, flanks(first, FlankSide::forward, kNutPatch), density(split));
+  const GroovedBody body = mesh_grooved_body(s, flanks(first, FlankSide::forward, kNutPatch), density(split));
   std::vector<int> held = nodes_of(body.free_face(10e-3));
   std::erase_if(held, [&](int node) { return radius(body, node) > shoulder + 1e-9; });
   return kRollers * held_axially(body, held);
@@ -117,8 +114,7 @@ Eigen::MatrixXd balanced(const Eigen::MatrixXd& roller) {
   Eigen::VectorXd axial(2 * kTeeth);
   axial << Eigen::VectorXd::Ones(kTeeth), -Eigen::VectorXd::Ones(kTeeth);
   axial.normalize();
-  const Eigen::MatrixXd p =
-      Eigen::MatrixXd::Identity(2 * kTeeth, 2 * kTeeth) - axial * axial.transpose();
+  const Eigen::MatrixXd p = Eigen::MatrixXd::Identity(2 * kTeeth, 2 * kTeeth) - axial * axial.transpose();
   return p * roller * p;
 }
 
@@ -142,10 +138,8 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 TEST(CalculixBodies, AgreeOnOneMesh) {
   SKIP_UNDER_SANITIZERS();
-  EXPECT_LT(largest_difference(screw(FlankSide::backward, 1), reference("screw_tension.csv")),
-            2e-3);
-  EXPECT_LT(largest_difference(screw(FlankSide::forward, 1), reference("screw_compression.csv")),
-            2e-3);
+  EXPECT_LT(largest_difference(screw(FlankSide::backward, 1), reference("screw_tension.csv")), 2e-3);
+  EXPECT_LT(largest_difference(screw(FlankSide::forward, 1), reference("screw_compression.csv")), 2e-3);
   EXPECT_LT(largest_difference(nut(175e-3 / 6, 25.03e-3, 1), reference("nut_config2.csv")), 5e-3);
   EXPECT_LT(largest_difference(roller(1), balanced(reference("roller_tension.csv"))), 4e-3);
 }
@@ -161,18 +155,16 @@ Eigen::MatrixXd limit(Body body) {
 TEST(CalculixBodies, AgreeInTheLimit) {
   if (test::count(0, 1) == 0) GTEST_SKIP() << "only in the thorough run";
   // The reference's own error bars are 2e-5 for the screw, 3e-4 for the roller.
-  EXPECT_LT(largest_difference(limit([](int n) { return screw(FlankSide::backward, n); }),
-                               reference("screw_tension.csv")),
-            3e-5);
-  EXPECT_LT(largest_difference(limit([](int n) { return screw(FlankSide::forward, n); }),
-                               reference("screw_compression.csv")),
-            3e-5);
+  EXPECT_LT(
+      largest_difference(limit([](int n) { return screw(FlankSide::backward, n); }), reference("screw_tension.csv")),
+      3e-5);
+  EXPECT_LT(
+      largest_difference(limit([](int n) { return screw(FlankSide::forward, n); }), reference("screw_compression.csv")),
+      3e-5);
   // The ends of the shoulder, where the support stops, hold both back: order 0.7 to 0.9.
-  EXPECT_LT(largest_difference(limit([](int n) { return nut(175e-3 / 6, 25.03e-3, n); }),
-                               reference("nut_config2.csv")),
+  EXPECT_LT(largest_difference(limit([](int n) { return nut(175e-3 / 6, 25.03e-3, n); }), reference("nut_config2.csv")),
             3e-4);
-  EXPECT_LT(largest_difference(limit([](int n) { return roller(n); }),
-                               balanced(reference("roller_tension.csv"))),
+  EXPECT_LT(largest_difference(limit([](int n) { return roller(n); }), balanced(reference("roller_tension.csv"))),
             5e-4);
 }
 
@@ -184,16 +176,12 @@ struct Block {
 };
 
 /// A line load without the Bessel factor of an ellipse: as narrow around the axis as can be.
-LoadedFlank line(FlankSide side, double along_profile) {
-  return {0.0, side, {along_profile, 1e-9}, 12};
-}
+LoadedFlank line(FlankSide side, double along_profile) { return {0.0, side, {along_profile, 1e-9}, 12}; }
 
 Block block(const std::string& body) {
   const LoadedFlank at_nut = line(FlankSide::backward, 0.2028526e-3);
-  if (body == "screw")
-    return {groove(false, 10.5e-3), 3e-3, {line(FlankSide::backward, 0.2207669e-3)}};
-  if (body == "nut")
-    return {groove(true, 17.5e-3), 23e-3, {line(FlankSide::forward, 0.2028526e-3)}};
+  if (body == "screw") return {groove(false, 10.5e-3), 3e-3, {line(FlankSide::backward, 0.2207669e-3)}};
+  if (body == "nut") return {groove(true, 17.5e-3), 23e-3, {line(FlankSide::forward, 0.2028526e-3)}};
   return {groove(false, 3.5e-3), 0.0, {line(FlankSide::forward, 0.2207669e-3), at_nut}};
 }
 
@@ -207,12 +195,8 @@ TEST(CalculixHarmonics, AgreeToATenthOfAPercent) {
   const Material steel{209e9, 0.3, {}};
   std::map<std::tuple<std::string, int, int>, BlockResponse> responses;
   std::map<std::tuple<std::string, int>, double> largest;
-  const auto at = [&](std::size_t row, const char* name) {
-    return table.text(row, table.column(name));
-  };
-  const auto number = [&](std::size_t row, const char* name) {
-    return table.number(row, table.column(name));
-  };
+  const auto at = [&](std::size_t row, const char* name) { return table.text(row, table.column(name)); };
+  const auto number = [&](std::size_t row, const char* name) { return table.number(row, table.column(name)); };
   for (std::size_t row = 0; row < table.rows(); ++row) {
     double& most = largest[{at(row, "body"), static_cast<int>(number(row, "harmonic"))}];
     most = std::max(most, std::abs(number(row, "value_mm_per_N")));
@@ -234,11 +218,10 @@ TEST(CalculixHarmonics, AgreeToATenthOfAPercent) {
     };
     const int distance = static_cast<int>(number(row, "distance"));
     const BlockResponse& r = found->second;
-    const double computed = r.kernel[static_cast<std::size_t>(distance + r.reach)](
-        index("flank_to"), index("flank_from"));
+    const double computed =
+        r.kernel[static_cast<std::size_t>(distance + r.reach)](index("flank_to"), index("flank_from"));
     const double most = largest.at({body, n});
-    EXPECT_NEAR(1e3 * computed, number(row, "value_mm_per_N"), 1e-3 * most)
-        << body << " " << n << " " << distance;
+    EXPECT_NEAR(1e3 * computed, number(row, "value_mm_per_N"), 1e-3 * most) << body << " " << n << " " << distance;
   }
 }
 

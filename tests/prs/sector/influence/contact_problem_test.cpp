@@ -27,8 +27,8 @@ Eigen::MatrixXd bar_flexibility(const Sector& sector) {
   const int n = equations.size();
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
   for (int j = 0; j < n; ++j)
-    for (int e = k.column_start[static_cast<std::size_t>(j)];
-         e < k.column_start[static_cast<std::size_t>(j + 1)]; ++e) {
+    for (int e = k.column_start[static_cast<std::size_t>(j)]; e < k.column_start[static_cast<std::size_t>(j + 1)];
+         ++e) {
       const int i = k.row[static_cast<std::size_t>(e)];
       dense(i, j) = dense(j, i) = k.value[static_cast<std::size_t>(e)];
     }
@@ -36,16 +36,14 @@ Eigen::MatrixXd bar_flexibility(const Sector& sector) {
   Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, 2 * sector.contacts());
   for (int i = 0; i < n; ++i) {
     fe::State unit(Eigen::VectorXd::Unit(n, i));
-    for (int c = 0; c < form.cols(); ++c)
-      form(i, c) = equations.springs()[static_cast<std::size_t>(c)].approach(unit);
+    for (int c = 0; c < form.cols(); ++c) form(i, c) = equations.springs()[static_cast<std::size_t>(c)].approach(unit);
   }
   return form.transpose() * dense.llt().solve(form);
 }
 
 ContactSolution solve_bars(const SectorCase& c, double force) {
   const Sector sector = c.build();
-  return solve(contact_problem(bar_flexibility(sector), c.laws, sector.gaps),
-               force / sector.rollers);
+  return solve(contact_problem(bar_flexibility(sector), c.laws, sector.gaps), force / sector.rollers);
 }
 
 double largest_difference(const ContactSolution& s, const LoadDistribution& bars) {
@@ -94,8 +92,7 @@ TEST(ContactProblem, RigidBodiesShareEqually) {
   const SectorCase c = abevi();
   const Sector sector = c.build();
   const int n = 2 * sector.contacts();
-  const ContactSolution s =
-      solve(contact_problem(Eigen::MatrixXd::Zero(n, n), c.laws, sector.gaps), 4e3);
+  const ContactSolution s = solve(contact_problem(Eigen::MatrixXd::Zero(n, n), c.laws, sector.gaps), 4e3);
   ASSERT_TRUE(s.converged());
   EXPECT_EQ(s.iterations(), 0);
   const double cosine = std::cos(c.laws.screw.normal_angle);

@@ -62,8 +62,7 @@ TEST(BlockSolver, ShortWavesSeeAHalfSpace) {
     const auto ratio = [&](double wave) {
       const int n = static_cast<int>(wave * g.pitch_radius / patch.along_circumference);
       const double r = g.pitch_radius;
-      return block.solve(n, 1).kernel[1](0, 0) /
-             (2.0 / r * test::half_space_spectrum(patch, b.materials[part], n / r));
+      return block.solve(n, 1).kernel[1](0, 0) / (2.0 / r * test::half_space_spectrum(patch, b.materials[part], n / r));
     };
     EXPECT_NEAR(ratio(1.0), 1.0, 0.007) << name(part);
     EXPECT_NEAR(ratio(2.0), 1.0, 0.006) << name(part);
@@ -120,10 +119,8 @@ TEST(Flexibility, MirroredScrewHasMirroredBodies) {
   const Flexibility roller = roller_flexibility(tension, c.direction, test::coarse_bodies());
   c.direction = Direction::compression;
   const BodyGeometry compression = geometry(c);
-  const Flexibility other_nut =
-      nut_flexibility(compression, c.direction, c.position, test::coarse_bodies());
-  const Flexibility other_roller =
-      roller_flexibility(compression, c.direction, test::coarse_bodies());
+  const Flexibility other_nut = nut_flexibility(compression, c.direction, c.position, test::coarse_bodies());
+  const Flexibility other_roller = roller_flexibility(compression, c.direction, test::coarse_bodies());
   EXPECT_LT((reversed(nut.matrix) - other_nut.matrix).norm(), 1e-9 * nut.matrix.norm());
   // The roller is held axially at its right end in both: compare under loads in balance.
   const int n = 6;
@@ -170,9 +167,7 @@ TEST(Flexibility, DefaultsHaveWorkingAccuracy) {
   EXPECT_NEAR(working.screw_motion / finest.screw_motion, 1.0, 0.005);
   for (int k = 0; k < 40; ++k) {
     const double cosine = std::cos((k < 20 ? c.laws.screw : c.laws.nut).normal_angle);
-    EXPECT_NEAR(working.normal_load[k] * cosine / force, finest.normal_load[k] * cosine / force,
-                0.001)
-        << k;
+    EXPECT_NEAR(working.normal_load[k] * cosine / force, finest.normal_load[k] * cosine / force, 0.001) << k;
   }
 }
 
@@ -203,8 +198,7 @@ TEST(Flexibility, ContactsAtTheEndsOfTheNutHaveTheirThread) {
   GroovedShape shape;
   shape.groove = geometry(c).grooves.screw;
   shape.end = 10e-3;
-  EXPECT_THROW(mesh_grooved_body(shape, {{0.0, FlankSide::backward, {0.2e-3, 0.2e-3}, 4}}, {}),
-               std::invalid_argument);
+  EXPECT_THROW(mesh_grooved_body(shape, {{0.0, FlankSide::backward, {0.2e-3, 0.2e-3}, 4}}, {}), std::invalid_argument);
 }
 
 TEST(Flexibility, UnilateralThrustFaceIsSofter) {
@@ -212,8 +206,7 @@ TEST(Flexibility, UnilateralThrustFaceIsSofter) {
   FlexibilityOptions bilateral = test::coarse_bodies();
   bilateral.unilateral_thrust = false;
   const double both = nut_flexibility(geometry(c), c.direction, c.position, bilateral).matrix.sum();
-  const double pushes =
-      nut_flexibility(geometry(c), c.direction, c.position, test::coarse_bodies()).matrix.sum();
+  const double pushes = nut_flexibility(geometry(c), c.direction, c.position, test::coarse_bodies()).matrix.sum();
   EXPECT_GT(pushes, both);
   EXPECT_LT(pushes, 1.1 * both);
 }

@@ -29,8 +29,8 @@ TEST(HertzPatch, SeriesGivesThePressureBack) {
   double sum = 0.0;
   for (int n = 0; n < 4000; ++n) sum += pressure_amplitude(patch, n, s, r) * std::cos(n * theta);
   const double peak = 1.5 / (pi * patch.along_profile * patch.along_circumference);
-  const double exact = peak * std::sqrt(1.0 - std::pow(s / patch.along_profile, 2) -
-                                        std::pow(r * theta / patch.along_circumference, 2));
+  const double exact =
+      peak * std::sqrt(1.0 - std::pow(s / patch.along_profile, 2) - std::pow(r * theta / patch.along_circumference, 2));
   EXPECT_NEAR(sum, exact, 1e-3 * peak);
 }
 
@@ -52,8 +52,8 @@ TEST(HertzPatch, HalfSpaceCarriesFourFifthsOfItsShareOfTheApproach) {
   const contact::HertzContact at = contact::at_load(h, 300.0);
   const double compliance = half_space_compliance({at.semi_major, at.semi_minor}, kSteel);
   EXPECT_NEAR(compliance * 300.0 / (0.4 * at.approach), 1.0, 1e-12);
-  const double other = at.approach / 2.0 - 150.0 * at.semi_major * at.semi_major / 20.0 -
-                       260.0 * at.semi_minor * at.semi_minor / 20.0;
+  const double other =
+      at.approach / 2.0 - 150.0 * at.semi_major * at.semi_major / 20.0 - 260.0 * at.semi_minor * at.semi_minor / 20.0;
   EXPECT_NEAR(compliance * 300.0 / other, 1.0, 1e-12);
 }
 
@@ -65,11 +65,9 @@ TEST(HertzPatch, SpectrumAddsUpToTheCompliance) {
     double sum = 0.0;
     const int cells = 400;
     for (int i = 0; i < cells; ++i)
-      sum += 2.0 *
-             test::half_space_spectrum(patch, kSteel, from + (to - from) * (i + 0.5) / cells) *
-             (to - from) / cells;
-    const double difference =
-        half_space_remainder(patch, kSteel, from) - half_space_remainder(patch, kSteel, to);
+      sum +=
+          2.0 * test::half_space_spectrum(patch, kSteel, from + (to - from) * (i + 0.5) / cells) * (to - from) / cells;
+    const double difference = half_space_remainder(patch, kSteel, from) - half_space_remainder(patch, kSteel, to);
     EXPECT_NEAR(sum, difference, 1e-4 * all);
   }
 }

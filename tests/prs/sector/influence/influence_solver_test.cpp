@@ -23,8 +23,8 @@ BodyFlexibilities bodies(const SectorCase& c, MatrixCache& cache) {
   for (const Interface i : kInterfaces)
     patches[i] = nominal_patch({}, c.laws[i], c.materials[body_of(i)], c.materials.roller);
   return body_flexibilities(
-      body_geometry(c.mechanism, c.structure, c.materials, c.laws, patches, c.direction, c.options),
-      c.direction, c.position, test::coarse_bodies(), cache);
+      body_geometry(c.mechanism, c.structure, c.materials, c.laws, patches, c.direction, c.options), c.direction,
+      c.position, test::coarse_bodies(), cache);
 }
 
 BodyFlexibilities bodies(const SectorCase& c) {
@@ -34,9 +34,7 @@ BodyFlexibilities bodies(const SectorCase& c) {
 
 PerInterface<std::vector<double>> gaps(const SectorCase& c) { return c.build().gaps; }
 
-InfluenceSolver solver(const SectorCase& c) {
-  return {bodies(c), c.mechanism.rollers, c.laws, gaps(c)};
-}
+InfluenceSolver solver(const SectorCase& c) { return {bodies(c), c.mechanism.rollers, c.laws, gaps(c)}; }
 
 TEST(NominalPatch, HasItsPressure) {
   const Material steel = abevi().materials.screw;
@@ -62,12 +60,11 @@ TEST(InfluenceSolver, LoadsBalanceAtEveryLoad) {
       EXPECT_LE(d.solve.history.back().relative_residual, 1e-12);
       EXPECT_TRUE(std::isnan(d.solve.history.back().energy));
       for (const Interface i : kInterfaces) {
-        const double sum = std::accumulate(d.normal_load[i].begin(), d.normal_load[i].end(), 0.0) *
-                           std::cos(c.laws[i].normal_angle);
+        const double sum =
+            std::accumulate(d.normal_load[i].begin(), d.normal_load[i].end(), 0.0) * std::cos(c.laws[i].normal_angle);
         EXPECT_NEAR(sum / (force / 11.0), 1.0, 1e-11);
         for (std::size_t k = 0; k < 6; ++k)
-          EXPECT_NEAR(c.laws[i].hertz_constant * std::pow(d.approach[i][k], 1.5),
-                      d.normal_load[i][k], 1e-9 * force);
+          EXPECT_NEAR(c.laws[i].hertz_constant * std::pow(d.approach[i][k], 1.5), d.normal_load[i][k], 1e-9 * force);
       }
     }
   }
@@ -87,8 +84,7 @@ TEST(InfluenceSolver, TangentIsTheSlopeOfTheDisplacement) {
   const InfluenceSolver s = solver(short_screw());
   const double force = 12e3, step = 1.0;
   const double slope =
-      2.0 * step /
-      (s.solve(force + step).axial_displacement - s.solve(force - step).axial_displacement);
+      2.0 * step / (s.solve(force + step).axial_displacement - s.solve(force - step).axial_displacement);
   EXPECT_NEAR(*s.solve(force).tangent_stiffness / slope, 1.0, 1e-7);
 }
 
@@ -108,8 +104,7 @@ TEST(InfluenceSolver, MirroredScrewGivesMirroredLoads) {
   const LoadDistribution t = without_screw(Direction::tension);
   const LoadDistribution p = without_screw(Direction::compression);
   for (const Interface i : kInterfaces)
-    for (std::size_t k = 0; k < 6; ++k)
-      EXPECT_NEAR(t.normal_load[i][k], p.normal_load[i][5 - k], 1e-8 * 12e3);
+    for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(t.normal_load[i][k], p.normal_load[i][5 - k], 1e-8 * 12e3);
   EXPECT_NEAR(t.axial_displacement / p.axial_displacement, 1.0, 1e-9);
 }
 
@@ -139,15 +134,13 @@ TEST(InfluenceSolver, OneThreadLeftIsAChainOfCompliances) {
   n[k] = load.screw;
   n[6 + k] = load.nut;
   const Eigen::VectorXd elastic = joined * n;
-  const double expected =
-      (approach.screw + 3e-10 * load.screw + elastic[k]) / std::cos(c.laws.screw.normal_angle) +
-      (approach.nut + elastic[6 + k]) / std::cos(c.laws.nut.normal_angle);
+  const double expected = (approach.screw + 3e-10 * load.screw + elastic[k]) / std::cos(c.laws.screw.normal_angle) +
+                          (approach.nut + elastic[6 + k]) / std::cos(c.laws.nut.normal_angle);
   EXPECT_NEAR(d.axial_displacement / expected, 1.0, 2e-3);
   // Held both ways nothing but the chain is left.
   BodyFlexibilities held = b;
   held.nut.face.reset();
-  EXPECT_NEAR(InfluenceSolver(held, 11, c.laws, open).solve(force).axial_displacement / expected,
-              1.0, 1e-11);
+  EXPECT_NEAR(InfluenceSolver(held, 11, c.laws, open).solve(force).axial_displacement / expected, 1.0, 1e-11);
 }
 
 TEST(InfluenceSolver, ShoulderFurtherOutIsSofter) {

@@ -14,9 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Matrices = MatrixCache::Matrices;
 
-Matrices sample() {
-  return {Eigen::MatrixXd::Random(3, 2), Eigen::MatrixXd(0, 4), Eigen::MatrixXd::Random(1, 1)};
-}
+Matrices sample() { return {Eigen::MatrixXd::Random(3, 2), Eigen::MatrixXd(0, 4), Eigen::MatrixXd::Random(1, 1)}; }
 
 fs::path only_file(const fs::path& directory) {
   fs::path found;
@@ -51,8 +49,7 @@ TEST(MatrixCache, OneThatKeepsOnlyFindsWhatAnotherHolds) {
   MatrixCache whole(directory.path());
   whole.get("in memory", given);
   MatrixCache kept(whole, MatrixCache::KeptOnly{});
-  for (const char* key : {"in a file", "in memory"})
-    EXPECT_EQ((*kept.get(key, sample))[0], matrices[0]) << key;
+  for (const char* key : {"in a file", "in memory"}) EXPECT_EQ((*kept.get(key, sample))[0], matrices[0]) << key;
   EXPECT_THROW(kept.get("absent", sample), NotKept);
   EXPECT_EQ(kept.computed(), 0);
 }

@@ -74,11 +74,8 @@ SectorCase random_refined(std::mt19937_64& random) {
   const double pitch = axial_pitch(c.mechanism);
   const double wall = c.structure.nut.outer_diameter - *c.mechanism.pitch_diameter.nut;
   if (flag())
-    for (const Part p : kParts)
-      c.mechanism.thread[p] = ThreadHeight{0.15 * pitch, std::min(0.18 * pitch, 0.1 * wall)};
-  return refined(
-      with_contacts(c, flag() ? RollerContacts::opposite : RollerContacts::half_pitch_apart),
-      effects);
+    for (const Part p : kParts) c.mechanism.thread[p] = ThreadHeight{0.15 * pitch, std::min(0.18 * pitch, 0.1 * wall)};
+  return refined(with_contacts(c, flag() ? RollerContacts::opposite : RollerContacts::half_pitch_apart), effects);
 }
 
 TEST(Refined, WithoutEffectsIsTheBarModel) {
@@ -88,8 +85,7 @@ TEST(Refined, WithoutEffectsIsTheBarModel) {
   for (const SectorCase& c : cases) {
     const double force = 2e3 * c.mechanism.rollers;
     const LoadDistribution bars = solve(c, force);
-    const LoadDistribution same =
-        solve(refined(with_contacts(c, RollerContacts::opposite), kNone), force);
+    const LoadDistribution same = solve(refined(with_contacts(c, RollerContacts::opposite), kNone), force);
     EXPECT_LE(largest_difference(bars, same), 1e-12 * force);
     EXPECT_NEAR(same.axial_displacement / bars.axial_displacement, 1.0, 1e-12);
     EXPECT_NEAR(*same.tangent_stiffness / *bars.tangent_stiffness, 1.0, 1e-12);
@@ -121,8 +117,8 @@ TEST(Refined, PoissonInTheScrewIsAnOffset) {
     const LoadDistribution bars = solve(c), offset = solve(refined(c, poisson));
     EXPECT_LE(largest_difference(bars, offset), 1e-9);
     const double area = pi * (10.5e-3 * 10.5e-3 - 3e-3 * 3e-3);
-    const double expected = -sense(c.direction) * 0.3 * std::tan(c.laws.screw.normal_angle) *
-                            10.5e-3 / (209e9 * area) * 45e3;
+    const double expected =
+        -sense(c.direction) * 0.3 * std::tan(c.laws.screw.normal_angle) * 10.5e-3 / (209e9 * area) * 45e3;
     EXPECT_NEAR((offset.axial_displacement - bars.axial_displacement) / expected, 1.0, 1e-9);
     EXPECT_NEAR(1.0 / *offset.tangent_stiffness - 1.0 / *bars.tangent_stiffness, expected / 45e3,
                 1e-9 * std::abs(expected / 45e3));
@@ -213,8 +209,7 @@ TEST(Refined, AnInvertedScrewIsPlainBeforeItsContactsAStandardOneThreaded) {
     const LoadDistribution far = solve(c);
     const double radius = type == Mechanism::Type::inverted ? 10.5e-3 : 10.2e-3;
     const double area = pi * (radius * radius - 3e-3 * 3e-3);
-    EXPECT_NEAR((far.axial_displacement - near.axial_displacement) / (45e3 * 0.29 / (209e9 * area)),
-                1.0, 1e-9);
+    EXPECT_NEAR((far.axial_displacement - near.axial_displacement) / (45e3 * 0.29 / (209e9 * area)), 1.0, 1e-9);
     EXPECT_LE(largest_difference(near, far), 1e-9 * 45e3);
   }
 }
@@ -226,12 +221,9 @@ TEST(Refined, RandomSectorsConvergeAndCarryTheLoad) {
     const double force = test::random_force(c, random);
     SectorSolver solver(c.build());
     const LoadDistribution r = solver.solve(force);
-    ASSERT_TRUE(r.solve.converged())
-        << k << ' ' << fe::name(r.solve.status) << ' ' << r.solve.relative_residual;
+    ASSERT_TRUE(r.solve.converged()) << k << ' ' << fe::name(r.solve.status) << ' ' << r.solve.relative_residual;
     for (const Interface i : kInterfaces)
-      ASSERT_NEAR(
-          sum(r.normal_load[i]) * std::cos(c.laws[i].normal_angle) * c.mechanism.rollers / force,
-          1.0, 1e-10)
+      ASSERT_NEAR(sum(r.normal_load[i]) * std::cos(c.laws[i].normal_angle) * c.mechanism.rollers / force, 1.0, 1e-10)
           << k;
   }
 }
@@ -246,8 +238,7 @@ TEST(Refined, RollerIsInMomentBalance) {
       const fe::Equations& equations = solver.equations();
       fe::NewtonSolver newton(equations);
       fe::State q = solver.equal_shares(45e3);
-      ASSERT_TRUE(
-          newton.solve(45e3 / 11 * solver.unit_load(), solver.newton_options(45e3), q).converged());
+      ASSERT_TRUE(newton.solve(45e3 / 11 * solver.unit_load(), solver.newton_options(45e3), q).converged());
       const LoadDistribution r = solver.solve(45e3);
       const double s = sense(c.direction);
       const double apart = contacts == RollerContacts::opposite ? 0.0 : 0.25 * p;
@@ -275,8 +266,7 @@ TEST(Refined, RollerIsInMomentBalance) {
 }
 
 TEST(Refined, MirroredNutUnderTheOtherDirectionSharesInReverse) {
-  for (const RollerContacts contacts :
-       {RollerContacts::opposite, RollerContacts::half_pitch_apart}) {
+  for (const RollerContacts contacts : {RollerContacts::opposite, RollerContacts::half_pitch_apart}) {
     SectorCase c = refined(with_contacts(abevi(), contacts));
     c.materials.screw.youngs_modulus = 1e20;  // the screw has a loaded end
     c.structure.nut.flanges = {{0.0, 10e-3, 62e-3}, {70e-3, 90e-3, 55e-3}};
@@ -288,8 +278,7 @@ TEST(Refined, MirroredNutUnderTheOtherDirectionSharesInReverse) {
     mirrored.structure.nut.flanges = {{0.0, 20e-3, 55e-3}, {80e-3, 90e-3, 62e-3}};
     const LoadDistribution a = solve(c);
     LoadDistribution b = solve(mirrored);
-    for (const Interface i : kInterfaces)
-      std::reverse(b.normal_load[i].begin(), b.normal_load[i].end());
+    for (const Interface i : kInterfaces) std::reverse(b.normal_load[i].begin(), b.normal_load[i].end());
     EXPECT_LT(largest_difference(a, b), 1e-8 * 45e3 / 11);
     EXPECT_NEAR(a.axial_displacement / b.axial_displacement, 1.0, 1e-9);
   }
@@ -310,8 +299,7 @@ std::vector<ReferenceRow> reference_rows() {
   std::vector<ReferenceRow> rows;
   std::string line;
   std::getline(in, line);
-  EXPECT_TRUE(line.starts_with(
-      "config,direction,guidance,lever,load_kN,displacement_um,stiffness_N_per_um,screw_1_%"))
+  EXPECT_TRUE(line.starts_with("config,direction,guidance,lever,load_kN,displacement_um,stiffness_N_per_um,screw_1_%"))
       << line;
   while (std::getline(in, line)) {
     std::replace(line.begin(), line.end(), ',', ' ');
@@ -321,12 +309,11 @@ std::vector<ReferenceRow> reference_rows() {
     double force = 0.0, displacement = 0.0, stiffness = 0.0;
     fields >> config >> direction >> guidance >> lever >> force >> displacement >> stiffness;
     ReferenceRow r;
-    r.sector = refined(with_contacts(
-        screw, lever == "opposite" ? RollerContacts::opposite : RollerContacts::half_pitch_apart));
+    r.sector = refined(
+        with_contacts(screw, lever == "opposite" ? RollerContacts::opposite : RollerContacts::half_pitch_apart));
     r.sector.position = config == 1 ? 54.3333333e-3 : config == 2 ? 29.1666667e-3 : 4e-3;
     r.sector.direction = direction == "tension" ? Direction::tension : Direction::compression;
-    if (guidance == "outer_node")
-      r.sector.structure.roller.guidance.kind = Guidance::Kind::outer_node;
+    if (guidance == "outer_node") r.sector.structure.roller.guidance.kind = Guidance::Kind::outer_node;
     r.force = 1e3 * force;
     r.displacement = 1e-6 * displacement;
     for (const Interface i : kInterfaces)
@@ -348,8 +335,7 @@ TEST(Refined, IsWithinFivePercentOfCalculixAndOnePercentOfTheLoad) {
     EXPECT_NEAR(row.displacement / r.axial_displacement, 1.0, 0.05) << row.force;
     for (const Interface i : kInterfaces)
       for (std::size_t k = 0; k < 20; ++k) {
-        const double rate =
-            r.normal_load[i][k] * std::cos(row.sector.laws[i].normal_angle) * 11 / row.force;
+        const double rate = r.normal_load[i][k] * std::cos(row.sector.laws[i].normal_angle) * 11 / row.force;
         EXPECT_NEAR(rate, row.rates[k][i], 0.010) << name(i) << ' ' << k + 1;
       }
   }
@@ -360,8 +346,7 @@ TEST(Refined, ApproachIsHertz) {
   const LoadDistribution r = solve(c);
   for (const Interface i : kInterfaces)
     for (std::size_t k = 0; k < 20; ++k)
-      EXPECT_NEAR(c.laws[i].hertz_constant * std::pow(r.approach[i][k], 1.5) / r.normal_load[i][k],
-                  1.0, 1e-12);
+      EXPECT_NEAR(c.laws[i].hertz_constant * std::pow(r.approach[i][k], 1.5) / r.normal_load[i][k], 1.0, 1e-12);
 }
 
 TEST(Refined, ComplianceOfTheContactLawStandsInSeries) {
@@ -372,8 +357,7 @@ TEST(Refined, ComplianceOfTheContactLawStandsInSeries) {
   const double rigid = solve(c).axial_displacement;
   c.laws.screw.compliance = 3e-9;
   const double cosine = std::cos(c.laws.screw.normal_angle);
-  EXPECT_NEAR((solve(c).axial_displacement - rigid) / (3e-9 * 45e3 / (220 * cosine * cosine)), 1.0,
-              1e-7);
+  EXPECT_NEAR((solve(c).axial_displacement - rigid) / (3e-9 * 45e3 / (220 * cosine * cosine)), 1.0, 1e-7);
 }
 
 TEST(LocalCompliance, RowsOnAHalfSpaceAreSumsOverTheirNeighbours) {
@@ -388,12 +372,9 @@ TEST(LocalCompliance, RowsOnAHalfSpaceAreSumsOverTheirNeighbours) {
   const double rest = 2.0 / p * std::log(reach / rho);
   const double normal = 0.91 / (pi * 209e9), tangential = 2.6 / (2.0 * pi * 209e9);
   const double expected =
-      (std::pow(std::sin(psi), 2) * normal + std::pow(std::cos(psi), 2) * tangential) *
-      (points - line + rest);
-  EXPECT_NEAR(
-      concentration_compliance<double>({reach, reach}, steel, p, std::sin(psi), std::cos(psi)) /
-          expected,
-      1.0, 1e-9);
+      (std::pow(std::sin(psi), 2) * normal + std::pow(std::cos(psi), 2) * tangential) * (points - line + rest);
+  EXPECT_NEAR(concentration_compliance<double>({reach, reach}, steel, p, std::sin(psi), std::cos(psi)) / expected, 1.0,
+              1e-9);
 }
 
 TEST(LocalCompliance, ReachOfRowsRoundACylinder) {
@@ -414,9 +395,7 @@ TEST(LocalCompliance, ReachOfOppositeRowsIsThatOfADisc) {
   const double nu = 0.3;
   double normal = 0.5 * (1.0 - 2.0 * nu) / (1.0 - nu), tail = 0.0;
   for (int n = 2000000; n >= 2; n -= 2)
-    tail += (2.0 * (1.0 - nu) * n - (1.0 - 2.0 * nu)) / (static_cast<double>(n) * n - 1.0) /
-                (1.0 - nu) -
-            2.0 / n;
+    tail += (2.0 * (1.0 - nu) * n - (1.0 - 2.0 * nu)) / (static_cast<double>(n) * n - 1.0) / (1.0 - nu) - 2.0 / n;
   normal += tail;  // ln(L/r) = this - ln(2 theta) + ln(theta)
   EXPECT_NEAR(opposite_rows(2e-3).normal / (2e-3 * std::exp(normal - std::log(2.0))), 1.0, 1e-5);
   EXPECT_NEAR(opposite_rows(2e-3).tangential / (2e-3 * std::exp(std::log(2.0) - 2.0)), 1.0, 1e-12);
@@ -427,17 +406,13 @@ TEST(LocalCompliance, CylindersAreLames) {
   const Material steel{209e9, 0.3, {}};
   const double r = 10e-3, p = 1.5e-3, psi = 0.8, s = std::sin(psi);
   const double pressure = 9.0 * s / (2.0 * pi * r * p);
-  EXPECT_NEAR(
-      cylinder_compliance<double>(r, 0.0, steel, 9.0, p, s) / (pressure * r * 0.7 / 209e9 * s), 1.0,
-      1e-12);
+  EXPECT_NEAR(cylinder_compliance<double>(r, 0.0, steel, 9.0, p, s) / (pressure * r * 0.7 / 209e9 * s), 1.0, 1e-12);
   // Tube: inner displacement by Lame's stresses, less q r 2 pi/(E 2 pi ln(R/r)) of its shell.
   const double outer = 16e-3, a = r * r / (outer * outer - r * r) * pressure;
   const double hoop = a * (1.0 + outer * outer / (r * r));
   const double inner_displacement = r / 209e9 * (hoop + 0.3 * pressure);
   const double membrane = pressure * r / (209e9 * std::log(outer / r));
-  EXPECT_NEAR(
-      wall_compliance<double>(r, outer, steel, 9.0, p, s) / ((inner_displacement - membrane) * s),
-      1.0, 1e-12);
+  EXPECT_NEAR(wall_compliance<double>(r, outer, steel, 9.0, p, s) / ((inner_displacement - membrane) * s), 1.0, 1e-12);
 }
 
 /// Share under a half-endless band of pressure at the distance x from its end, from Lur'e's
@@ -452,8 +427,7 @@ double exact_band_share(double x, double nu) {
     double wave = 1.0 / k;  // asymptote, times (1 + nu)
     if (k < 50.0) {
       const double ratio = std::cyl_bessel_i(0.0, k) / std::cyl_bessel_i(1.0, k);
-      wave = k < 0.05 ? 1.0 / (2.0 * (1.0 + nu))
-                      : 1.0 / (k * k * (ratio * ratio - 1.0) - 2.0 * (1.0 - nu));
+      wave = k < 0.05 ? 1.0 / (2.0 * (1.0 + nu)) : 1.0 / (k * k * (ratio * ratio - 1.0) - 2.0 * (1.0 - nu));
     }
     sum += std::sin(k * x) / k * 2.0 * (1.0 + nu) * wave * dk;
   }
@@ -465,8 +439,7 @@ std::vector<double> band_shares(int contacts, double pitch, double radius, doubl
   const double decay = band_decay(radius, 0.0, nu);
   std::vector<double> shares;
   for (int k = 0; k < contacts; ++k)
-    shares.push_back(1.0 - taken_by_end(decay, (k + 0.5) * pitch) -
-                     taken_by_end(decay, (contacts - k - 0.5) * pitch));
+    shares.push_back(1.0 - taken_by_end(decay, (k + 0.5) * pitch) - taken_by_end(decay, (contacts - k - 0.5) * pitch));
   return shares;
 }
 
@@ -558,8 +531,7 @@ TEST(NutShell, ShoulderIsTheStepOrTheEndUnlessStated) {
 }
 
 /// Rotation of a node under loads (u, v, theta) at the nodes, u held at the thrust section.
-double rotation(const NutLine& line, const NutShell& shell, int node,
-                const std::vector<fe::NodalLoad>& loads) {
+double rotation(const NutLine& line, const NutShell& shell, int node, const std::vector<fe::NodalLoad>& loads) {
   fe::Model m;
   m.nodes = static_cast<int>(line.sections.size());
   int first = 0;
@@ -592,8 +564,7 @@ TEST(NutShell, HousingPushesAtTheCentreOfPressure) {
   const double tilt = -rotation(line, shell, line.thrust, loads);
   EXPECT_GT(tilt, 0.0);  // opens the outer edge
   const double force = 11 * 2.0 * cosine / (2.0 * pi * radius);
-  EXPECT_NEAR(radius - ring.inner_radius,
-              centre_of_pressure(force, tilt, 8e-3, modulus / (1.0 - 0.09)), 1e-9);
+  EXPECT_NEAR(radius - ring.inner_radius, centre_of_pressure(force, tilt, 8e-3, modulus / (1.0 - 0.09)), 1e-9);
 }
 
 }  // namespace
