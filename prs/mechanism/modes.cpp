@@ -437,7 +437,7 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
   const double middle = 0.5 * (f_.roller_ends.first + f_.roller_ends.last);
   for (std::size_t k = 0; k < s_.rollers.size(); ++k) {
     const FullStructure::Roller& roller = s_.rollers[k];
-    const auto next = std::ranges::upper_bound(roller.x.begin() + 1, roller.x.end() - 1, middle);
+    const auto next = std::upper_bound(roller.x.begin() + 1, roller.x.end() - 1, middle);
     const auto i = static_cast<std::size_t>(next - roller.x.begin());
     const int a = roller.nodes[i - 1], b = roller.nodes[i];
     const double l = roller.x[i] - roller.x[i - 1], t = (middle - roller.x[i - 1]) / l;

@@ -32,6 +32,7 @@ from rollerscrew.records import (
     Life,
     LoadCase,
     Measures,
+    Mode,
     Model,
     Preload,
     PreloadPoint,
@@ -51,7 +52,16 @@ if TYPE_CHECKING:
 INTERFACES = ("screw", "nut")
 
 #: Records of a load case that have frames of their own.
-_OF_OTHER_FRAMES = ("screw_", "nut_", "slip_", "heat_", "measures_")
+_OF_OTHER_FRAMES = ("screw_", "nut_", "slip_", "heat_", "measures_", "travel_", "modes_")
+
+#: What a travel has at each position, and vectors with the axes that they have.
+_TRAVEL = ("angle_deg", "deviation_um", "tangent_stiffness_N_per_um")
+_TRAVEL_VECTORS = {
+    "screw_end_displacement_um": ("screw_end", "displacement_um", "xyz"),
+    "screw_end_rotation_mrad": ("screw_end", "rotation_mrad", "yz"),
+    "nut_force_N": ("nut_reaction", "force_N", "xyz"),
+    "nut_moment_Nm": ("nut_reaction", "moment_Nm", "yz"),
+}
 
 #: Load cases by their places or names: one, or several.
 Which = int | str | Iterable[int | str]
@@ -293,6 +303,46 @@ class SolveViews(LoadCasesResult):
     def plot_convergence(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Residual after each linear solve."""
         return self.plot_figure("convergence", ax, **look)
+
+
+    def travel_frame(self) -> pd.DataFrame:
+        """Deviation, stiffness, forces and rotations of travels, one row per load case and position."""
+        rows: list[dict[str, Any]] = []
+        for case in self._load_cases:
+            travel = case.travel
+            if travel is None or travel.angle_deg is None:
+                continue
+            columns: dict[str, Any] = {name: travel[name] for name in _TRAVEL}
+            for prefix, (record, name, axes) in _TRAVEL_VECTORS.items():
+                for k, axis in enumerate(axes):
+                    columns[f"{prefix}_{axis}"] = travel[record][name][:, k]
+            rows += [
+                {"case": case.name} | {name: values[k] for name, values in columns.items()}
+                for k in range(len(travel.angle_deg))
+            ]
+        told: Kinds = {"case": str} | dict.fromkeys(_TRAVEL, float)
+        for prefix, (_, _, axes) in _TRAVEL_VECTORS.items():
+            told |= {f"{prefix}_{axis}": float for axis in axes}
+        return frame_of(rows, told)
+
+    def modes_frame(self) -> pd.DataFrame:
+        """Natural frequencies, effective masses and shares of energy, one row per mode."""
+        told: Kinds = {"case": str, "mode": int, **kinds_of(Mode)}
+        rows = [
+            {"case": case.name, "mode": number} | dict(flat(mode))
+            for case in self._load_cases
+            if case.modes is not None
+            for number, mode in enumerate(case.modes.mode, 1)
+        ]
+        return frame_of(rows, told)
+
+    def plot_travel_deviation(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Travel deviation over the turn, with its bands."""
+        return self.plot_figure("travel_deviation", ax, **look)
+
+    def plot_campbell(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Natural frequencies and the orders that meet them over the speed."""
+        return self.plot_figure("campbell", ax, **look)
 
 
 class SlipViews(SolveViews):

@@ -86,3 +86,19 @@ def test_flags_and_counts_with_gaps_are_numbers() -> None:
     assert gaps.dtypes.tolist() == [np.float64, np.float64]
     whole = frame_of(rows[:1], {"flag": bool, "count": int})
     assert whole.dtypes.tolist() == [np.bool_, np.int64]
+
+
+def test_travel_and_modes_have_a_row_per_position_and_mode() -> None:
+    result = answer(33, "solve", rs.SolveResult)
+    travel, modes = result.travel_frame(), result.modes_frame()
+    assert set(travel["case"]) == {"pull", "table"} and set(modes["case"]) == {"table"}
+    pull = travel[travel["case"] == "pull"]
+    assert len(pull) == 2 * 16 + 1
+    assert pull["angle_deg"].is_monotonic_increasing
+    assert pull["screw_end_displacement_um_x"].tolist() == pull["deviation_um"].tolist()
+    force = result.load_case("pull").axial_force_N
+    assert np.allclose(np.abs(pull["nut_force_N_x"]), force, rtol=1e-9)
+    assert modes["frequency_Hz"].is_monotonic_increasing and modes["frequency_Hz"].iloc[0] > 0
+    assert modes["mode"].tolist() == list(range(1, len(modes) + 1))
+    energy = modes.filter(like="kinetic_energy_percent_").sum(axis=1)
+    assert np.allclose(energy, 100.0, rtol=1e-6)

@@ -307,17 +307,13 @@ TEST(FullMechanism, RandomCasesConvergeOrHaveNoEquilibrium) {
   EXPECT_GT(converged, count / 2);
 }
 
-Lateral turned(Lateral l, double angle) {
-  return {l.y * std::cos(angle) - l.z * std::sin(angle), l.y * std::sin(angle) + l.z * std::cos(angle)};
-}
-
 TEST(FullMechanism, TurnsWithItsLoads) {
   const double angle = 0.7;
   Case c = side_loaded();
   const FullDistribution before = solve(model_of(c));
   SpatialLoad& load = c.load_cases[0].spatial;
   load.carrier_angle += angle;
-  for (Lateral* l : {&load.side_force.value, &load.moment.value, &load.eccentricity}) *l = turned(*l, angle);
+  for (Lateral* l : {&load.side_force.value, &load.moment.value, &load.eccentricity}) *l = test::turned(*l, angle);
   const FullDistribution after = solve(model_of(c));
   for (const Interface i : kInterfaces)
     EXPECT_LT(largest_difference(before.normal_load[i], after.normal_load[i]), 1e-10 * largest(before.normal_load[i]));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -27,18 +28,18 @@ using testing::Contains;
 using testing::HasSubstr;
 
 /// Solved cases of an independent program, 12 digits.
-const json& reference() {
+const json& motion_cases() {
   static const json cases = json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/mechanism/motion_cases.json"));
   return cases;
 }
-json input_of(std::size_t k) { return reference().at("cases").at(k).at("input"); }
+json input_of(std::size_t k) { return motion_cases().at("cases").at(k).at("input"); }
 
-Case case_of(const json& input) { return input::read_case_text(input.dump(), "case", {}, Command::solve); }
+Case motion_case(const json& input) { return input::read_case_text(input.dump(), "case", {}, Command::solve); }
 
 /// Five rollers of a standard and of an inverted screw, nothing fixed in space but the axial force.
 Case screw(Mechanism::Type type) {
   const bool standard = type == Mechanism::Type::standard;
-  Case c = case_of(input_of(standard ? 1 : 0));
+  Case c = motion_case(input_of(standard ? 1 : 0));
   c.structure->screw.bearings.clear();
   c.load_cases[0].spatial = {};
   c.load_cases[0].modes.reset();
@@ -49,15 +50,15 @@ Case screw(Mechanism::Type type) {
 }
 constexpr Mechanism::Type kTypes[] = {Mechanism::Type::standard, Mechanism::Type::inverted};
 
-LoadCaseResult solved(const Case& c) { return analyze(c).load_cases.at(0); }
+LoadCaseResult first_result(const Case& c) { return analyze(c).load_cases.at(0); }
 
 TravelResult travel_of(const Case& c) {
-  const LoadCaseResult result = solved(c);
+  const LoadCaseResult result = first_result(c);
   EXPECT_TRUE(result.full && result.full->travel && result.full->travel->converged());
   return result.full && result.full->travel ? *result.full->travel : TravelResult{};
 }
 ModesResult modes_of(const Case& c) {
-  const LoadCaseResult result = solved(c);
+  const LoadCaseResult result = first_result(c);
   EXPECT_TRUE(result.full && result.full->modes);
   return result.full && result.full->modes ? *result.full->modes : ModesResult{};
 }
@@ -94,48 +95,52 @@ void add_errors(Case& c, unsigned seed) {
   r.harmonics = {{2, {1e-6, {}}, {angle(), {}}}};
 }
 
-/// Numbers of the reference against those of the document, to a share of the largest one in a list
-/// of them.
-void expect_near(const json& wanted, const json& got, double share, const std::string& path, double scale = 0.0) {
+/// Calls `visit(path, number, other)` for every number of `wanted`; paths have no indices.
+void for_each_number(const json& wanted, const json& got, const std::string& path,
+                     const std::function<void(const std::string&, double, double)>& visit) {
   if (wanted.is_object()) {
     for (const auto& [key, value] : wanted.items()) {
       ASSERT_TRUE(got.contains(key)) << path << "." << key;
-      expect_near(value, got.at(key), share, path + "." + key, scale);
+      for_each_number(value, got.at(key), path + "." + key, visit);
     }
   } else if (wanted.is_array()) {
     ASSERT_EQ(wanted.size(), got.size()) << path;
-    std::function<void(const json&)> enlarge = [&](const json& item) {
-      if (item.is_array()) std::ranges::for_each(item, enlarge);
-      if (item.is_number()) scale = std::max(scale, std::abs(item.get<double>()));
-    };
-    enlarge(wanted);
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-      expect_near(wanted[i], got[i], share, path + "[" + std::to_string(i) + "]", scale);
+    for (std::size_t i = 0; i < wanted.size(); ++i) for_each_number(wanted[i], got[i], path + "[]", visit);
   } else if (wanted.is_number_float()) {
-    const double value = wanted.get<double>();
-    EXPECT_NEAR(got.get<double>(), value, share * std::max(std::abs(value), scale) + 1e-8) << path;
+    visit(path, wanted.get<double>(), got.get<double>());
   } else {
     EXPECT_EQ(wanted, got) << path;
   }
 }
 
+/// To a share of the largest number under the same path.
+void expect_agreement(const json& wanted, const json& got, double share) {
+  std::map<std::string, double> largest;
+  for_each_number(wanted, got, "", [&](const std::string& path, double value, double) {
+    largest[path] = std::max(largest[path], std::abs(value));
+  });
+  for_each_number(wanted, got, "", [&](const std::string& path, double value, double other) {
+    EXPECT_NEAR(other, value, share * largest[path] + 1e-8) << path;
+  });
+}
+
 TEST(Motion, AgreesWithAnIndependentProgram) {
-  for (const json& one : reference().at("cases")) {
+  for (const json& one : motion_cases().at("cases")) {
     SCOPED_TRACE(one.at("name").get<std::string>());
-    const Result result = analyze(case_of(one.at("input")));
+    const Result result = analyze(motion_case(one.at("input")));
     const json document = json::parse(load_case_json(result, 0)->dump());
-    expect_near(one.at("result"), document, 1e-8, "");
+    expect_agreement(one.at("result"), document, 1e-8);
   }
 }
 
 TEST(Motion, WrongInputIsRefusedAndAPositionWithoutEquilibriumTold) {
-  for (const json& one : reference().at("errors")) {
+  for (const json& one : motion_cases().at("errors")) {
     SCOPED_TRACE(one.at("name").get<std::string>());
     if (one.at("status") == 2) {
-      EXPECT_THROW(case_of(one.at("input")), input::InputError);
+      EXPECT_THROW(motion_case(one.at("input")), input::InputError);
       continue;
     }
-    const Result result = analyze(case_of(one.at("input")));
+    const Result result = analyze(motion_case(one.at("input")));
     EXPECT_FALSE(all_converged(result));
     const LoadCaseResult& r = result.load_cases[0];
     EXPECT_TRUE(r.converged());
@@ -150,7 +155,7 @@ TEST(Motion, WrongInputIsTold) {
     json input = input_of(5);
     change(input);
     try {
-      case_of(input);
+      motion_case(input);
     } catch (const input::InputError& error) {
       return std::string(error.what());
     }
@@ -242,10 +247,6 @@ TEST(Motion, ATurningNutIsATurningScrewWhereNothingIsFixedInSpace) {
   }
 }
 
-Lateral turned(const Lateral& l, double a) {
-  return {std::cos(a) * l.y - std::sin(a) * l.z, std::sin(a) * l.y + std::cos(a) * l.z};
-}
-
 TEST(Motion, TurnsWithEverything) {
   constexpr double kAngle = 0.7;
   for (const Mechanism::Type type : kTypes) {
@@ -256,8 +257,8 @@ TEST(Motion, TurnsWithEverything) {
     const TravelResult before = travel_of(c);
     SpatialLoad& load = c.load_cases[0].spatial;
     load.carrier_angle += kAngle;
-    load.eccentricity = turned(load.eccentricity, kAngle);
-    load.moment.value = turned(load.moment.value, kAngle);
+    load.eccentricity = test::turned(load.eccentricity, kAngle);
+    load.moment.value = test::turned(load.moment.value, kAngle);
     for (const Interface i : kInterfaces) {
       TurningThread& t = c.deviations.turning.thread[i];
       t.eccentricity.angle += kAngle;
@@ -273,7 +274,7 @@ TEST(Motion, TurnsWithEverything) {
     const TravelResult after = travel_of(c);
     expect_same(before, after);
     for (std::size_t k = 0; k < before.end_rotation.size(); ++k) {
-      const Lateral wanted = turned(before.end_rotation[k], kAngle);
+      const Lateral wanted = test::turned(before.end_rotation[k], kAngle);
       EXPECT_NEAR(after.end_rotation[k].y, wanted.y, 1e-11);
       EXPECT_NEAR(after.end_rotation[k].z, wanted.z, 1e-11);
     }
@@ -294,20 +295,31 @@ TEST(Motion, TwoTinyErrorsAddUp) {
     EXPECT_NEAR(both[k] - none[k], first[k] + second[k] - 2.0 * none[k], 1e-14);
 }
 
+void expect_positions_to_be_static_cases(const Case& c) {
+  const TravelResult t = travel_of(c);
+  for (const int position : {1, 7}) {
+    Case there = c;
+    there.load_cases[0].travel->from = t.travel.angle(position);
+    const LoadCaseResult r = first_result(there);
+    const auto at = static_cast<std::size_t>(position);
+    EXPECT_NEAR(t.tangent_stiffness[at], *r.tangent_stiffness, 1e-7 * *r.tangent_stiffness);
+    EXPECT_NEAR((t.nut.force[at] - r.full->nut.force).norm(), 0.0, 1e-5);
+    EXPECT_NEAR(t.end_rotation[at].y, r.full->screw_end.displacement[3], 1e-11);
+    EXPECT_NEAR(t.displacement[at], r.full->travel->displacement[0], 1e-13);
+  }
+}
+
 TEST(Motion, APositionIsTheStaticCaseThere) {
-  for (const std::size_t k : {0, 3}) {
-    Case c = case_of(input_of(k));
-    const TravelResult t = travel_of(c);
-    for (const int position : {1, 7}) {
-      Case there = c;
-      there.load_cases[0].travel->from = t.travel.angle(position);
-      const LoadCaseResult r = solved(there);
-      const auto at = static_cast<std::size_t>(position);
-      EXPECT_NEAR(t.tangent_stiffness[at], *r.tangent_stiffness, 1e-7 * *r.tangent_stiffness);
-      EXPECT_NEAR((t.nut.force[at] - r.full->nut.force).norm(), 0.0, 1e-5);
-      EXPECT_NEAR(t.end_rotation[at].y, r.full->screw_end.displacement[3], 1e-11);
-      EXPECT_NEAR(t.displacement[at], r.full->travel->displacement[0], 1e-13);
-    }
+  for (const std::size_t k : {0, 3}) expect_positions_to_be_static_cases(motion_case(input_of(k)));
+}
+
+TEST(Motion, APositionIsTheStaticCaseThereOnOtherBodies) {
+  for (const auto bodies : {ModelOptions::Bodies::refined, ModelOptions::Bodies::influence}) {
+    if (bodies == ModelOptions::Bodies::influence && !test::thorough()) continue;
+    Case c = screw(Mechanism::Type::standard);
+    c.model.bodies = bodies;
+    add_errors(c, 5);
+    expect_positions_to_be_static_cases(c);
   }
 }
 
@@ -447,7 +459,7 @@ TEST(Motion, AHeavyMassSwingsOnTheTangentStiffness) {
     Case c = vibrating(type);
     c.structure->screw.bearings = {{.position = loaded_section(c), .tilt = kRigid}};
     c.structure->masses = {heavy(ExtraMass::Carrier::screw, loaded_section(c))};
-    const LoadCaseResult r = solved(c);
+    const LoadCaseResult r = first_result(c);
     const double wanted = std::sqrt(*r.tangent_stiffness / 1e6) / (2.0 * pi);
     EXPECT_NEAR(r.full->modes->modes[0].frequency, wanted, 1e-6 * wanted);
 
@@ -507,7 +519,7 @@ TEST(Motion, HeavyRollersTurnWithTheDrive) {
 }
 
 TEST(Motion, MassesStandStillWhileTheCarrierTurns) {
-  Case c = case_of(input_of(4));
+  Case c = motion_case(input_of(4));
   c.load_cases[0].travel = Travel{};
   c.load_cases[0].travel->from = 0.9;
   const ModesResult turned = modes_of(c);
@@ -528,7 +540,7 @@ TEST(Motion, ContactsAloneHaveFrequenciesLikeTheSixthRootOfTheForce) {
 }
 
 TEST(Motion, AllModesTogetherHaveTheMassAndEnergiesAddUp) {
-  Case c = case_of(input_of(4));
+  Case c = motion_case(input_of(4));
   c.structure->nut.housing = {1e7, 1e7, 1e4};
   c.structure->screw.bearings.clear();
   c.load_cases[0].modes->count = 10'000;
@@ -584,7 +596,7 @@ TEST(Motion, APinnedScrewUnderAxialForceIsABeam) {
   }
   c.load_cases[0].direction = Direction::compression;
   c.load_cases[0].axial_force = 1.3 * stiffness;
-  EXPECT_THAT(sentences(solved(c).warnings), Contains(HasSubstr("the screw buckles")));
+  EXPECT_THAT(sentences(first_result(c).warnings), Contains(HasSubstr("the screw buckles")));
 }
 
 TEST(Motion, NodesThatLieCloseAreExact) {
@@ -611,12 +623,12 @@ TEST(Motion, NodesThatLieCloseAreExact) {
 }
 
 TEST(Motion, IdleRollersHaveNoPartInTheModes) {
-  Case c = case_of(input_of(4));
+  Case c = motion_case(input_of(4));
   c.load_cases[0].modes->count = 3;
   c.deviations.roller_diameters.assign(7, 0.0);
   c.deviations.roller_diameters[2] = -1e-4;
   c.load_cases[0].axial_force = 1e3;
-  const LoadCaseResult r = solved(c);
+  const LoadCaseResult r = first_result(c);
   EXPECT_EQ(r.full->modes->idle_rollers, std::vector<int>{3});
   EXPECT_EQ(r.full->modes->modes[0].axial[2], 0.0);
   EXPECT_THAT(sentences(r.warnings), Contains(HasSubstr("have no part in the modes")));
