@@ -29,12 +29,19 @@ Case as_sector(Case c) {
   d.missing_rollers.clear();
   d.index_error = {};
   d.thread_eccentricity = {};
+  d.turning = {};
   d.pitch_error.roller.lists.clear();
   c.structure->screw.far_length = 0.0;
   c.structure->screw.bearings.clear();
+  c.structure->screw.drive.reset();
+  c.structure->masses.clear();
   c.structure->roller.rings = {};
   c.structure->nut.housing = {};
-  for (LoadCase& load : c.load_cases) load.spatial = {};
+  for (LoadCase& load : c.load_cases) {
+    load.spatial = {};
+    load.travel.reset();
+    load.modes.reset();
+  }
   if (c.life) c.life->load_case.reset();
   return c;
 }

@@ -10,7 +10,12 @@ constexpr Colour kColours[] = {Colour::blue,   Colour::vermillion, Colour::green
                                Colour::purple, Colour::orange,     Colour::sky};
 Style line_number(std::size_t k) { return line_of(kColours[k % std::size(kColours)]); }
 
-bool has_travel(const LoadCaseResult& r) { return r.full && r.full->travel && r.full->travel->converged(); }
+/// Above rounding: without errors that turn a travel shows nothing.
+bool has_travel(const LoadCaseResult& r) {
+  if (!r.full || !r.full->travel || !r.full->travel->converged()) return false;
+  const auto [least, most] = std::ranges::minmax(r.full->travel->displacement);
+  return most - least > 1e-12;
+}
 bool has_modes(const LoadCaseResult& r) { return r.full && r.full->modes && !r.full->modes->modes.empty(); }
 bool has_modes_along_travel(const LoadCaseResult& r) { return has_modes(r) && r.full->modes->along_travel; }
 
@@ -216,20 +221,24 @@ Figures mode_frequencies(const Result& result, const FigureOptions& options) {
 Figures campbell(const Result& result, const FigureOptions& options) {
   constexpr std::size_t kMost = 6;
   const LoadCaseResult* shown = chosen_case(result, options, has_modes);
-  if (!shown) return {};
+  if (!shown || shown->full->modes->orders.empty()) return {};
   const ModesResult& m = *shown->full->modes;
   Figure figure = figure_of("campbell", "Speeds at which orders meet natural frequencies", *shown);
   const std::size_t modes = std::min(m.modes.size(), kMost);
-  const double highest = 1.1 * m.modes[modes - 1].frequency;
-  const double speed = 60.0 * highest;
+  const auto [slowest, fastest] = std::ranges::minmax(m.orders, {}, &MotionOrder::order);
+  const double speed = 1.2 * 60.0 * m.modes[0].frequency / slowest.order;  // Every order meets the lowest one.
+  const double highest = std::min(1.1 * m.modes[modes - 1].frequency, speed / 60.0 * fastest.order);
   Panel panel;
   for (std::size_t k = 0; k < m.orders.size(); ++k) {
     const double end = std::min(speed, 60.0 * highest / m.orders[k].order);
-    panel.series.push_back({figure.add(std::string(m.orders[k].name), line_number(k)),
-                            {{{0.0, 0.0}, {end, m.orders[k].order * end / 60.0}}}});
+    std::string name(m.orders[k].name);
+    std::ranges::replace(name, '_', ' ');
+    panel.series.push_back(
+        {figure.add(std::move(name), line_number(k)), {{{0.0, 0.0}, {end, m.orders[k].order * end / 60.0}}}});
   }
   const std::size_t style = figure.add("natural frequency", line_of(Colour::ink, Dash::dashed, Weight::thin));
-  for (std::size_t k = 0; k < modes; ++k) panel.references.push_back({style, m.modes[k].frequency});
+  for (const Mode& mode : m.modes)
+    if (mode.frequency < highest) panel.references.push_back({style, mode.frequency});
   figure.x = {"Speed of screw against nut", "rpm", 0.0, speed};
   figure.y = {"Frequency", "Hz", 0.0, highest};
   figure.panels.push_back(std::move(panel));
@@ -249,13 +258,13 @@ std::vector<Headline> frequencies(const Result& result) {
   headlines.push_back({"Lowest natural frequency", "frequency_Hz", frequency, lowest->load_case.name});
   double most = 0.0;
   for (const MotionOrder& o : lowest->full->modes->orders) most = std::max(most, o.order);
-  headlines.push_back({"Lowest speed at which an order meets it", "critical_speed_rpm", 60.0 * frequency / most,
-                       lowest->load_case.name});
+  headlines.push_back({"Lowest speed at which an order meets it", "critical_speed_rpm",
+                       2.0 * std::numbers::pi * frequency / most, lowest->load_case.name});
   return headlines;
 }
 
 Pictures motion_pictures(const Result& r) {
-  constexpr const char* kTravel = "`travel` in a load case of the full mechanism";
+  constexpr const char* kTravel = "`travel` in a load case of the full mechanism, and errors that turn";
   constexpr const char* kModes = "`modes` in a load case of the full mechanism";
   return {{"travel_deviation", kTravel, of_result(r, travel_deviation)},
           {"travel_orders", kTravel, of_result(r, travel_orders)},

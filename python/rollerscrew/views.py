@@ -304,9 +304,8 @@ class SolveViews(LoadCasesResult):
         """Residual after each linear solve."""
         return self.plot_figure("convergence", ax, **look)
 
-
     def travel_frame(self) -> pd.DataFrame:
-        """Deviation, stiffness, forces and rotations of travels, one row per load case and position."""
+        """Deviation, stiffness, forces and rotations, one row per load case and position."""
         rows: list[dict[str, Any]] = []
         for case in self._load_cases:
             travel = case.travel
@@ -317,13 +316,14 @@ class SolveViews(LoadCasesResult):
                 for k, axis in enumerate(axes):
                     columns[f"{prefix}_{axis}"] = travel[record][name][:, k]
             rows += [
-                {"case": case.name} | {name: values[k] for name, values in columns.items()}
+                {"case": case.name, **{name: values[k] for name, values in columns.items()}}
                 for k in range(len(travel.angle_deg))
             ]
-        told: Kinds = {"case": str} | dict.fromkeys(_TRAVEL, float)
-        for prefix, (_, _, axes) in _TRAVEL_VECTORS.items():
-            told |= {f"{prefix}_{axis}": float for axis in axes}
-        return frame_of(rows, told)
+        vectors = [
+            f"{name}_{axis}" for name, (*_, axes) in _TRAVEL_VECTORS.items() for axis in axes
+        ]
+        numbers: Kinds = dict.fromkeys((*_TRAVEL, *vectors), float)
+        return frame_of(rows, {"case": str, **numbers})
 
     def modes_frame(self) -> pd.DataFrame:
         """Natural frequencies, effective masses and shares of energy, one row per mode."""

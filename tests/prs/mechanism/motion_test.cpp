@@ -481,6 +481,19 @@ TEST(Motion, AHeavyMassSwingsOnTheTangentStiffness) {
   }
 }
 
+TEST(Motion, HeadlinesAreOfTheLowestModeAndTheFastestOrder) {
+  Case c = vibrating(Mechanism::Type::standard);
+  c.structure->masses = {heavy(ExtraMass::Carrier::screw, loaded_section(c))};
+  const Result result = analyze(c);
+  const Mode& lowest = result.load_cases.at(0).full->modes->modes.at(0);
+  const std::vector<Headline> headlines = frequencies(result);
+  ASSERT_EQ(headlines.size(), 2u);
+  EXPECT_EQ(headlines[0].value, lowest.frequency);
+  double most = 0.0;
+  for (const MotionOrder& o : result.load_cases[0].full->modes->orders) most = std::max(most, o.order);
+  EXPECT_DOUBLE_EQ(headlines[1].value * most, 2.0 * pi * lowest.frequency);  // [rad/s]
+}
+
 TEST(Motion, HeavyRollersTurnWithTheDrive) {
   for (const Mechanism::Type type : kTypes) {
     const bool standard = type == Mechanism::Type::standard;
@@ -597,6 +610,33 @@ TEST(Motion, APinnedScrewUnderAxialForceIsABeam) {
   c.load_cases[0].direction = Direction::compression;
   c.load_cases[0].axial_force = 1.3 * stiffness;
   EXPECT_THAT(sentences(first_result(c).warnings), Contains(HasSubstr("the screw buckles")));
+}
+
+TEST(Motion, AFreeScrewIsAFreeBarAndBeam) {
+  Case c = long_screw(1.5);
+  const double threads = (c.mechanism.contacts_per_roller - 1) * c.mechanism.lead / c.mechanism.starts.screw;
+  const double length = 1.5 + threads + c.structure->screw.far_length;
+  c.structure->screw.bearings.clear();
+  c.load_cases[0].axial_force = 1e-9;  // Contacts that hold next to nothing.
+  c.load_cases[0].modes->count = 40;
+  const Material& steel = c.materials->screw;
+  const double outer = *c.mechanism.pitch_diameter.screw, inner = c.structure->screw.bore;
+  const double radius_of_gyration = 0.25 * std::hypot(outer, inner);
+  const double sound = std::sqrt(steel.youngs_modulus / *steel.density);
+  const std::vector<Mode> modes = modes_of(c).modes;
+  const auto nearest = [&](double wanted) {
+    double found = 0.0;
+    for (const Mode& m : modes)
+      if (m.kinetic.screw > 0.9 && std::abs(m.frequency - wanted) < std::abs(found - wanted)) found = m.frequency;
+    return found;
+  };
+  const double bar = sound / (2.0 * length);
+  EXPECT_NEAR(nearest(bar), bar, 2e-4 * bar);
+  // With rotary inertia, by the slope of the first mode: sigma k (sigma k + 6) = 49.481, k = 4.73004, sigma = 0.982502.
+  const double slender = std::pow(radius_of_gyration / length, 2);
+  const double beam =
+      22.3733 / (2.0 * pi * length * length) * sound * radius_of_gyration / std::sqrt(1.0 + 49.481 * slender);
+  EXPECT_NEAR(nearest(beam), beam, 2e-5 * beam);
 }
 
 TEST(Motion, NodesThatLieCloseAreExact) {
