@@ -181,6 +181,21 @@ def case_16(run, folder):
     return values
 
 
+def case_17(run, folder):
+    travel, values = run("solve", folder)["load_cases"][0]["travel"], {}
+    for k, value in enumerate(travel["deviation_um"]):
+        values[f"deviation_{k}_um"] = value
+    for key in ("peak_to_peak_um", "mean_travel_deviation_um", "variation_um"):
+        values[key] = travel[key]
+    for body in ("screw", "nut"):
+        loads = travel[body]
+        for name in ("largest", "least"):
+            values[f"{name}_thread_load_{body}_N"] = loads[f"{name}_normal_load_N"]
+        for j, of_roller in enumerate(loads["mean_normal_load_N"], 1):
+            values[f"mean_thread_load_{body}_{j}_1_N"] = of_roller[0]
+    return values
+
+
 def case_20(run, folder):
     values = {}
     for axis, file in (("horizontal", "case.yaml"), ("vertical", "case_vertical.yaml"),
@@ -202,7 +217,7 @@ def case_20(run, folder):
 
 CASES = {"01": case_01, "02": case_02, "03": sectors, "04": case_04, "05": sectors, "06": case_06, "07": full,
          "08": full, "09": full, "10": full, "11": full, "12": case_12, "13": case_13, "14": case_14, "15": case_15,
-         "16": case_16, "20": case_20}
+         "16": case_16, "17": case_17, "20": case_20}
 
 
 def expected(folder):

@@ -1,4 +1,4 @@
-"""The seventeen cases in numbers: what each expects, how sure that is, and where it comes from.
+"""The eighteen cases in numbers: what each expects, how sure that is, and where it comes from.
 
 Nothing here uses the program that the benchmark was made beside. Case NN is the function `case_NN`; it fills rows
 (quantity, unit, value, uncertainty, reason, source, counts).
@@ -240,6 +240,37 @@ def case_10(rows):
 
 def case_11(rows):
     mechanism_rows(rows, "thick roller", diameters=(4e-6, 0.0, 0.0, 0.0, 0.0))
+
+
+def case_17(rows):
+    """The clamped screw with a thick roller, eccentric screw and nut, over two turns."""
+    epsilon, steps, turns = 21.0 / (21.0 + 35.0), 12, 2
+    why = "rounding and the end of the iteration"
+    deviation, loads, side = [], [], []
+    for k in range(steps * turns + 1):
+        theta = 2 * pi * k / steps
+        m = Mechanism(**(SCREW_B | dict(
+            clamped=True, diameters=(3e-6, 0.0, -1e-6, 2e-6, 0.0), turn=epsilon * theta,
+            eccentric=((6e-6, radians(20) + theta), (4e-6, radians(-70))))))
+        r = m.solve()
+        deviation.append(r["travel"])
+        loads.append(r["normal"])
+    deviation = np.array(deviation) - np.mean(deviation)
+    travel = np.arange(len(deviation)) / (steps * turns)
+    slope = np.polyfit(travel, deviation, 1)[0]
+    off = deviation - slope * (travel - travel.mean())
+    for k, value in enumerate(deviation):
+        rows.add(f"deviation_{k}_um", "um", 1e6 * value, 1e-5, "1e-5 um: " + why, TWO)
+    rows.add("peak_to_peak_um", "um", 1e6 * np.ptp(deviation), 1e-5, "1e-5 um: " + why, TWO)
+    rows.add("mean_travel_deviation_um", "um", 1e6 * slope, 1e-5, "1e-5 um: " + why, TWO)
+    rows.add("variation_um", "um", 1e6 * np.ptp(off), 1e-5, "1e-5 um: " + why, TWO)
+    loads = np.array(loads)
+    for i, body in enumerate(("screw", "nut")):
+        rows.relative(f"largest_thread_load_{body}_N", "N", loads[:, i].max(), 1e-6, why, TWO)
+        rows.relative(f"least_thread_load_{body}_N", "N", loads[:, i].min(), 1e-6, why, TWO)
+        mean = loads[:, i].mean(axis=0)
+        for j in range(5):
+            rows.relative(f"mean_thread_load_{body}_{j + 1}_1_N", "N", mean[j, 0], 1e-6, why, TWO)
 
 
 # --- 12 to 15: the screw turns

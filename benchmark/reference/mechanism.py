@@ -43,6 +43,8 @@ class Mechanism:
     clamped: bool = False                # the screw's loaded section: no motion across, no tilt
     missing: tuple = ()                  # rollers, from 0
     diameters: tuple = None              # deviations of the rollers' diameters
+    turn: float = 0.0                    # of the carrier
+    eccentric: tuple = ((0.0, 0.0), (0.0, 0.0))  # threads of screw and nut off their axes: amount, azimuth in space
     result: dict = field(default_factory=dict)
 
     def solve(self):
@@ -75,12 +77,15 @@ class Mechanism:
         arm = (self.centre_distance - r, self.centre_distance + r)
         present = [j for j in range(self.rollers) if j not in self.missing]
         larger = {j: 0.5 * (self.diameters[j] if self.diameters else 0.0) for j in present}
-        gap = [[-sin(self.angle[i]) * larger[j] for j in present] for i in (0, 1)]
+        azimuth = [2 * pi * j / self.rollers + self.turn for j in range(self.rollers)]
+        outwards = [{j: amount * cos(azimuth[j] - at) for j in present} for amount, at in self.eccentric]
+        gap = [[-sin(self.angle[0]) * (larger[j] + outwards[0][j]) for j in present],
+               [-sin(self.angle[1]) * (larger[j] - outwards[1][j]) for j in present]]
         least = [min(g) for g in gap]
         (c_k, s_k), (c_g, s_g) = ((cos(a), sin(a)) for a in self.angle)
         at = [x[0] - p / 2 - self.end_length, x[0] - p / 2, *x, x[-1] + p / 2, x[-1] + p / 2 + self.end_length]
         for q, j in enumerate(present):
-            e_y, e_z = cos(2 * pi * j / self.rollers), sin(2 * pi * j / self.rollers)
+            e_y, e_z = cos(azimuth[j]), sin(azimuth[j])
             roller = [f.freedoms(3) for _ in at]
             for i in range(len(at) - 1):
                 d = self.end_diameter if i in (0, len(at) - 2) else self.roller_diameter
@@ -105,6 +110,7 @@ class Mechanism:
         for q, j in enumerate(present):
             both[0, j] = normal[2 * n * q : 2 * n * q + n]
             both[1, j] = normal[2 * n * q + n : 2 * n * (q + 1)]
-        self.result = {"normal": both, "displacement": s * u[loaded[0]], "lateral": (u[loaded[1]], u[loaded[2]]),
+        common = least[0] / cos(self.angle[0]) + least[1] / cos(self.angle[1])
+        self.result = {"normal": both, "displacement": s * u[loaded[0]], "travel": u[loaded[0]] + s * common, "lateral": (u[loaded[1]], u[loaded[2]]),
                        "rotation": (-u[loaded[4]], u[loaded[3]])}
         return self.result

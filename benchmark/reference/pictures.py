@@ -122,6 +122,17 @@ def around(number, note, missing=(), thick=()):
     return fig
 
 
+def travel():
+    rows = expected("17")
+    figure, ax = plt.subplots(figsize=(7, 2.8))
+    deviation = [rows[f"deviation_{k}_um"] for k in range(25)]
+    ax.plot([k / 12 for k in range(25)], deviation, marker="o", markersize=3)
+    ax.set_xlabel("turns of the screw against the nut")
+    ax.set_ylabel("travel deviation, um")
+    ax.grid(alpha=0.3)
+    return figure
+
+
 def contacts():
     fig, axes = plt.subplots(1, 2, figsize=(9.0, 3.0))
     *points, _ = cases.standard_threads(0.015, 0.005, 0.025, 0.010, 5, 7.07e-3, 0.020)
@@ -252,6 +263,7 @@ def draw(number):
         "09": lambda: around("09", "side force along y at the screw"),
         "10": lambda: around("10", "roller 1 is missing", missing=(0,)),
         "11": lambda: around("11", "roller 1 is thicker", thick=(0,)),
+        "17": travel,
         "12": lambda: slip_case("12", ("coulomb", "film", "mixed")),
         "13": lambda: slip_case("13", ("screw_drives", "load_drives", "self_locking")),
         "14": lambda: sector_case("14", running, 0.012, 0.0, [("at_rest.", "at rest"), ("screw_drives.", "screw drives"),
