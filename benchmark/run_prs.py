@@ -196,6 +196,15 @@ def case_17(run, folder):
     return values
 
 
+def case_18(run, folder):
+    modes = run("solve", folder)["load_cases"][0]["modes"]
+    values = {"mass_x_kg": modes["mass_kg"]["x"]}
+    for k, mode in enumerate(modes["mode"], 1):
+        values[f"frequency_{k}_Hz"] = mode["frequency_Hz"]
+        values[f"effective_mass_x_{k}_kg"] = mode["effective_mass_kg"]["x"]
+    return values
+
+
 def case_20(run, folder):
     values = {}
     for axis, file in (("horizontal", "case.yaml"), ("vertical", "case_vertical.yaml"),
@@ -217,7 +226,7 @@ def case_20(run, folder):
 
 CASES = {"01": case_01, "02": case_02, "03": sectors, "04": case_04, "05": sectors, "06": case_06, "07": full,
          "08": full, "09": full, "10": full, "11": full, "12": case_12, "13": case_13, "14": case_14, "15": case_15,
-         "16": case_16, "17": case_17, "20": case_20}
+         "16": case_16, "17": case_17, "18": case_18, "20": case_20}
 
 
 def expected(folder):

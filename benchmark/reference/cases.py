@@ -1,4 +1,4 @@
-"""The eighteen cases in numbers: what each expects, how sure that is, and where it comes from.
+"""The nineteen cases in numbers: what each expects, how sure that is, and where it comes from.
 
 Nothing here uses the program that the benchmark was made beside. Case NN is the function `case_NN`; it fills rows
 (quantity, unit, value, uncertainty, reason, source, counts).
@@ -271,6 +271,22 @@ def case_17(rows):
         mean = loads[:, i].mean(axis=0)
         for j in range(5):
             rows.relative(f"mean_thread_load_{body}_{j + 1}_1_N", "N", mean[j, 0], 1e-6, why, TWO)
+
+
+def case_18(rows):
+    """The clamped screw with a mass at its loaded section and unequal rollers."""
+    m = Mechanism(**(SCREW_B | dict(clamped=True, diameters=(3e-6, 0.0, -1e-6, 2e-6, 0.0), density=7810.0,
+                                    load_mass=5.0)))
+    m.solve()
+    omega, shapes, mass = m.frame.modes()
+    along = np.zeros(m.frame.count)
+    along[m.frame.axial] = 1.0
+    why = "rounding"
+    rows.relative("mass_x_kg", "kg", along @ mass @ along, 1e-7, why, TWO)
+    part = shapes.T @ mass @ along
+    for k in range(10):
+        rows.relative(f"frequency_{k + 1}_Hz", "Hz", omega[k] / (2 * pi), 1e-6, why, TWO)
+        rows.add(f"effective_mass_x_{k + 1}_kg", "kg", part[k] ** 2, 1e-8, "1e-8 kg: " + why, TWO)
 
 
 # --- 12 to 15: the screw turns

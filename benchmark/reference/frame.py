@@ -12,6 +12,7 @@ class Frame:
     def __init__(self):
         self.count, self.stiff, self.rows, self.held = 0, [], [], {}
         self.loads = {}
+        self.masses = []
 
     def freedoms(self, n):
         first = self.count
@@ -30,6 +31,36 @@ class Frame:
         self.element((*a, *b), bending / l**3 * np.array([
             [12.0, 6.0 * l, -12.0, 6.0 * l], [6.0 * l, 4.0 * l * l, -6.0 * l, 2.0 * l * l],
             [-12.0, -6.0 * l, 12.0, -6.0 * l], [6.0 * l, 2.0 * l * l, -6.0 * l, 4.0 * l * l]]))
+
+    def mass(self, freedoms, matrix):
+        self.masses.append((list(freedoms), np.asarray(matrix, dtype=float)))
+
+    def bar_mass(self, a, b, mass):
+        self.mass((a, b), mass / 6.0 * np.array([[2.0, 1.0], [1.0, 2.0]]))
+
+    def beam_mass(self, a, b, mass, rotary, length):
+        """Cubic shapes; `rotary`: density times second moment of area times length."""
+        l = length
+        self.mass((*a, *b), mass / 420.0 * np.array([
+            [156.0, 22.0 * l, 54.0, -13.0 * l], [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
+            [54.0, 13.0 * l, 156.0, -22.0 * l], [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l]])
+            + rotary / (30.0 * l * l) * np.array([
+                [36.0, 3.0 * l, -36.0, 3.0 * l], [3.0 * l, 4.0 * l * l, -3.0 * l, -l * l],
+                [-36.0, -3.0 * l, 36.0, -3.0 * l], [3.0 * l, -l * l, -3.0 * l, 4.0 * l * l]]))
+
+    def modes(self):
+        """Circular frequencies from the lowest, and shapes on all freedoms with phi'M phi = 1, after `solve`."""
+        m = np.zeros((self.count, self.count))
+        for freedoms, matrix in self.masses:
+            m[np.ix_(freedoms, freedoms)] += matrix
+        t, k = self.reduction, self.tangent
+        d = 1.0 / np.sqrt(np.diag(k))
+        lower = np.linalg.cholesky(d[:, None] * k * d)
+        inner = np.linalg.solve(lower, d[:, None] * (t.T @ m @ t) * d)
+        inverse, q = np.linalg.eigh(np.linalg.solve(lower, inner.T))
+        order = [i for i in np.argsort(-inverse) if inverse[i] > 1e-14 * inverse.max()]
+        shapes = t @ (d[:, None] * np.linalg.solve(lower.T, q[:, order])) / np.sqrt(inverse[order])
+        return 1.0 / np.sqrt(inverse[order]), shapes, m
 
     def spring(self, freedom, stiffness):
         self.element((freedom,), [[stiffness]])
@@ -113,4 +144,6 @@ class Frame:
                 break
         else:
             raise ArithmeticError("no equilibrium found")
+        tangent = 1.5 * constant * np.sqrt(np.maximum(bt @ q + w_0, 0.0))
+        self.reduction, self.tangent = t.astype(float), (kt + pt.T @ (tangent[:, None] * bt)).astype(float)
         return (t @ q + u_0).astype(float), normal(q).astype(float)

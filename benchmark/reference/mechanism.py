@@ -4,7 +4,7 @@ x along the axis, y and z across it, right-handed. Roller j stands at phi_j = 2 
 e_j = (cos phi_j, sin phi_j). Slopes y' and z' belong to the moments M_z and -M_y.
 """
 from dataclasses import dataclass, field
-from math import cos, pi, sin
+from math import ceil, cos, pi, sin
 
 import numpy as np
 from frame import Frame
@@ -45,24 +45,41 @@ class Mechanism:
     diameters: tuple = None              # deviations of the rollers' diameters
     turn: float = 0.0                    # of the carrier
     eccentric: tuple = ((0.0, 0.0), (0.0, 0.0))  # threads of screw and nut off their axes: amount, azimuth in space
+    density: float = 0.0                 # for modes; then bodies are cut into pieces of a roller's diameter at most
+    load_mass: float = 0.0               # at the loaded section of the screw
     result: dict = field(default_factory=dict)
 
     def solve(self):
         f, s, n, p, e = Frame(), self.sense, self.threads, self.pitch, self.youngs_modulus
         x = [self.position + i * p for i in range(n)]
 
+        def piece(a, b, planes, outer, inner, length):
+            area, second = ring_area(outer, inner), inertia(outer, inner)
+            f.bar(a[0], b[0], e * area, length)
+            f.bar_mass(a[0], b[0], self.density * area * length)
+            for y, slope in planes:
+                f.beam((a[y], a[slope]), (b[y], b[slope]), e * second, length)
+                f.beam_mass((a[y], a[slope]), (b[y], b[slope]), self.density * area * length,
+                            self.density * second * length, length)
+
         def spatial(stations, outer, inner):
-            nodes = [f.freedoms(5) for _ in stations]  # u, y, z, y', z'
-            for a, b, length in zip(nodes, nodes[1:], np.diff(stations)):
-                f.bar(a[0], b[0], e * ring_area(outer, inner), length)
-                for plane in (1, 2):
-                    f.beam((a[plane], a[plane + 2]), (b[plane], b[plane + 2]), e * inertia(outer, inner), length)
-            return nodes
+            cut = [stations[0]]
+            for a, b in zip(stations, stations[1:]):
+                pieces = ceil((b - a) / self.roller_diameter - 1e-9) if self.density else 1
+                cut += [a + (b - a) * i / pieces for i in range(1, pieces)] + [b]
+            nodes = [f.freedoms(5) for _ in cut]  # u, y, z, y', z'
+            for a, b, length in zip(nodes, nodes[1:], np.diff(cut)):
+                piece(a, b, ((1, 3), (2, 4)), outer, inner, length)
+            axial.extend(node[0] for node in nodes)
+            return [nodes[cut.index(at)] for at in stations]
+
+        axial = f.axial = []  # all displacements along x
 
         screw = spatial([self.position - self.free_length, *x], self.screw_diameter, self.bore)
         loaded, screw = screw[0], screw[1:]
         assert self.thrust < x[0]
-        nut = spatial([self.thrust, *x], self.nut_outer, self.nut_diameter)
+        behind = [self.nut_length] if self.density else []
+        nut = spatial([self.thrust, *x, *behind], self.nut_outer, self.nut_diameter)
         seat, nut = nut[0], nut[1:]
         for freedom, at in zip(seat, (0.0, 0.0, 0.0, self.tilt[1], -self.tilt[0])):
             f.hold(freedom, at)
@@ -70,6 +87,9 @@ class Mechanism:
             for freedom in loaded[1:]:
                 f.hold(freedom)
         f.load(loaded[0], s * self.force)
+        if self.load_mass:
+            for freedom in loaded[:3]:
+                f.mass((freedom,), [[self.load_mass]])
         for freedom, load in zip(loaded[1:], (*self.side_force, self.moment[1], -self.moment[0])):
             f.load(freedom, load)
 
@@ -87,10 +107,10 @@ class Mechanism:
         for q, j in enumerate(present):
             e_y, e_z = cos(azimuth[j]), sin(azimuth[j])
             roller = [f.freedoms(3) for _ in at]
+            axial.extend(node[0] for node in roller)
             for i in range(len(at) - 1):
                 d = self.end_diameter if i in (0, len(at) - 2) else self.roller_diameter
-                f.bar(roller[i][0], roller[i + 1][0], e * ring_area(d, 0.0), at[i + 1] - at[i])
-                f.beam(roller[i][1:], roller[i + 1][1:], e * inertia(d, 0.0), at[i + 1] - at[i])
+                piece(roller[i], roller[i + 1], ((1, 2),), d, 0.0, at[i + 1] - at[i])
             for i in (0, 1, len(at) - 2, len(at) - 1):
                 f.hold(roller[i][1])
             for k in range(n):
@@ -113,4 +133,5 @@ class Mechanism:
         common = least[0] / cos(self.angle[0]) + least[1] / cos(self.angle[1])
         self.result = {"normal": both, "displacement": s * u[loaded[0]], "travel": u[loaded[0]] + s * common, "lateral": (u[loaded[1]], u[loaded[2]]),
                        "rotation": (-u[loaded[4]], u[loaded[3]])}
+        self.frame = f
         return self.result

@@ -133,6 +133,17 @@ def travel():
     return figure
 
 
+def modes():
+    rows = expected("18")
+    figure, ax = plt.subplots(figsize=(7, 2.8))
+    numbers = range(1, 11)
+    ax.bar(numbers, [rows[f"frequency_{k}_Hz"] / 1e3 for k in numbers], width=0.6)
+    ax.set_xticks(list(numbers))
+    ax.set_xlabel("mode")
+    ax.set_ylabel("natural frequency, kHz")
+    return figure
+
+
 def contacts():
     fig, axes = plt.subplots(1, 2, figsize=(9.0, 3.0))
     *points, _ = cases.standard_threads(0.015, 0.005, 0.025, 0.010, 5, 7.07e-3, 0.020)
@@ -264,6 +275,7 @@ def draw(number):
         "10": lambda: around("10", "roller 1 is missing", missing=(0,)),
         "11": lambda: around("11", "roller 1 is thicker", thick=(0,)),
         "17": travel,
+        "18": modes,
         "12": lambda: slip_case("12", ("coulomb", "film", "mixed")),
         "13": lambda: slip_case("13", ("screw_drives", "load_drives", "self_locking")),
         "14": lambda: sector_case("14", running, 0.012, 0.0, [("at_rest.", "at rest"), ("screw_drives.", "screw drives"),
