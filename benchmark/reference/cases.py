@@ -246,7 +246,7 @@ def case_17(rows):
     """The clamped screw with a thick roller, eccentric screw and nut, over two turns."""
     epsilon, steps, turns = 21.0 / (21.0 + 35.0), 12, 2
     why = "rounding and the end of the iteration"
-    deviation, loads, side = [], [], []
+    deviation, loads = [], []
     for k in range(steps * turns + 1):
         theta = 2 * pi * k / steps
         m = Mechanism(**(SCREW_B | dict(

@@ -85,6 +85,23 @@ VARIANTS: list[tuple[int, str, dict[str, Any]]] = [
     ),
     (30, "preload", {"preload": f"{{arrangement: single_nut, {_PRELOAD}}}"}),
     (
+        33,
+        "solve",
+        {
+            "load_cases[0].travel": "{turns: 31, steps: 4}",
+            "load_cases[1].modes.prestress": "true",
+        },
+    ),
+    (
+        33,
+        "solve",
+        {
+            "structure.screw.bearings": "[]",
+            "deviations.missing_rollers": "[3]",
+            "load_cases[0].side_force": "{y: 1.7 kN, at: 20 mm}",
+        },
+    ),
+    (
         30,
         "life",
         {
