@@ -537,6 +537,20 @@ StudyInput read_study_input(const Source& source) {
                "got values, which cannot be halved; expected within, normal or uniform with `plan: "
                "tolerances`; write one of them, or `kept: true`",
                errors);
+  if (item.plan == Plan::tolerances) {
+    if (std::ranges::all_of(item.factors, [](const auto& f) { return f.kept; }))
+      refuse(root, "study.factors",
+             "got factors that are all kept; expected one to halve with `plan: tolerances`; "
+             "delete a `kept: true`",
+             errors);
+    for (const Factor& f : input.study.factors)
+      if (!f.kept && !(f.base && f.base->number))
+        refuse(root, "study.factors",
+               fmt::format("got {}, which the file does not state; expected a value about which "
+                           "`plan: tolerances` halves; write it into the file",
+                           f.path),
+               errors);
+  }
   check_size(input.study, root, errors);
   errors.throw_if_any();
   if (item.envelope) read_envelope(*item.envelope, root, input.study, errors);

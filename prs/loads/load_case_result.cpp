@@ -381,6 +381,7 @@ ModesResult vibrating(const AllRollers& all, const FullModel& f, const FullDistr
     ModesResult found;
     found.left_out = "there is no equilibrium";
     if (loads.solve.converged()) found = at(there, loads);
+    if (found.left_out.empty() && found.modes.size() < result.modes.size()) found.left_out = "the screw buckles";
     if (!found.left_out.empty()) {
       result.along_travel_left_out = fmt::format("{} at {:.6g} deg", found.left_out, theta * 180.0 / std::numbers::pi);
       return result;
@@ -400,8 +401,11 @@ void warn_of_modes(const ModesResult& modes, const Structure& structure, const s
                    std::vector<Warning>& warnings) {
   if (!modes.idle_rollers.empty())
     warnings.push_back(
-        Warning{"", "modes_without_idle_rollers", "{value} rollers carry nothing and have no part in the modes"}.with(
-            static_cast<double>(modes.idle_rollers.size())));
+        Warning{"", "modes_without_idle_rollers",
+                fmt::format("roller{} {} carr{} nothing and ha{} no part in the modes",
+                            modes.idle_rollers.size() == 1 ? "" : "s", fmt::join(modes.idle_rollers, ", "),
+                            modes.idle_rollers.size() == 1 ? "ies" : "y", modes.idle_rollers.size() == 1 ? "s" : "ve")}
+            .with(static_cast<double>(modes.idle_rollers.size())));
   if (!modes.left_out.empty())
     warnings.push_back({"", "no_modes", fmt::format("the modes are left out: {}", modes.left_out)});
   if (!modes.along_travel_left_out.empty())
@@ -545,7 +549,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   }
   if (moved && !moved->converged())
     warnings.push_back({"", "no_travel",
-                        fmt::format("no equilibrium at {:.6g} deg of the travel: {}",
+                        fmt::format("the travel ends at {:.6g} deg: {}",
                                     moved->failure->angle * 180.0 / std::numbers::pi, moved->failure->why)});
   if (moved && moved->left_out_at)
     warnings.push_back({"", "no_travel_stiffness",

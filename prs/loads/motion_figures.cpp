@@ -88,7 +88,8 @@ Figures travel_orders(const Result& result, const FigureOptions& options) {
   if (!shown) return {};
   const TravelResult& t = *shown->full->travel;
   Figure figure = figure_of("travel_orders", "Travel deviation by orders", *shown);
-  Series lines{figure.add("amplitude", line_of(Colour::blue))};
+  Series lines{
+      figure.add(fmt::format("spectrum, {:.3g} apart", 1.0 / std::abs(t.travel.turns)), line_of(Colour::blue))};
   std::vector<const OrderAmplitude*> largest;
   for (const OrderAmplitude& o : t.spectrum) {
     lines.parts.push_back({{o.order, 0.0}, {o.order, o.amplitude * per_si::micrometre}});
@@ -96,7 +97,11 @@ Figures travel_orders(const Result& result, const FigureOptions& options) {
   }
   std::ranges::sort(largest, std::greater<>(), &OrderAmplitude::amplitude);
   largest.resize(std::min(largest.size(), kNamed));
-  Panel panel{.series = {std::move(lines)}};
+  Series fitted{figure.add("orders of the parts, fitted", points_of(Colour::vermillion, Mark::circle))};
+  Polyline points;
+  for (const OrderAmplitude& o : t.orders) points.push_back({o.order, o.amplitude * per_si::micrometre});
+  fitted.parts = {std::move(points)};
+  Panel panel{.series = {std::move(lines), std::move(fitted)}};
   const auto base = motion_orders(result.contacts.mechanism, t.slip_ratio);
   for (const OrderAmplitude* o : largest)
     if (o->amplitude > 0.02 * largest.front()->amplitude)

@@ -22,9 +22,10 @@ std::string motion_lines(const Result& result) {
                           fixed_with_unit(t->bands.mean, "µm", 3), fixed_with_unit(t->bands.variation, "µm", 3),
                           fixed_with_unit(t->bands.variation_one_turn, "µm", 3));
     if (const auto& m = r.full->modes; m && !m->modes.empty()) {
+      const std::size_t shown = std::min<std::size_t>(m->modes.size(), 6);
       text += fmt::format("\n{}: natural frequencies", name);
-      for (std::size_t k = 0; k < std::min<std::size_t>(m->modes.size(), 6); ++k)
-        text += fmt::format("{} {:.5g}", k ? "," : "", m->modes[k].frequency);
+      if (shown < m->modes.size()) text += fmt::format(", {} of {}:", shown, m->modes.size());
+      for (std::size_t k = 0; k < shown; ++k) text += fmt::format("{} {:.5g}", k ? "," : "", m->modes[k].frequency);
       text += " Hz";
     }
   }

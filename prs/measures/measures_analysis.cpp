@@ -111,7 +111,18 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
   const std::string text = kRows("Load case", names) + kRows(with_table_unit("  force, kN"), forces);
   const auto measures = std::span(result.load_measures).subspan(first, last - first);
   const std::string rows = group_rows(measures, hidden);
-  return text + (rows.empty() ? "" : '\n' + rows) + axis_rows(measures);
+  std::string speeds;
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    if (!measures[k] || measures[k]->speeds_to_avoid.empty()) continue;
+    std::vector<std::string> each;
+    for (const double speed : measures[k]->speeds_to_avoid) each.push_back(significant(shown(speed, "rpm")));
+    each.erase(std::ranges::unique(each).begin(), each.end());
+    speeds += hanging(fmt::format("\n{}: ", names[k]), 2,
+                      fmt::format("speeds to avoid {} rpm, at which an order of the parts meets the lowest natural "
+                                  "frequency, however small what excites it",
+                                  fmt::join(each, ", ")));
+  }
+  return text + (rows.empty() ? "" : '\n' + rows) + axis_rows(measures) + speeds;
 }
 
 /// A paragraph behind a word.

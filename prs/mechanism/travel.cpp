@@ -2,7 +2,9 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <complex>
 #include <functional>
+#include <unsupported/Eigen/FFT>
 
 namespace prs {
 namespace {
@@ -159,21 +161,14 @@ TravelBands travel_bands(const std::vector<double>& d, double sense, int one_tur
 
 std::vector<OrderAmplitude> travel_spectrum(const std::vector<double>& d, int turns) {
   const std::size_t count = d.size() - 1;
-  std::vector<double> x(count), cosine(count), sine(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(count);
-    x[k] = d[k] - d.front() - (d.back() - d.front()) * share;
-    cosine[k] = std::cos(kTurn * share);
-    sine[k] = std::sin(kTurn * share);
-  }
+  std::vector<double> x(count);
+  for (std::size_t k = 0; k < count; ++k)
+    x[k] = d[k] - d.front() - (d.back() - d.front()) * static_cast<double>(k) / static_cast<double>(count);
+  std::vector<std::complex<double>> transformed;
+  Eigen::FFT<double>().fwd(transformed, x);
   std::vector<OrderAmplitude> spectrum;
   for (std::size_t k = 1; k <= count / 2; ++k) {
-    double real = 0.0, imaginary = 0.0;
-    for (std::size_t i = 0, at = 0; i < count; ++i, at = (at + k) % count) {
-      real += x[i] * cosine[at];
-      imaginary += x[i] * sine[at];
-    }
-    const double amplitude = 2.0 * std::hypot(real, imaginary) / static_cast<double>(count);
+    const double amplitude = 2.0 * std::abs(transformed[k]) / static_cast<double>(count);
     spectrum.push_back({{}, static_cast<double>(k) / std::abs(turns), 2 * k == count ? 0.5 * amplitude : amplitude});
   }
   return spectrum;

@@ -310,6 +310,8 @@ void check_turning(const Case& c, Problems& problems) {
     const std::string path = fmt::format("{}{}.", root, name(i));
     check_offset((path + "eccentricity.amount").c_str(), thread.eccentricity.amount, m, problems);
     check_tilt(path + "wobble.amount", thread.wobble.amount);
+    check_offset((path + "lead.per_300_mm").c_str(),
+                 thread.per_300_mm * (m.contacts_per_roller - 1) * axial_pitch(m) / 0.3, m, problems);
     for (std::size_t k = 0; k < thread.harmonics.size(); ++k)
       check_offset(fmt::format("{}lead.harmonics[{}].amplitude", path, k).c_str(), thread.harmonics[k].amplitude, m,
                    problems);
@@ -341,17 +343,16 @@ void check_measured(const Case& c, Problems& problems) {
   for (const Interface i : kInterfaces) {
     const auto& measured = c.deviations.turning.thread[i].measured;
     if (!measured || measured->at.size() < 2) continue;
-    double least = 0.0, most = 0.0;
+    std::vector<double> moved;
     for (const LoadCase& load : c.load_cases) {
-      if (!load.travel) continue;
-      const Travel& t = *load.travel;
-      for (const double theta : {t.from, t.angle(t.last())}) {
+      const Travel t = load.travel.value_or(Travel{});
+      for (const double theta : {t.from, load.travel ? t.angle(t.last()) : t.from}) {
         const double lambda = m.lead * theta / (2.0 * std::numbers::pi);
-        const double moved = (standard ? 0.0 : lambda) - (i == Interface::screw ? lambda : 0.0);
-        least = std::min(least, moved);
-        most = std::max(most, moved);
+        moved.push_back((standard ? 0.0 : lambda) - (i == Interface::screw ? lambda : 0.0));
       }
     }
+    if (moved.empty()) moved = {0.0};
+    const auto [least, most] = std::ranges::minmax(moved);
     const double from = least - margin;
     const double to = most + (m.contacts_per_roller - 1) * axial_pitch(m) + margin;
     const double tolerance = 1e-9 * (to - from) + 1e-12;

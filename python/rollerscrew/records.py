@@ -1184,8 +1184,8 @@ class SystemStiffness(Record):
 class LoadMeasures(Record):
     """Design measures under one load.
 
-    lowest_frequency_Hz [Hz]: of the modes; needs `modes` and `structure.masses`
-    speeds_to_avoid_rpm [rpm]: at which turn, carrier, rollers or their number meet the lowest frequency, screw against nut; needs `modes` and `structure.masses`
+    lowest_frequency_Hz [Hz]: omega/(2 pi) of the first mode about the equilibrium, K phi = omega^2 M phi; needs `modes` and `structure.masses`; modes of all rollers, docs/motion.md
+    speeds_to_avoid_rpm [rpm]: 60 f/order, at which turn, carrier, rollers or their number meet the lowest frequency, screw against nut; needs `modes` and `structure.masses`; modes of all rollers, docs/motion.md
     hertz_stiffness_screw_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
     hertz_stiffness_nut_N_per_um [N/µm]: k = N_r N/(h f^(-1/3)), h = 1/(k_0^(2/3) cos(psi)^(5/3)), f = F/(N_r N); secant, equal shares; roller moves axially only; Hertz with exact ellipticity
     thread_stiffness_N_per_um [N/µm]: N_r N/((h_S + h_N) f^(-1/3) + sum 1/k_tooth), teeth of screw, nut and twice the roller where measures.loaded_width is given; secant, equal shares; roller moves axially only; with teeth a lower bound, which may be below `solve`'s whole screw: the models of the bodies have Hertz contacts without Yamamoto's teeth, whose deflection Hertz has in part and whose nut ring each contact widens alone; Jung 2017, (3.45), (3.46), without the roller's teeth there

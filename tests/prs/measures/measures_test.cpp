@@ -76,7 +76,9 @@ TEST(Measures, AreAllThereForACompleteCase) {
                                               "back_driving_efficiency_by_slip",
                                               "solved_static_safety",
                                               "solved_static_safety_limit",
-                                              "system_stiffness"};
+                                              "system_stiffness",
+                                              "lowest_frequency_Hz",
+                                              "speeds_to_avoid_rpm"};
   const auto json = object_of(pull);
   for (const Quantity<LoadMeasures>& q : record_of<LoadMeasures>().quantities)
     EXPECT_EQ(json.contains(q.key), !lacking.contains(q.key)) << q.key;
