@@ -7,8 +7,8 @@
 #include "prs/sha256.h"
 #include "prs/version.h"
 
-PRS_EMBED(curves_h, PRS_UNIT_SOURCES "/curves.h")
-PRS_EMBED(curves_c, PRS_UNIT_SOURCES "/curves.c")
+PRS_EMBED(curves_h, PRS_DRIVE_SOURCES "/curves.h")
+PRS_EMBED(curves_c, PRS_DRIVE_SOURCES "/curves.c")
 PRS_EMBED(fmi2_h, PRS_UNIT_SOURCES "/fmi2.h")
 PRS_EMBED(description, PRS_UNIT_SOURCES "/modelDescription.xml")
 PRS_EMBED(unit_c, PRS_UNIT_SOURCES "/unit.c")
