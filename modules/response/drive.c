@@ -39,11 +39,10 @@ double prs_series_force(const PrsCurves* curves, double delta, double c, double*
       else
         low = way;
       next = way - rest / (1.0 + c * stiffness);
+      if (fabs(next - way) <= 4e-16 * fabs(delta)) break;
       if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (fabs(next - way) <= 1e-16 * fabs(delta)) break;
       way = next;
       force = prs_force(curves, way, &stiffness, &beyond);
-      if (fabs(rest) <= 1e-16 * fabs(delta)) break;
     }
   }
   *u = way;

@@ -17,11 +17,17 @@ struct SystemModel {
   SystemCurves curves;
   ModelText text;
   DocumentInfo info;
+  std::optional<ResponseInput> drive = {};  ///< Of a model with the drive.
+  std::optional<Case> case_with_drive = {};
 };
 
-/// Reads the case and computes its curves, warnings on single values among theirs. Throws
-/// InputError where the case lacks something or is wrong.
-SystemModel system_model(const input::Source& source, const CurveOptions& options);
+/// With the drive of the case: never, where it states one, always.
+enum class WithDrive { never, stated, needed };
+
+/// Reads the case and computes its curves, warnings on single values among theirs. With the drive they
+/// are those of `prs response`. Throws InputError where the case lacks something or is wrong.
+SystemModel system_model(const input::Source& source, const CurveOptions& options,
+                         WithDrive with_drive = WithDrive::never);
 
 /// An identifier made of the name of a case file: `12_preload.yaml` -> `screw_12_preload`.
 std::string model_name(const std::string& case_file);

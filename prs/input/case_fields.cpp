@@ -1214,20 +1214,19 @@ Value value_of(Signal& signal, const OneOrSum& kind) {
 }
 
 void fields(const Fields& io, ResponseInput::Controller& c) {
-  const bool has_position = c.position.has_value();
   io("speed", c.speed, OneOrSum{{unit::rotational_speed}}, "Reference of the speed; this or `position`");
   io("position", c.position, OneOrSum{{unit::length}}, "Reference of the position of the load");
   io("position_gain", c.position_gain, Quantity{unit::position_gain, positive},
-     required_only_if(has_position, "only with `position`"), "Speed over error of position");
+     required_only_if(c.position.has_value(), "only with `position`"), "Speed over error of position");
   io("speed_gain", c.speed_gain, Quantity{unit::rotational_damping, positive}, required,
      "Torque over error of speed");
   io("integral_time", c.integral_time, Quantity{unit::duration, positive, "20 ms"}, "Of the speed loop; none by default");
   io("largest_torque", c.largest_torque, Quantity{unit::torque, positive}, "Bound of the torque; none by default");
   io("largest_speed", c.largest_speed, Quantity{unit::rotational_speed, positive},
      "Bound of the speed that the loop asks for; none by default");
-  io("feedback", c.feedback, Choice{}, optional_only_if(has_position, "only with `position`"),
+  io("feedback", c.feedback, Choice{}, optional_only_if(c.position.has_value(), "only with `position`"),
      "What the position loop measures");
-  io("speed_feed_forward", c.speed_feed_forward, Flag{}, optional_only_if(has_position, "only with `position`"),
+  io("speed_feed_forward", c.speed_feed_forward, Flag{}, optional_only_if(c.position.has_value(), "only with `position`"),
      "Whether the slope of the reference is added");
 }
 
@@ -1290,12 +1289,11 @@ void fields(const Fields& io, ResponseInput::EndStops& s) {
 }
 
 void fields(const Fields& io, ResponseInput::Shaft& s) {
-  const bool fixed = s.ends == ResponseInput::Ends::fixed_fixed;
   io("length", s.length, Quantity{unit::length, positive, "300 mm"}, required,
      "From the axial bearing to the loaded section at the start");
   io("ends", s.ends, Choice{}, "Axial bearings of the shaft");
   io("span", s.span, Quantity{unit::length, positive, "900 mm"},
-     required_only_if(fixed, "only with `ends: fixed_fixed`"), "Between the bearings");
+     required_only_if(s.ends == ResponseInput::Ends::fixed_fixed, "only with `ends: fixed_fixed`"), "Between the bearings");
 }
 
 void fields(const Fields& io, ResponseInput::Start& s) {

@@ -143,6 +143,11 @@ double ResponseResult::residual() const {
   return run.motor + run.load - (run.stored_end - run.stored_start) - lost();
 }
 
+double ResponseResult::rms_torque() const {
+  const double time = converged() ? input.duration : run.stopped_at;
+  return time > 0.0 ? std::sqrt(run.torque_squared / time) : 0.0;
+}
+
 SystemCurves response_curves(const Case& c, const CurveOptions& asked) {
   Case stated = c;
   static_cast<Conditions&>(stated) = at_rest(c);

@@ -5,6 +5,12 @@
 
 namespace prs {
 
+constexpr std::string_view name(DriveStatus s) {
+  return s == DriveStatus::converged    ? "converged"
+         : s == DriveStatus::step_limit ? "step_limit"
+                                        : "integration_failed";
+}
+
 /// Curves of the drive's screw under the block `response`: friction of static loads and the external
 /// force alone, unless the case states running ones.
 SystemCurves response_curves(const Case& c, const CurveOptions& asked = {});
@@ -72,6 +78,8 @@ struct ResponseResult {
   bool converged() const { return run.status == DriveStatus::converged; }
   double lost() const;
   double residual() const;
+  double rms_torque() const;
+  bool has_stops() const { return input.end_stops.upper || input.end_stops.lower; }
 };
 
 FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput& input);

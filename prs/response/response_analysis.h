@@ -8,6 +8,9 @@ namespace prs {
 /// `response.csv`: one row per sample, a column per series.
 std::string response_csv(const ResponseResult& result, const CsvStyle& style = {});
 
+/// The results at a glance.
+std::string response_table(const ResponseResult& result);
+
 Pictures response_pictures(const ResponseResult& result);
 
 const Analysis<ResponseResult>& response_analysis();

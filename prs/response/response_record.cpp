@@ -2,15 +2,7 @@
 
 namespace prs {
 
-inline std::string_view name(DriveStatus s) {
-  return s == DriveStatus::converged ? "converged" : s == DriveStatus::step_limit ? "step_limit" : "integration_failed";
-}
-
 namespace {
-
-struct ThreadsOf {
-  const LargestForce* largest = nullptr;
-};
 
 bool has_following(const FollowingError& f) { return f.of_position; }
 bool of_speed(const FollowingError& f) { return !f.of_position; }
@@ -43,7 +35,7 @@ constexpr Quantity<ResponseResult> kLargest[] = {
      "largest force in compression"},
     {"motor_torque_Nm", of<[](auto& r) { return r.run.torque.value; }>, "magnitude"},
     {"end_stop_force_N", of<[](auto& r) { return r.run.stop.value; },
-                            [](auto& r) { return r.input.end_stops.upper || r.input.end_stops.lower; }>,
+                            &ResponseResult::has_stops>,
      "magnitude"},
 };
 
@@ -135,13 +127,11 @@ constexpr Quantity<ResponseResult> kResponse[] = {
      "between motor and screw"},
     {"external_force_N", of<[](auto& r) -> const std::vector<double>& { return r.run.external; }>, "on the load"},
     {"end_stop_force_N", of<[](auto& r) -> const std::vector<double>& { return r.run.stop_force; },
-                            [](auto& r) { return r.input.end_stops.upper || r.input.end_stops.lower; }>,
+                            &ResponseResult::has_stops>,
      "magnitude"},
     {"energy_J", of_table<kEnergy>, "over the whole run"},
     {"largest", of_table<kLargest>, "over the whole run"},
-    {"rms_motor_torque_Nm", of<[](auto& r) {
-       return std::sqrt(r.run.torque_squared / (r.converged() ? r.input.duration : r.run.stopped_at));
-     }>,
+    {"rms_motor_torque_Nm", of<&ResponseResult::rms_torque>,
      "root of the mean square"},
     {"lost_motion_um", of<[](auto& r) { return r.run.lost_motion; }>,
      "largest less least travel of the motor beyond that of the load"},
@@ -170,6 +160,30 @@ std::string response_csv(const ResponseResult& result, const CsvStyle& style) {
   return csv.take();
 }
 
+namespace {
+
+constexpr std::string_view kResponses[] = {"response.largest.tension.force_N", "response.largest.compression.force_N",
+                                           "response.largest.motor_torque_Nm", "response.lost_motion_um"};
+
+/// The largest force, and how near its pressure comes to the static limit of ISO 76's kind.
+std::vector<Headline> headlines(const ResponseResult& r) {
+  const std::optional<LargestForce>* larger = &r.largest.tension;
+  if (r.largest.compression && (!*larger || (*larger)->force < r.largest.compression->force))
+    larger = &r.largest.compression;
+  if (!*larger) return {};
+  std::vector<Headline> all{{"Largest force", "force_N", (*larger)->force}};
+  if ((*larger)->peak_pressure) all.push_back({"Its peak pressure", "peak_pressure_MPa", *(*larger)->peak_pressure});
+  return all;
+}
+
+PageSection section(const ResponseResult&) {
+  return {.in_document = {{"response.largest", {"tension", "compression", "motor_torque_Nm", "end_stop_force_N"}}},
+          .folded = {"response_energy"},
+          .note = "The motion is that of the run that wrote this page."};
+}
+
+}  // namespace
+
 const Analysis<ResponseResult>& response_analysis() {
   static const std::vector<Place> places = {{"response", describe<ResponseResult>}};
   static const Analysis<ResponseResult> analysis{
@@ -179,13 +193,17 @@ const Analysis<ResponseResult>& response_analysis() {
       .run = [](const input::Source& source, const input::CaseInput& in) { return analyze_response(in.values, source); },
       .places = places,
       .put = [](Json& document, const ResponseResult& r) { document["response"] = object_of(r); },
-      .table = [](const ResponseResult&) { return std::string("todo\n"); },
+      .table = response_table,
       .files =
           [](const ResponseResult& r, const CsvStyle& style) {
             return std::vector<OutputFile>{{"response.csv", response_csv(r, style)}};
           },
+      .pictures = [](const ResponseResult& r, const Case&) { return response_pictures(r); },
       .converged = [](const ResponseResult& r) { return r.converged(); },
-      .place = {"Response", 5}};
+      .headlines = headlines,
+      .place = {"Response", 5},
+      .section = section,
+      .responses = kResponses};
   return analysis;
 }
 
