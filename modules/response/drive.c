@@ -228,6 +228,8 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
   v->coupling_torque = rigid ? 0.0 : d->coupling_stiffness * v->theta + d->coupling_damping * v->theta_rate;
   v->wanted = v->speed_error = 0.0;
   command = commanded_torque(run, &in, y, v, &reference_slope);
+  if (all && m->bound == 0 && d->by >= PRS_SPEED_LOOP && fabs(command) > d->largest_torque)
+    command = sign_of(command) * d->largest_torque; /* By rounding, at the event itself. */
   v->motor_torque = d->time_constant > 0.0 ? y[PRS_TORQUE] : command;
   rotor_friction = d->motor_friction + (m->braked ? d->brake_torque : 0.0);
   motor_sense = by_speed || !rigid ? m->place[PRS_MOTOR] : m->place[PRS_SCREW];

@@ -60,7 +60,7 @@ class Cvode {
   }
 
  private:
-  static constexpr double kShare = 0.1;  ///< Errors of steps add up; this keeps their sum at the tolerance.
+  static constexpr double kShare = 0.02;  ///< Errors of steps add up; this keeps their sum at the tolerance.
 
   /// Whether something dies away much faster than it vibrates.
   static bool is_stiff(const DriveRun& run) {
