@@ -13,6 +13,31 @@ static double sign_of(double x) { return x < 0.0 ? -1.0 : 1.0; }
 static double largest_of(double a, double b) { return a > b ? a : b; }
 static double smallest_of(double a, double b) { return a < b ? a : b; }
 
+size_t prs_drive_numbers(PrsDrive* d, double* values, int store) {
+  double* const real[] = {&d->mass, &d->screw_inertia, &d->motor_inertia, &d->coupling_stiffness,
+                          &d->coupling_damping, &d->motor_friction, &d->motor_damping, &d->brake_torque,
+                          &d->brake_at, &d->cut_at, &d->drag, &d->load_friction, &d->load_damping,
+                          &d->material_damping, &d->stop[0].at, &d->stop[0].stiffness, &d->stop[0].damping,
+                          &d->stop[1].at, &d->stop[1].stiffness, &d->stop[1].damping, &d->shaft_length,
+                          &d->shaft_span, &d->shaft_rigidity, &d->start_position, &d->start_speed,
+                          &d->start_deflection, &d->position_gain, &d->speed_gain, &d->integral_time,
+                          &d->largest_torque, &d->largest_speed, &d->time_constant};
+  int* const whole[] = {&d->coupled, &d->stop[0].stands, &d->stop[1].stands, &d->has_shaft, &d->fixed_fixed,
+                        &d->by, &d->feedback_of_load, &d->feeds_speed_forward};
+  size_t n = 0, k;
+  for (k = 0; k < sizeof real / sizeof *real; ++k, ++n)
+    if (store)
+      values[n] = *real[k];
+    else
+      *real[k] = values[n];
+  for (k = 0; k < sizeof whole / sizeof *whole; ++k, ++n)
+    if (store)
+      values[n] = *whole[k];
+    else
+      *whole[k] = (int)values[n];
+  return n;
+}
+
 double prs_friction_torque(const PrsCurves* curves, double force, double speed, int sigma) {
   int beyond;
   PrsCurves plain;
@@ -369,6 +394,20 @@ void prs_rates(const PrsRun* run, double t, const double y[PRS_STATES], double r
 
 void prs_view(const PrsRun* run, double t, const double y[PRS_STATES], double rate[PRS_STATES], PrsView* view) {
   evaluate(run, t, y, rate, view, 1);
+}
+
+void prs_scales(const PrsRun* run, double scale[PRS_STATES]) {
+  const PrsDrive* const d = run->drive;
+  const PrsBranch* const branch = &d->curves.tension;
+  const double force = 1e-3 * branch->force[branch->count - 1];
+  const double way = fabs(prs_static_deflection(d, force, d->start_position)) - branch->origin;
+  const double time = sqrt(d->mass * way / force), r = fabs(run->reach);
+  scale[PRS_X] = scale[PRS_DELTA] = way;
+  scale[PRS_V] = way / time;
+  scale[PRS_OMEGA] = scale[PRS_OMEGA_M] = way / time / r;
+  scale[PRS_THETA] = d->coupled ? r * force / d->coupling_stiffness : 1.0;
+  scale[PRS_INTEGRAL] = way / r;
+  scale[PRS_TORQUE] = r * force;
 }
 
 double prs_stored_energy(const PrsRun* run, const PrsView* v) {

@@ -128,6 +128,10 @@ void prs_run_start(PrsRun* run, const PrsDrive* drive, PrsSignals signals, doubl
 /* Goes on to a time. `run->state` is then that of this time, behind the events there. */
 int prs_run_to(PrsRun* run, const PrsStepper* stepper, const PrsObserver* observer, double end);
 
+/* The numbers of a drive but its curves, from `values` or, with `store`, into them; how many. */
+enum { PRS_DRIVE_NUMBERS = 40 };
+size_t prs_drive_numbers(PrsDrive* drive, double* values, int store);
+
 /* Derivatives. */
 void prs_rates(const PrsRun* run, double t, const double y[PRS_STATES], double rate[PRS_STATES]);
 /* All quantities, with the derivatives where `rate` is not null. */
@@ -143,6 +147,9 @@ double prs_static_deflection(const PrsDrive* drive, double force, double x);
 double prs_elastic_energy(const PrsCurves* curves, double u);
 /* What friction of the threads takes [N m], turning in the sense sigma. */
 double prs_friction_torque(const PrsCurves* curves, double force, double speed, int sigma);
+/* Sizes of the states from which errors of an integration count: those that a thousandth of the
+   largest force brings about. */
+void prs_scales(const PrsRun* run, double scale[PRS_STATES]);
 /* Energy that the drive holds [J]. */
 double prs_stored_energy(const PrsRun* run, const PrsView* view);
 

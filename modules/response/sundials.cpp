@@ -38,7 +38,7 @@ class Cvode {
     double largest = 0.05 * run.duration;
     if (run.fastest > 0.0) largest = std::min(largest, 0.05 / run.fastest);
     CVodeSetMaxStep(memory_, largest);
-    set_scales(run);
+    prs_scales(&core, scales_);
   }
   Cvode(const Cvode&) = delete;
   Cvode& operator=(const Cvode&) = delete;
@@ -65,21 +65,6 @@ class Cvode {
   /// Whether something dies away much faster than it vibrates.
   static bool is_stiff(const DriveRun& run) {
     return run.drive.time_constant > 0.0 && run.drive.time_constant < 2e-5;
-  }
-
-  /// Sizes from which errors count: those of a thousandth of the largest force at rest, at the least.
-  void set_scales(const DriveRun& run) {
-    const PrsDrive& d = run.drive;
-    const PrsBranch& branch = d.curves.tension;
-    const double force = 1e-3 * branch.force[branch.count - 1];
-    const double way = std::abs(prs_static_deflection(&d, force, d.start_position)) - branch.origin;
-    const double time = std::sqrt(d.mass * way / force), r = std::abs(core_.reach);
-    scales_[PRS_X] = scales_[PRS_DELTA] = way;
-    scales_[PRS_V] = way / time;
-    scales_[PRS_OMEGA] = scales_[PRS_OMEGA_M] = way / time / r;
-    scales_[PRS_THETA] = d.coupled != 0 ? r * force / d.coupling_stiffness : 1.0;
-    scales_[PRS_INTEGRAL] = way / r;
-    scales_[PRS_TORQUE] = r * force;
   }
 
   static int rates(double t, N_Vector y, N_Vector rate, void* self) {

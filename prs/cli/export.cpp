@@ -20,7 +20,7 @@ struct Form {
 };
 
 constexpr Form kForms[] = {
-    {"--fmu", ".fmu", &ExportOptions::fmu, [](const SystemModel& m, const auto&) { return functional_mockup_unit(m.curves, m.text); }},
+    {"--fmu", ".fmu", &ExportOptions::fmu, [](const SystemModel& m, const auto&) { return functional_mockup_unit(m); }},
     {"--modelica", ".mo", &ExportOptions::modelica,
      [](const SystemModel& m, const auto&) { return modelica_package(m.curves, m.text); }},
     {"--mjcf", ".mjcf.xml", &ExportOptions::mjcf,

@@ -4,9 +4,14 @@
 #include "prs/export/system_model.h"
 #include "prs/export/zip.h"
 #include "prs/report/report.h"
+#include "prs/response/response.h"
 #include "prs/sha256.h"
 #include "prs/version.h"
 
+PRS_EMBED(drive_h, PRS_DRIVE_SOURCES "/drive.h")
+PRS_EMBED(drive_c, PRS_DRIVE_SOURCES "/drive.c")
+PRS_EMBED(dormand_prince_h, PRS_DRIVE_SOURCES "/dormand_prince.h")
+PRS_EMBED(dormand_prince_c, PRS_DRIVE_SOURCES "/dormand_prince.c")
 PRS_EMBED(curves_h, PRS_DRIVE_SOURCES "/curves.h")
 PRS_EMBED(curves_c, PRS_DRIVE_SOURCES "/curves.c")
 PRS_EMBED(fmi2_h, PRS_UNIT_SOURCES "/fmi2.h")
@@ -29,11 +34,90 @@ std::string bytes_of(const std::vector<double>& numbers) {
   return bytes;
 }
 
-/// Variables have the order of the value references in unit.c.
-std::string description_xml(const SystemCurves& curves, const ModelText& text, const std::string& guid) {
-  return fmt::format(fmt::runtime(description()), fmt::arg("name", text.name), fmt::arg("guid", guid),
-                     fmt::arg("file", html(text.case_file)), fmt::arg("sha", text.case_sha256),
-                     fmt::arg("version", kVersion), fmt::arg("range", html(curves_text(curves))));
+/// A variable of the unit with the drive; its reference is that of unit.c.
+struct Variable {
+  const char* name;
+  int reference;
+  const char* unit;
+  const char* description;
+};
+
+constexpr Variable kInputs[] = {
+    {"motor_torque", 0, "N.m", "Of the motor on its shaft, as commanded"},
+    {"reference", 1, "", "Of the controller"},
+    {"reference_speed", 2, "m/s", "Slope of the reference, for the feed forward"},
+    {"motor_speed", 3, "rad/s", "Prescribed; within a step it goes straight to its new value"},
+    {"external_force", 4, "N", "Holds the load back against +x and puts the screw in tension"},
+};
+constexpr Variable kOutputs[] = {
+    {"position", 5, "m", "Of the load"},
+    {"velocity", 6, "m/s", "Of the load"},
+    {"force", 7, "N", "Of the screw; &gt; 0 in tension"},
+    {"deflection", 8, "m", "Of screw and shaft; &gt; 0 in tension"},
+    {"motor_angle", 9, "rad", "Of the motor"},
+    {"motor_velocity", 10, "rad/s", "Of the motor"},
+    {"screw_angle", 11, "rad", "Of the screw"},
+    {"screw_velocity", 12, "rad/s", "Of the screw"},
+    {"coupling_torque", 13, "N.m", "Between motor and screw"},
+};
+
+/// The variables of a drive in the place of those of the screw alone.
+std::string with_drive(std::string xml, const ResponseInput& in, double reach) {
+  const bool controlled = in.motor.controller.has_value();
+  const bool of_position = controlled && in.motor.controller->position;
+  const bool has[] = {in.motor.torque.has_value(), controlled, of_position && in.motor.controller->speed_feed_forward,
+                      in.motor.speed.has_value(), true};
+  const double start[] = {0.0, of_position ? in.start.position : 0.0, 0.0, in.start.speed / reach, 0.0};
+  std::string variables, outputs;
+  int index = 0;
+  for (std::size_t k = 0; k < std::size(kInputs); ++k) {
+    if (!has[k]) continue;
+    ++index;
+    variables += fmt::format(
+        "    <ScalarVariable name=\"{}\" valueReference=\"{}\" causality=\"input\" variability=\"continuous\" "
+        "description=\"{}\"><Real unit=\"{}\" start=\"{:.17g}\"/></ScalarVariable>\n",
+        kInputs[k].name, kInputs[k].reference, kInputs[k].description,
+        k == 1 ? (of_position ? "m" : "rad/s") : kInputs[k].unit, start[k]);
+  }
+  const auto add_output = [&](const Variable& v) {
+    variables += fmt::format(
+        "    <ScalarVariable name=\"{}\" valueReference=\"{}\" causality=\"output\" variability=\"continuous\" "
+        "initial=\"calculated\" description=\"{}\"><Real unit=\"{}\"/></ScalarVariable>\n",
+        v.name, v.reference, v.description, v.unit);
+    outputs += fmt::format("    <Unknown index=\"{}\"/>\n", ++index);
+  };
+  if (controlled) add_output({"motor_torque", 0, "N.m", "Of the motor, behind the current loop"});
+  for (const Variable& v : kOutputs) add_output(v);
+  const auto replace = [&](std::string_view from, std::string_view to, const std::string& content) {
+    const std::size_t first = xml.find(from) + from.size();
+    xml.replace(first, xml.find(to) - first, content);
+  };
+  replace("<ModelVariables>\n", "  </ModelVariables>", variables);
+  replace("<Outputs>\n", "    </Outputs>", outputs);
+  replace("<InitialUnknowns>\n", "    </InitialUnknowns>", outputs);
+  const std::string_view units = "<UnitDefinitions>\n";
+  xml.insert(xml.find(units) + units.size(),
+             "    <Unit name=\"m/s\"><BaseUnit m=\"1\" s=\"-1\"/></Unit>\n"
+             "    <Unit name=\"rad\"><BaseUnit rad=\"1\"/></Unit>\n");
+  return xml;
+}
+
+std::string description_xml(const SystemModel& model, const std::string& guid) {
+  const SystemCurves& curves = model.curves;
+  const ModelText& text = model.text;
+  std::string xml = fmt::format(fmt::runtime(description()), fmt::arg("name", text.name), fmt::arg("guid", guid),
+                                fmt::arg("file", html(text.case_file)), fmt::arg("sha", text.case_sha256),
+                                fmt::arg("version", kVersion), fmt::arg("range", html(curves_text(curves))));
+  return model.drive ? with_drive(std::move(xml), *model.drive, curves.lead / (2.0 * std::numbers::pi)) : xml;
+}
+
+/// The numbers of the drive and how exactly events are found [s].
+std::vector<double> drive_numbers(const SystemModel& model) {
+  PrsDrive drive = drive_of(*model.case_with_drive, *model.drive, model.curves);
+  std::vector<double> numbers(PRS_DRIVE_NUMBERS);
+  prs_drive_numbers(&drive, numbers.data(), 1);
+  numbers.push_back(1e-12 * model.drive->duration);
+  return numbers;
 }
 
 std::string documentation(const SystemCurves& curves, const ModelText& text) {
@@ -112,10 +196,13 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& text) {
+std::string functional_mockup_unit(const SystemModel& model) {
+  const SystemCurves& curves = model.curves;
+  const ModelText& text = model.text;
   const std::string data = bytes_of(curves.data());
-  const std::string guid = guid_of(description_xml(curves, text, "") + data + std::string(library()));
-  std::vector<OutputFile> files{{"modelDescription.xml", description_xml(curves, text, guid)}};
+  const std::string drive = model.drive ? bytes_of(drive_numbers(model)) : std::string();
+  const std::string guid = guid_of(description_xml(model, "") + data + drive + std::string(library()));
+  std::vector<OutputFile> files{{"modelDescription.xml", description_xml(model, guid)}};
 #if defined(__x86_64__) && defined(__linux__)  // The standard has names for few platforms.
   files.push_back({fmt::format("binaries/linux64/{}.so", text.name), std::string(library())});
 #endif
@@ -123,9 +210,14 @@ std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& 
   const auto add = [&](const char* name, std::string_view content) { files.push_back({name, std::string(content)}); };
   add("documentation/licenses/license.txt", licence());
   add("resources/curves.bin", data);
+  if (model.drive) add("resources/drive.bin", drive);
   add("resources/guid.txt", guid);
   add("sources/curves.c", curves_c());
   add("sources/curves.h", curves_h());
+  add("sources/dormand_prince.c", dormand_prince_c());
+  add("sources/dormand_prince.h", dormand_prince_h());
+  add("sources/drive.c", drive_c());
+  add("sources/drive.h", drive_h());
   add("sources/fmi2.h", fmi2_h());
   add("sources/unit.c", unit_c());
   return zip(files);
