@@ -16,8 +16,8 @@ static const double kWeight[STAGES][STAGES - 1] = {
     {35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0}};
 static const double kError[STAGES] = {71.0 / 57600.0,      0.0,          -71.0 / 16695.0, 71.0 / 1920.0,
                                       -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0};
-static const double kDense[STAGES] = {-12715105075.0 / 11282082432.0, 0.0,
-                                      87487479700.0 / 32700410799.0,  -10690763975.0 / 1880347072.0,
+static const double kDense[STAGES] = {-12715105075.0 / 11282082432.0,  0.0,
+                                      87487479700.0 / 32700410799.0,   -10690763975.0 / 1880347072.0,
                                       701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
                                       69997945.0 / 29380423.0};
 
@@ -98,9 +98,9 @@ static void at(void* self, double t, double* y) {
   const double s = (t - (m->t - m->h)) / m->h, r = 1.0 - s;
   int i;
   for (i = 0; i < PRS_STATES; ++i)
-    y[i] = t == m->t ? m->y[i]
-                     : m->form[0][i] +
-                           s * (m->form[1][i] + r * (m->form[2][i] + s * (m->form[3][i] + r * m->form[4][i])));
+    y[i] = t == m->t
+               ? m->y[i]
+               : m->form[0][i] + s * (m->form[1][i] + r * (m->form[2][i] + s * (m->form[3][i] + r * m->form[4][i])));
 }
 
 void prs_dormand_prince_start(PrsDormandPrince* m, const PrsRun* run, double tolerance) {

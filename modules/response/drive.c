@@ -14,16 +14,40 @@ static double largest_of(double a, double b) { return a > b ? a : b; }
 static double smallest_of(double a, double b) { return a < b ? a : b; }
 
 size_t prs_drive_numbers(PrsDrive* d, double* values, int store) {
-  double* const real[] = {&d->mass, &d->screw_inertia, &d->motor_inertia, &d->coupling_stiffness,
-                          &d->coupling_damping, &d->motor_friction, &d->motor_damping, &d->brake_torque,
-                          &d->brake_at, &d->cut_at, &d->drag, &d->load_friction, &d->load_damping,
-                          &d->material_damping, &d->stop[0].at, &d->stop[0].stiffness, &d->stop[0].damping,
-                          &d->stop[1].at, &d->stop[1].stiffness, &d->stop[1].damping, &d->shaft_length,
-                          &d->shaft_span, &d->shaft_rigidity, &d->start_position, &d->start_speed,
-                          &d->start_deflection, &d->position_gain, &d->speed_gain, &d->integral_time,
-                          &d->largest_torque, &d->largest_speed, &d->time_constant};
-  int* const whole[] = {&d->coupled, &d->stop[0].stands, &d->stop[1].stands, &d->has_shaft, &d->fixed_fixed,
-                        &d->by, &d->feedback_of_load, &d->feeds_speed_forward};
+  double* const real[] = {&d->mass,
+                          &d->screw_inertia,
+                          &d->motor_inertia,
+                          &d->coupling_stiffness,
+                          &d->coupling_damping,
+                          &d->motor_friction,
+                          &d->motor_damping,
+                          &d->brake_torque,
+                          &d->brake_at,
+                          &d->cut_at,
+                          &d->drag,
+                          &d->load_friction,
+                          &d->load_damping,
+                          &d->material_damping,
+                          &d->stop[0].at,
+                          &d->stop[0].stiffness,
+                          &d->stop[0].damping,
+                          &d->stop[1].at,
+                          &d->stop[1].stiffness,
+                          &d->stop[1].damping,
+                          &d->shaft_length,
+                          &d->shaft_span,
+                          &d->shaft_rigidity,
+                          &d->start_position,
+                          &d->start_speed,
+                          &d->start_deflection,
+                          &d->position_gain,
+                          &d->speed_gain,
+                          &d->integral_time,
+                          &d->largest_torque,
+                          &d->largest_speed,
+                          &d->time_constant};
+  int* const whole[] = {&d->coupled, &d->stop[0].stands,   &d->stop[1].stands,     &d->has_shaft, &d->fixed_fixed,
+                        &d->by,      &d->feedback_of_load, &d->feeds_speed_forward};
   size_t n = 0, k;
   for (k = 0; k < sizeof real / sizeof *real; ++k, ++n)
     if (store)
@@ -265,17 +289,15 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
   free_torque = v->force + v->shaft_force - v->external + v->stop_force;
   v->drive[PRS_LOAD] = free_torque;
   v->load_friction = m->place[PRS_LOAD] == PRS_FREE ? 0.0 : m->place[PRS_LOAD] * d->load_friction;
-  acceleration = m->place[PRS_LOAD] == PRS_STICKS
-                     ? 0.0
-                     : (free_torque - v->load_friction - d->load_damping * v->v) / d->mass;
+  acceleration =
+      m->place[PRS_LOAD] == PRS_STICKS ? 0.0 : (free_torque - v->load_friction - d->load_damping * v->v) / d->mass;
 
   /* Screw, and with it the rotor where both are one. */
   {
     int sense = rigid && by_speed ? m->place[PRS_MOTOR] : m->place[PRS_SCREW];
     const double inertia = d->screw_inertia + (rigid ? d->motor_inertia : 0.0);
     if (sense == PRS_FREE) sense = v->omega < 0.0 ? -1 : 1;
-    if (sense != 0)
-      thread = prs_friction_torque(&run->friction, v->force, v->omega, sense) + sense * d->drag;
+    if (sense != 0) thread = prs_friction_torque(&run->friction, v->force, v->omega, sense) + sense * d->drag;
     v->screw_friction = thread;
     v->drive[PRS_SCREW] = (rigid ? v->motor_torque : v->coupling_torque) - r * v->force;
     if (rigid && by_speed)
@@ -283,8 +305,8 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
     else if (m->place[PRS_SCREW] == PRS_STICKS)
       turning = 0.0;
     else
-      turning = (v->drive[PRS_SCREW] - thread - (rigid ? v->motor_friction + d->motor_damping * v->omega : 0.0)) /
-                inertia;
+      turning =
+          (v->drive[PRS_SCREW] - thread - (rigid ? v->motor_friction + d->motor_damping * v->omega : 0.0)) / inertia;
     motor_turning = turning;
   }
 
@@ -295,8 +317,8 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
     if (!rigid) {
       if (motor_sense == 0)
         v->motor_friction = smallest_of(largest_of(-v->coupling_torque, -rotor_friction), rotor_friction);
-      v->motor_torque = d->motor_inertia * in.slope + v->coupling_torque + v->motor_friction +
-                        d->motor_damping * v->omega_m;
+      v->motor_torque =
+          d->motor_inertia * in.slope + v->coupling_torque + v->motor_friction + d->motor_damping * v->omega_m;
     } else {
       const double load = r * v->force;
       double held = thread + v->motor_friction;
@@ -305,8 +327,7 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
         const double down = largest_of(0.0, d->drag - prs_friction_torque(&run->friction, v->force, 0.0, -1));
         held = smallest_of(largest_of(-load, -(down + rotor_friction)), up + rotor_friction);
       }
-      v->motor_torque =
-          (d->motor_inertia + d->screw_inertia) * in.slope + load + held + d->motor_damping * v->omega_m;
+      v->motor_torque = (d->motor_inertia + d->screw_inertia) * in.slope + load + held + d->motor_damping * v->omega_m;
     }
   } else if (!rigid) {
     motor_turning = m->place[PRS_MOTOR] == PRS_STICKS
@@ -553,10 +574,10 @@ void prs_run_start(PrsRun* run, const PrsDrive* d, PrsSignals signals, double re
   settle(run, none);
   if (d->time_constant > 0.0) {
     evaluate(run, 0.0, s->y, 0, &v, 0);
-    s->y[PRS_TORQUE] = s->modes.cut                  ? 0.0
-                       : d->by == PRS_BY_TORQUE      ? in.motor
-                       : s->modes.bound == 0         ? v.wanted
-                                                     : sign_of(s->modes.bound) * d->largest_torque;
+    s->y[PRS_TORQUE] = s->modes.cut             ? 0.0
+                       : d->by == PRS_BY_TORQUE ? in.motor
+                       : s->modes.bound == 0    ? v.wanted
+                                                : sign_of(s->modes.bound) * d->largest_torque;
     settle(run, none);
   }
 }
@@ -600,8 +621,8 @@ static double root_of(const PrsRun* run, const PrsStepper* stepper, Crossing c) 
   return c.to;
 }
 
-static void points_of(const PrsRun* run, const PrsStepper* stepper, double from, double to,
-                      PrsView points[PRS_POINTS], int first) {
+static void points_of(const PrsRun* run, const PrsStepper* stepper, double from, double to, PrsView points[PRS_POINTS],
+                      int first) {
   int k;
   for (k = first; k < PRS_POINTS; ++k) {
     double y[PRS_STATES];

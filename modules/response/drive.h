@@ -115,7 +115,7 @@ typedef struct {
   PrsCurves friction; /* Curves without lead: their torque is what friction takes. */
   double reach;       /* lead/(2 pi), signed [m/rad] */
   double slowest, play[2];
-  int can_open[2]; /* Sense of the load that cannot pull: tension, compression */
+  int can_open[2];   /* Sense of the load that cannot pull: tension, compression */
   double resolution; /* Of the time of events [s] */
   long steps_left;
   PrsState state;

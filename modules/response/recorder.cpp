@@ -40,8 +40,7 @@ Recorder::Recorder(const DriveRun& run, PrsRun& core, const PrsStepper& stepper,
 }
 
 PrsObserver Recorder::observer() {
-  return {this,
-          [](void* self, const PrsView* view, int closed) { static_cast<Recorder*>(self)->begin(*view, closed); },
+  return {this, [](void* self, const PrsView* view, int closed) { static_cast<Recorder*>(self)->begin(*view, closed); },
           [](void* self, const PrsView* points) { static_cast<Recorder*>(self)->step(points); }};
 }
 

@@ -34,7 +34,8 @@ class Cvode {
       solver_ = SUNNonlinSol_FixedPoint(y_, 0, context_);
       CVodeSetNonlinearSolver(memory_, solver_);
     }
-    CVodeSetErrHandlerFn(memory_, [](int, const char*, const char*, char*, void*) {}, nullptr);
+    CVodeSetErrHandlerFn(
+        memory_, [](int, const char*, const char*, char*, void*) {}, nullptr);
     double largest = 0.05 * run.duration;
     if (run.fastest > 0.0) largest = std::min(largest, 0.05 / run.fastest);
     CVodeSetMaxStep(memory_, largest);
@@ -60,12 +61,10 @@ class Cvode {
   }
 
  private:
-  static constexpr double kShare = 0.02;  ///< Errors of steps add up; this keeps their sum at the tolerance.
+  static constexpr double kShare = 0.005;  ///< Errors of steps add up; this keeps their sum at the tolerance.
 
   /// Whether something dies away much faster than it vibrates.
-  static bool is_stiff(const DriveRun& run) {
-    return run.drive.time_constant > 0.0 && run.drive.time_constant < 2e-5;
-  }
+  static bool is_stiff(const DriveRun& run) { return run.drive.time_constant > 0.0 && run.drive.time_constant < 2e-5; }
 
   static int rates(double t, N_Vector y, N_Vector rate, void* self) {
     prs_rates(&static_cast<Cvode*>(self)->core_, t, N_VGetArrayPointer(y), N_VGetArrayPointer(rate));
@@ -132,5 +131,4 @@ void integrate(const DriveRun& run, DriveResult& result) {
 }  // namespace
 }  // namespace prs
 
-extern "C" __attribute__((visibility("default")))
-const prs::ResponseModule prs_module{{}, prs::integrate};
+extern "C" __attribute__((visibility("default"))) const prs::ResponseModule prs_module{{}, prs::integrate};

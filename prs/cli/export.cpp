@@ -111,7 +111,8 @@ CurveOptions curve_options(const ExportOptions& o) {
 int export_model(const Options& options) {
   const std::vector<const Form*> forms = forms_of(options.export_model);
   const std::optional<std::filesystem::path>& output = options.export_model.output;
-  if (forms.empty() && !options.json) throw UsageError("the form is missing; expected --fmu, --modelica, --mjcf or --urdf, or several of them");
+  if (forms.empty() && !options.json)
+    throw UsageError("the form is missing; expected --fmu, --modelica, --mjcf or --urdf, or several of them");
   if (output) require_place(*output, forms);
   const CurveOptions asked = curve_options(options.export_model);
   const ExportOptions& o = options.export_model;
@@ -125,8 +126,8 @@ int export_model(const Options& options) {
   std::optional<double> friction_load;
   if (o.friction_load) friction_load = positive_option("--friction-load", *o.friction_load, input::unit::force, "N");
   if (for_robots)
-    robot = input::compute_from(
-        source, [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
+    robot = input::compute_from(source,
+                                [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
   const Destination place = destination_of(forms, model, robot, output);
   if (!place.files.empty()) write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
 

@@ -1,5 +1,7 @@
 
 
+#include <sstream>
+
 #include "prs/embed.h"
 #include "prs/export/system_model.h"
 #include "prs/export/zip.h"
@@ -16,6 +18,7 @@ PRS_EMBED(curves_h, PRS_DRIVE_SOURCES "/curves.h")
 PRS_EMBED(curves_c, PRS_DRIVE_SOURCES "/curves.c")
 PRS_EMBED(fmi2_h, PRS_UNIT_SOURCES "/fmi2.h")
 PRS_EMBED(description, PRS_UNIT_SOURCES "/modelDescription.xml")
+PRS_EMBED(drive_variables, PRS_UNIT_SOURCES "/drive_variables.txt")
 PRS_EMBED(unit_c, PRS_UNIT_SOURCES "/unit.c")
 PRS_EMBED(licence, PRS_LICENCE)
 PRS_EMBED(library, PRS_UNIT_LIBRARY)
@@ -34,65 +37,41 @@ std::string bytes_of(const std::vector<double>& numbers) {
   return bytes;
 }
 
-/// A variable of the unit with the drive; its reference is that of unit.c.
-struct Variable {
-  const char* name;
-  int reference;
-  const char* unit;
-  const char* description;
-};
-
-constexpr Variable kInputs[] = {
-    {"motor_torque", 0, "N.m", "Of the motor on its shaft, as commanded"},
-    {"reference", 1, "", "Of the controller"},
-    {"reference_speed", 2, "m/s", "Slope of the reference, for the feed forward"},
-    {"motor_speed", 3, "rad/s", "Prescribed; within a step it goes straight to its new value"},
-    {"external_force", 4, "N", "Holds the load back against +x and puts the screw in tension"},
-};
-constexpr Variable kOutputs[] = {
-    {"position", 5, "m", "Of the load"},
-    {"velocity", 6, "m/s", "Of the load"},
-    {"force", 7, "N", "Of the screw; &gt; 0 in tension"},
-    {"deflection", 8, "m", "Of screw and shaft; &gt; 0 in tension"},
-    {"motor_angle", 9, "rad", "Of the motor"},
-    {"motor_velocity", 10, "rad/s", "Of the motor"},
-    {"screw_angle", 11, "rad", "Of the screw"},
-    {"screw_velocity", 12, "rad/s", "Of the screw"},
-    {"coupling_torque", 13, "N.m", "Between motor and screw"},
-};
-
-/// The variables of a drive in the place of those of the screw alone.
+/// The variables of a drive in the place of those of the screw alone: rows of drive_variables.txt, whose
+/// references are those of unit.c.
 std::string with_drive(std::string xml, const ResponseInput& in, double reach) {
-  const bool controlled = in.motor.controller.has_value();
-  const bool of_position = controlled && in.motor.controller->position;
-  const bool has[] = {in.motor.torque.has_value(), controlled, of_position && in.motor.controller->speed_feed_forward,
-                      in.motor.speed.has_value(), true};
-  const double start[] = {0.0, of_position ? in.start.position : 0.0, 0.0, in.start.speed / reach, 0.0};
-  std::string variables, outputs;
-  int index = 0;
-  for (std::size_t k = 0; k < std::size(kInputs); ++k) {
-    if (!has[k]) continue;
-    ++index;
-    variables += fmt::format(
-        "    <ScalarVariable name=\"{}\" valueReference=\"{}\" causality=\"input\" variability=\"continuous\" "
-        "description=\"{}\"><Real unit=\"{}\" start=\"{:.17g}\"/></ScalarVariable>\n",
-        kInputs[k].name, kInputs[k].reference, kInputs[k].description,
-        k == 1 ? (of_position ? "m" : "rad/s") : kInputs[k].unit, start[k]);
-  }
-  const auto add_output = [&](const Variable& v) {
-    variables += fmt::format(
-        "    <ScalarVariable name=\"{}\" valueReference=\"{}\" causality=\"output\" variability=\"continuous\" "
-        "initial=\"calculated\" description=\"{}\"><Real unit=\"{}\"/></ScalarVariable>\n",
-        v.name, v.reference, v.description, v.unit);
-    outputs += fmt::format("    <Unknown index=\"{}\"/>\n", ++index);
+  const auto& controller = in.motor.controller;
+  const bool of_position = controller && controller->position;
+  const auto stands = [&](std::string_view when) {
+    return when == "all" || (when == "torque" && in.motor.torque) || (when == "speed" && in.motor.speed) ||
+           (when == "speed_loop" && controller && !of_position) || (when == "position_loop" && of_position) ||
+           (when == "feed_forward" && of_position && controller->speed_feed_forward);
   };
-  if (controlled) add_output({"motor_torque", 0, "N.m", "Of the motor, behind the current loop"});
-  for (const Variable& v : kOutputs) add_output(v);
+  std::string list, outputs;
+  int index = 0;
+  std::istringstream rows{std::string(drive_variables())};
+  for (std::string row; std::getline(rows, row);) {
+    std::vector<std::string> cells;
+    std::istringstream parts(row);
+    for (std::string cell; std::getline(parts, cell, '|');) cells.push_back(cell);
+    if (!stands(cells[0])) continue;
+    ++index;
+    const bool is_input = cells[1] == "input";
+    const double start = cells[3] == "motor_speed"                ? in.start.speed / reach
+                         : cells[3] == "reference" && of_position ? in.start.position
+                                                                  : 0.0;
+    list += fmt::format(
+        "    <ScalarVariable name=\"{}\" valueReference=\"{}\" causality=\"{}\" variability=\"continuous\"{} "
+        "description=\"{}\"><Real unit=\"{}\"{}/></ScalarVariable>\n",
+        cells[3], cells[2], cells[1], is_input ? "" : " initial=\"calculated\"", cells[5], cells[4],
+        is_input ? fmt::format(" start=\"{:.17g}\"", start) : "");
+    if (!is_input) outputs += fmt::format("    <Unknown index=\"{}\"/>\n", index);
+  }
   const auto replace = [&](std::string_view from, std::string_view to, const std::string& content) {
     const std::size_t first = xml.find(from) + from.size();
     xml.replace(first, xml.find(to) - first, content);
   };
-  replace("<ModelVariables>\n", "  </ModelVariables>", variables);
+  replace("<ModelVariables>\n", "  </ModelVariables>", list);
   replace("<Outputs>\n", "    </Outputs>", outputs);
   replace("<InitialUnknowns>\n", "    </InitialUnknowns>", outputs);
   const std::string_view units = "<UnitDefinitions>\n";

@@ -59,13 +59,11 @@ SystemModel system_model(const input::Source& source, const CurveOptions& option
   const bool drive = with_drive == WithDrive::needed || (with_drive == WithDrive::stated && stated.response);
   const Command needed = drive ? Command::response : stated.preload ? Command::preload : Command::solve;
   const input::CaseInput in = input::read_case_input(source, needed);
-  SystemModel model{input::compute_from(source,
-                                        [&] {
-                                          return drive ? response_curves(in.values, options)
-                                                       : system_curves(in.values, options);
-                                        }),
-                    {model_name(source.name), source.name, sha256(source.text)},
-                    document_info(source, needed)};
+  SystemModel model{
+      input::compute_from(
+          source, [&] { return drive ? response_curves(in.values, options) : system_curves(in.values, options); }),
+      {model_name(source.name), source.name, sha256(source.text)},
+      document_info(source, needed)};
   if (drive) {
     model.drive = input::compute_from(source, [&] { return with_signal_files(in.values, source); });
     model.case_with_drive = in.values;

@@ -1,16 +1,17 @@
 #include "prs/export/robot.h"
 
-#include <Eigen/Dense>
 #include <cmath>
 
+#include "prs/embed.h"
 #include "prs/report/report.h"
 #include "prs/response/response.h"
 #include "prs/version.h"
 
+PRS_EMBED(mjcf_form, PRS_UNIT_SOURCES "/joint.mjcf.xml")
+PRS_EMBED(urdf_form, PRS_UNIT_SOURCES "/joint.urdf")
+
 namespace prs {
 namespace {
-
-constexpr int kSteps = 10;
 
 double largest_speed_of(const Case& c, const SystemCurves& curves) {
   if (!curves.friction.speed.empty()) return curves.friction.speed.back();
@@ -22,61 +23,6 @@ double largest_speed_of(const Case& c, const SystemCurves& curves) {
                     "missing; expected the largest speed, which the file does not state elsewhere; add `curves: "
                     "{speed: 1200 rpm}`, for example");
   return speed;
-}
-
-/// Least squares with no coefficient below 0: the best of all choices of columns.
-Eigen::Vector3d fitted_above_zero(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y) {
-  Eigen::Vector3d best = Eigen::Vector3d::Zero();
-  double least = y.squaredNorm();
-  for (unsigned choice = 1; choice < 8; ++choice) {
-    std::vector<Eigen::Index> chosen;
-    for (Eigen::Index k = 0; k < 3; ++k)
-      if ((choice >> k & 1U) != 0) chosen.push_back(k);
-    const Eigen::MatrixXd part = columns(Eigen::all, chosen);
-    const Eigen::VectorXd found = part.colPivHouseholderQr().solve(y);
-    const double rest = (part * found - y).squaredNorm();
-    if (!(found.minCoeff() >= 0.0) || !(rest < least * (1.0 - 1e-12))) continue;
-    least = rest;
-    best.setZero();
-    best(chosen) = found;
-  }
-  return best;
-}
-
-void fit_friction(const PrsCurves& curves, double speed, RobotConstants& robot) {
-  const double r = 1.0 / robot.gear_ratio;
-  Eigen::MatrixXd columns(2 * kSteps * (2 * kSteps + 1), 3);
-  Eigen::VectorXd y(columns.rows());
-  Eigen::Index row = 0;
-  for (int i = -kSteps; i <= kSteps; ++i)
-    for (int k = 1; k <= kSteps; ++k)
-      for (const int sigma : {1, -1}) {
-        const double force = robot.largest_force * i / kSteps, turning = speed * k / kSteps;
-        columns.row(row) << 1.0, std::abs(force), std::abs(turning * r);
-        y(row++) = std::abs(prs_friction_torque(&curves, force, turning, sigma) / r);
-      }
-  // Columns of one size.
-  const Eigen::Vector3d size(1.0, robot.largest_force, std::abs(speed * r));
-  for (Eigen::Index k = 0; k < 3; ++k) columns.col(k) /= size(k);
-  const Eigen::Vector3d p = fitted_above_zero(columns, y);
-  const Eigen::VectorXd error = columns * p - y;
-  robot.largest_error = error.cwiseAbs().maxCoeff();
-  robot.rms_error = std::sqrt(error.squaredNorm() / static_cast<double>(error.size()));
-  robot.no_load = p(0);
-  robot.per_load = p(1) / size(1);
-  robot.per_speed = p(2) / size(2);
-  double screw = 0.0, load = 0.0;
-  for (int i = 1; i <= kSteps; ++i) {
-    const double force = robot.largest_force * i / kSteps;
-    const auto share = [&](int sigma) {
-      return std::abs(prs_friction_torque(&curves, force, speed, sigma) / (force * r));
-    };
-    const int driving = r < 0.0 ? -1 : 1;
-    screw += 1.0 / (1.0 + share(driving)) / kSteps;
-    load += (1.0 - share(-driving)) / kSteps;
-  }
-  if (screw > 0.0) robot.screw_drives = screw;
-  if (load > 0.0) robot.load_drives = load;
 }
 
 /// What both formats say of what they leave out.
@@ -105,7 +51,7 @@ RobotConstants robot_constants(const Case& c, const SystemCurves& curves, std::o
   if (curves.friction.speed.empty())
     robot.screw_drives = robot.load_drives = 1.0;
   else
-    fit_friction(curves.view(), speed, robot);
+    static_cast<FrictionFit&>(robot) = fit_friction(curves.view(), robot.largest_force, speed);
   robot.friction_load = friction_load.value_or(0.5 * robot.largest_force);
   robot.friction_loss = robot.no_load + robot.per_load * robot.friction_load +
                         (in.screw.drag_torque + in.motor.friction_torque) / std::abs(r) + in.load.friction_force;
@@ -134,39 +80,34 @@ nlohmann::ordered_json robot_json(const RobotConstants& r) {
   return json;
 }
 
-std::string mjcf(const ResponseInput& in, const RobotConstants& r, const ModelText& text) {
-  const auto& [upper, lower] = in.end_stops;
-  const std::string range =
-      upper && lower ? fmt::format(" limited=\"true\" range=\"{:.17g} {:.17g}\"", lower->at, upper->at) : "";
-  const bool bound = in.motor.controller && in.motor.controller->largest_torque;
-  const double torque = bound ? *in.motor.controller->largest_torque : 0.0;
-  return fmt::format(
-      "<!--\n{}-->\n<mujoco model=\"{}\">\n  <worldbody>\n    <body name=\"load\">\n"
-      "      <joint name=\"axis\" type=\"slide\" axis=\"1 0 0\" armature=\"{:.17g}\" frictionloss=\"{:.17g}\" "
-      "damping=\"{:.17g}\" solimpfriction=\"0.9999 0.9999 0.001\"{}/>\n"
-      "      <geom type=\"box\" size=\"0.05 0.05 0.05\" mass=\"{:.17g}\" contype=\"0\" conaffinity=\"0\"/>\n"
-      "    </body>\n  </worldbody>\n  <actuator>\n"
-      "    <motor name=\"motor\" joint=\"axis\" gear=\"{:.17g}\"{}/>\n  </actuator>\n</mujoco>\n",
-      remarks(r, text), text.name, r.reflected_mass, r.friction_loss, r.damping, range, in.load.mass, r.gear_ratio,
-      bound ? fmt::format(" ctrllimited=\"true\" ctrlrange=\"{:.17g} {:.17g}\"", -torque, torque) : "");
-}
+namespace {
 
-std::string urdf(const ResponseInput& in, const RobotConstants& r, const ModelText& text) {
+std::string joint(std::string_view form, const ResponseInput& in, const RobotConstants& r, const ModelText& text) {
   const auto& [upper, lower] = in.end_stops;
   const bool limited = upper && lower;
-  const double inertia = 1e-3 * in.load.mass;
-  return fmt::format(
-      "<?xml version=\"1.0\"?>\n<!--\n{}"
-      "  Also lost: reflected_mass_kg {:.9g}, for which the format has no place; a simulator moves {:.6g} kg alone.\n"
-      "-->\n<robot name=\"{}\">\n  <link name=\"base\"/>\n  <link name=\"load\">\n    <inertial>\n"
-      "      <mass value=\"{:.17g}\"/>\n"
-      "      <inertia ixx=\"{:.9g}\" ixy=\"0\" ixz=\"0\" iyy=\"{:.9g}\" iyz=\"0\" izz=\"{:.9g}\"/>\n"
-      "    </inertial>\n  </link>\n  <joint name=\"axis\" type=\"prismatic\">\n    <parent link=\"base\"/>\n"
-      "    <child link=\"load\"/>\n    <axis xyz=\"1 0 0\"/>\n"
-      "    <dynamics damping=\"{:.17g}\" friction=\"{:.17g}\"/>\n"
-      "    <limit lower=\"{:.17g}\" upper=\"{:.17g}\" effort=\"{:.17g}\" velocity=\"{:.17g}\"/>\n  </joint>\n</robot>\n",
-      remarks(r, text), r.reflected_mass, in.load.mass, text.name, in.load.mass, inertia, inertia, inertia, r.damping,
-      r.friction_loss, limited ? lower->at : -1.0, limited ? upper->at : 1.0, r.largest_force, r.largest_speed);
+  const double least = limited ? lower->at : -1.0, most = limited ? upper->at : 1.0;
+  const auto bounds = [](const char* flag, const char* name, double from, double to) {
+    return fmt::format(" {}=\"true\" {}=\"{:.17g} {:.17g}\"", flag, name, from, to);
+  };
+  const auto& controller = in.motor.controller;
+  const double torque = controller ? controller->largest_torque.value_or(0.0) : 0.0;
+  return fmt::format(fmt::runtime(form), fmt::arg("remarks", remarks(r, text)), fmt::arg("name", text.name),
+                     fmt::arg("reflected", r.reflected_mass), fmt::arg("friction", r.friction_loss),
+                     fmt::arg("damping", r.damping), fmt::arg("mass", in.load.mass),
+                     fmt::arg("range", limited ? bounds("limited", "range", least, most) : ""),
+                     fmt::arg("gear", r.gear_ratio),
+                     fmt::arg("control", torque > 0.0 ? bounds("ctrllimited", "ctrlrange", -torque, torque) : ""),
+                     fmt::arg("inertia", 1e-3 * in.load.mass), fmt::arg("lower", least), fmt::arg("upper", most),
+                     fmt::arg("effort", r.largest_force), fmt::arg("velocity", r.largest_speed));
+}
+
+}  // namespace
+
+std::string mjcf(const ResponseInput& input, const RobotConstants& robot, const ModelText& text) {
+  return joint(mjcf_form(), input, robot, text);
+}
+std::string urdf(const ResponseInput& input, const RobotConstants& robot, const ModelText& text) {
+  return joint(urdf_form(), input, robot, text);
 }
 
 }  // namespace prs

@@ -1,19 +1,16 @@
 #pragma once
 
+#include "modules/response/friction_fit.h"
 #include "prs/export/system_model.h"
 
 namespace prs {
 
 /// What robot simulators know of a drive: one mass, one friction, one damping (docs/response.md).
-struct RobotConstants {
-  double gear_ratio = 0.0;      ///< 1/r, signed [rad/m]
-  double reflected_mass = 0.0;  ///< [kg]
+struct RobotConstants : FrictionFit {
+  double gear_ratio = 0.0;                          ///< 1/r, signed [rad/m]
+  double reflected_mass = 0.0;                      ///< [kg]
   double friction_loss = 0.0, friction_load = 0.0;  ///< [N]
   double damping = 0.0;                             ///< [N s/m]
-  /// |T_f|/|r| = no_load + per_load |F| + per_speed |n r|, none of them below 0, and how far it is off.
-  double no_load = 0.0, per_load = 0.0, per_speed = 0.0;
-  double largest_error = 0.0, rms_error = 0.0;           ///< [N]
-  std::optional<double> screw_drives = {}, load_drives = {};  ///< Mean efficiencies.
   double play = 0.0, largest_force = 0.0, largest_speed = 0.0;
 };
 

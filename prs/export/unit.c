@@ -63,11 +63,10 @@ typedef struct {
   char name[200];
 } Unit;
 
-static void tell(const fmi2CallbackFunctions* callbacks, const char* name, fmi2Status status,
-                 const char* message) {
+static void tell(const fmi2CallbackFunctions* callbacks, const char* name, fmi2Status status, const char* message) {
   if (callbacks && callbacks->logger)
-    callbacks->logger(callbacks->componentEnvironment, name, status,
-                      status == fmi2Warning ? kWarnings : kErrors, "%s", message);
+    callbacks->logger(callbacks->componentEnvironment, name, status, status == fmi2Warning ? kWarnings : kErrors, "%s",
+                      message);
 }
 
 static fmi2Status fail(Unit* unit, const char* message) {
@@ -115,8 +114,7 @@ static char* content_of(const char* uri, const char* file, size_t* size) {
   if (!path_of(uri, file, path, sizeof path)) return NULL;
   stream = fopen(path, "rb");
   if (!stream) return NULL;
-  if (fseek(stream, 0, SEEK_END) == 0 && (length = ftell(stream)) >= 0 &&
-      fseek(stream, 0, SEEK_SET) == 0) {
+  if (fseek(stream, 0, SEEK_END) == 0 && (length = ftell(stream)) >= 0 && fseek(stream, 0, SEEK_SET) == 0) {
     *size = (size_t)length;
     content = (char*)malloc(*size + 1);
     if (content && fread(content, 1, *size, stream) != *size) {
@@ -253,8 +251,7 @@ static const char* load(Unit* unit, const char* guid, const char* resources) {
   if (!is_own) return "the GUID is not that of this unit; read modelDescription.xml again";
   if (!order.first) return "this unit runs on processors of little-endian numbers alone";
   unit->data = (double*)(void*)content_of(resources, kCurvesFile, &size);
-  if (!unit->data || size % sizeof(double) != 0 ||
-      !prs_read_curves(unit->data, size / sizeof(double), &unit->curves))
+  if (!unit->data || size % sizeof(double) != 0 || !prs_read_curves(unit->data, size / sizeof(double), &unit->curves))
     return "resources/curves.bin is missing or damaged; export the unit again";
   return load_drive(unit, resources);
 }
@@ -280,10 +277,9 @@ static void evaluate(Unit* unit, double value[kVariables]) {
   warn_once(unit, beyond, &unit->warned_of_deflection,
             "deflection: beyond the computed range; the force goes on in a straight line");
   value[kTorque] = prs_torque(&unit->curves, value[kForce], value[kSpeed], &beyond);
-  warn_once(
-      unit, beyond, &unit->warned_of_torque,
-      "torque: force or speed is beyond the computed range; friction grows with the force and "
-      "stays that of the largest speed");
+  warn_once(unit, beyond, &unit->warned_of_torque,
+            "torque: force or speed is beyond the computed range; friction grows with the force and "
+            "stays that of the largest speed");
 }
 
 FMI2(const char*, fmi2GetTypesPlatform)(void) { return "default"; }
@@ -296,8 +292,8 @@ FMI2(fmi2Status, fmi2SetDebugLogging)
 }
 
 FMI2(fmi2Component, fmi2Instantiate)
-(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
- const fmi2CallbackFunctions* callbacks, fmi2Boolean visible, fmi2Boolean logging) {
+(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions* callbacks,
+ fmi2Boolean visible, fmi2Boolean logging) {
   const char* problem;
   Unit* unit;
   (void)visible, (void)logging;
@@ -326,8 +322,7 @@ FMI2(void, fmi2FreeInstance)(fmi2Component c) {
 }
 
 FMI2(fmi2Status, fmi2SetupExperiment)
-(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start,
- fmi2Boolean has_stop, fmi2Real stop) {
+(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start, fmi2Boolean has_stop, fmi2Real stop) {
   (void)has_tolerance, (void)tolerance, (void)has_stop, (void)stop;
   ((Unit*)c)->time = start;
   return fmi2OK;
@@ -377,7 +372,7 @@ FMI2(fmi2Status, fmi2SetReal)
     if (references[k] >= (unit->has_drive ? kDriveInputs : kInputs))
       return fail(unit, unit->has_drive ? "outputs cannot be set" : "only deflection and speed can be set");
     if (!isfinite(values[k]))
-      return fail(unit, unit->has_drive               ? "an input is not a finite number"
+      return fail(unit, unit->has_drive                ? "an input is not a finite number"
                         : references[k] == kDeflection ? "deflection: not a finite number"
                                                        : "speed: not a finite number");
   }
@@ -437,8 +432,8 @@ FMI2(fmi2Status, fmi2DeSerializeFMUstate)
 
 /* Not provided, as modelDescription.xml says. */
 FMI2(fmi2Status, fmi2GetDirectionalDerivative)
-(fmi2Component c, const fmi2ValueReference unknown[], size_t unknowns,
- const fmi2ValueReference known[], size_t knowns, const fmi2Real along[], fmi2Real derivative[]) {
+(fmi2Component c, const fmi2ValueReference unknown[], size_t unknowns, const fmi2ValueReference known[], size_t knowns,
+ const fmi2Real along[], fmi2Real derivative[]) {
   (void)unknown, (void)unknowns, (void)known, (void)knowns, (void)along, (void)derivative;
   return fail((Unit*)c, "this unit gives no directional derivatives");
 }
@@ -449,8 +444,7 @@ FMI2(fmi2Status, fmi2SetRealInputDerivatives)
   return fail((Unit*)c, "this unit takes no derivatives of inputs");
 }
 FMI2(fmi2Status, fmi2GetRealOutputDerivatives)
-(fmi2Component c, const fmi2ValueReference references[], size_t count, const fmi2Integer orders[],
- fmi2Real values[]) {
+(fmi2Component c, const fmi2ValueReference references[], size_t count, const fmi2Integer orders[], fmi2Real values[]) {
   (void)references, (void)count, (void)orders, (void)values;
   return fail((Unit*)c, "this unit gives no derivatives of outputs");
 }

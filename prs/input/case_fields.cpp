@@ -1135,7 +1135,7 @@ void alternatives(Choices& io, ResponseInput::Input& i) {
   io("motor_torque", i, ResponseInput::Input::motor_torque, "the torque of the motor");
 }
 
-namespace {
+namespace signal_kinds {
 
 /// {at, value} with such values.
 struct Point {
@@ -1160,9 +1160,10 @@ Value value_of(T& block, const KeysOf<L>& kind) {
   return {map_of([&block, kind](const Fields& io) { kind.list(io, block); })};
 }
 
-}  // namespace
+}  // namespace signal_kinds
 
 Value value_of(SignalTerm& term, const OneOrSum& kind) {
+  using signal_kinds::KeysOf, signal_kinds::Point;
   const auto forms = [&term, kind](const Fields& io) {
     const Quantity time{unit::duration, unbounded, "10 ms"}, late{unit::duration, positive, "50 ms"};
     const Quantity frequency{unit::frequency, positive};
@@ -1189,7 +1190,8 @@ Value value_of(SignalTerm& term, const OneOrSum& kind) {
        }},
        "A sine whose frequency moves");
     io("file", term.file, KeysOf{[](const Fields& of, SignalTerm::File& f) {
-         of("name", f.name, Text{"signal.csv"}, required, "Comma-separated values with a heading; relative to this file");
+         of("name", f.name, Text{"signal.csv"}, required,
+            "Comma-separated values with a heading; relative to this file");
          of("time", f.time, Block{}, required, "Times, which rise");
          of("value", f.value, Block{}, required, "Values, straight between");
        }},
@@ -1199,7 +1201,7 @@ Value value_of(SignalTerm& term, const OneOrSum& kind) {
                 .one = [&term, kind] { return input::value_of(term.constant, kind.quantity); },
                 .several = [forms] { return Value{map_of(forms)}; },
                 .others = ", or a map with one of steps, points, sine, sweep, file, or a list of these",
-                .are_several = term.has_form()}};
+                .are_several = term.has_form() || term.file}};
 }
 
 Value value_of(Signal& signal, const OneOrSum& kind) {
@@ -1218,16 +1220,16 @@ void fields(const Fields& io, ResponseInput::Controller& c) {
   io("position", c.position, OneOrSum{{unit::length}}, "Reference of the position of the load");
   io("position_gain", c.position_gain, Quantity{unit::position_gain, positive},
      required_only_if(c.position.has_value(), "only with `position`"), "Speed over error of position");
-  io("speed_gain", c.speed_gain, Quantity{unit::rotational_damping, positive}, required,
-     "Torque over error of speed");
-  io("integral_time", c.integral_time, Quantity{unit::duration, positive, "20 ms"}, "Of the speed loop; none by default");
+  io("speed_gain", c.speed_gain, Quantity{unit::rotational_damping, positive}, required, "Torque over error of speed");
+  io("integral_time", c.integral_time, Quantity{unit::duration, positive, "20 ms"},
+     "Of the speed loop; none by default");
   io("largest_torque", c.largest_torque, Quantity{unit::torque, positive}, "Bound of the torque; none by default");
   io("largest_speed", c.largest_speed, Quantity{unit::rotational_speed, positive},
      "Bound of the speed that the loop asks for; none by default");
   io("feedback", c.feedback, Choice{}, optional_only_if(c.position.has_value(), "only with `position`"),
      "What the position loop measures");
-  io("speed_feed_forward", c.speed_feed_forward, Flag{}, optional_only_if(c.position.has_value(), "only with `position`"),
-     "Whether the slope of the reference is added");
+  io("speed_feed_forward", c.speed_feed_forward, Flag{},
+     optional_only_if(c.position.has_value(), "only with `position`"), "Whether the slope of the reference is added");
 }
 
 void fields(const Fields& io, ResponseInput::CurrentLoop& l) {
@@ -1243,7 +1245,8 @@ void fields(const Fields& io, ResponseInput::Motor& m) {
   io("speed", m.speed, OneOrSum{{unit::rotational_speed}}, "Prescribed, without jumps");
   io("controller", m.controller, Block{}, "Of speed or position");
   constexpr std::string_view kDriven = "only with `torque` or `controller`";
-  io("current_loop", m.current_loop, Block{}, optional_only_if(!m.speed, kDriven), "Lag of the torque; none by default");
+  io("current_loop", m.current_loop, Block{}, optional_only_if(!m.speed, kDriven),
+     "Lag of the torque; none by default");
   io("cut_at", m.cut_at, Quantity{unit::duration, not_negative, "0.1 s"}, optional_only_if(!m.speed, kDriven),
      "From here on the commanded torque is 0; never by default");
 }
@@ -1293,7 +1296,8 @@ void fields(const Fields& io, ResponseInput::Shaft& s) {
      "From the axial bearing to the loaded section at the start");
   io("ends", s.ends, Choice{}, "Axial bearings of the shaft");
   io("span", s.span, Quantity{unit::length, positive, "900 mm"},
-     required_only_if(s.ends == ResponseInput::Ends::fixed_fixed, "only with `ends: fixed_fixed`"), "Between the bearings");
+     required_only_if(s.ends == ResponseInput::Ends::fixed_fixed, "only with `ends: fixed_fixed`"),
+     "Between the bearings");
 }
 
 void fields(const Fields& io, ResponseInput::Start& s) {
@@ -1331,7 +1335,8 @@ void fields(const Fields& io, ResponseInput& r) {
   io("duration", r.duration, Quantity{unit::duration, positive, "0.1 s"}, required, "Of the run, from 0 on");
   io("sample_interval", r.sample_interval, Quantity{unit::duration, positive, "0.1 ms"},
      "Of the series; a thousandth of the duration by default");
-  io("tolerance", r.tolerance, Number{Bounds{.least = 1e-12, .greatest = 1e-3}, "1e-8"}, "Of the integration, relative");
+  io("tolerance", r.tolerance, Number{Bounds{.least = 1e-12, .greatest = 1e-3}, "1e-8"},
+     "Of the integration, relative");
   io("motor", r.motor, Block{"{inertia: 5 kg cm^2, torque: 2 N m}"}, required, "What drives");
   io("brake", r.brake, Block{}, "That closes and stays closed");
   io("coupling", r.coupling, Block{}, "Between motor and screw; without it both are one rigid part");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "prs/model/check_case.h"
 #include "prs/model/quantity_text.h"
@@ -11,93 +10,11 @@ namespace prs {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-const std::vector<SignalTerm::Point>* places_of(const SignalTerm& term) {
+const std::vector<SignalForm::Point>* places_of(const SignalForm& term) {
   return term.steps ? &*term.steps : term.points ? &*term.points : nullptr;
 }
 
-/// mean + amplitude sin(2 pi n) by n, n' and n''.
-BoundSignal::Value wave(double mean, double amplitude, double n, double rate, double bend) {
-  const double s = std::sin(kTurn * n), c = std::cos(kTurn * n), w = kTurn * rate;
-  return {mean + amplitude * s, amplitude * w * c, amplitude * (kTurn * bend * c - w * w * s)};
-}
-
-BoundSignal::Value sweep_at(const SignalTerm::Sweep& s, double t, bool is_over) {
-  const double ratio = std::log(s.to / s.from);
-  const bool linear = s.spacing == SignalTerm::Spacing::linear || ratio == 0.0;
-  const double along = is_over ? s.duration : t;
-  const double growth = linear ? 0.0 : std::exp(ratio * along / s.duration);
-  const double turns = linear ? (s.from + 0.5 * (s.to - s.from) * along / s.duration) * along
-                              : s.from * s.duration / ratio * (growth - 1.0);
-  if (is_over) return wave(s.mean, s.amplitude, turns + s.to * (t - s.duration), s.to, 0.0);
-  const double rate = linear ? s.from + (s.to - s.from) * along / s.duration : s.from * growth;
-  const double bend = linear ? (s.to - s.from) / s.duration : rate * ratio / s.duration;
-  return wave(s.mean, s.amplitude, turns, rate, bend);
-}
-
 }  // namespace
-
-BoundSignal::BoundSignal(const Signal& signal) {
-  for (const SignalTerm& term : signal.terms()) terms_.push_back({term});
-  bind(0.0);
-}
-
-void BoundSignal::bind(double t) {
-  for (Term& term : terms_) {
-    if (const auto* places = places_of(term.what))
-      term.piece = static_cast<std::size_t>(
-          std::ranges::upper_bound(*places, t, {}, &SignalTerm::Point::at) - places->begin());
-    if (term.what.sweep) term.is_over = t >= term.what.sweep->duration;
-  }
-}
-
-BoundSignal::Value BoundSignal::at(double t) const {
-  Value sum;
-  for (const Term& term : terms_) {
-    const SignalTerm& what = term.what;
-    Value v{what.has_form() ? 0.0 : what.constant};
-    if (const auto* places = places_of(what); places && !places->empty()) {
-      const std::size_t k = term.piece;
-      if (k > 0) v.value = (*places)[k - 1].value;
-      if (what.points && k == 0) v.value = places->front().value;
-      if (what.points && k > 0 && k < places->size()) {
-        const SignalTerm::Point &a = (*places)[k - 1], &b = (*places)[k];
-        v.slope = (b.value - a.value) / (b.at - a.at);
-        v.value = a.value + v.slope * (t - a.at);
-      }
-    }
-    if (what.sine)
-      v = wave(what.sine->mean, what.sine->amplitude, what.sine->frequency * t + what.sine->phase / kTurn,
-               what.sine->frequency, 0.0);
-    if (what.sweep) v = sweep_at(*what.sweep, t, term.is_over);
-    sum.value += v.value;
-    sum.slope += v.slope;
-    sum.curve += v.curve;
-  }
-  return sum;
-}
-
-double BoundSignal::next(double t) const {
-  double next = kNever;
-  for (const Term& term : terms_) {
-    if (const auto* places = places_of(term.what)) {
-      const auto later = std::ranges::upper_bound(*places, t, {}, &SignalTerm::Point::at);
-      if (later != places->end()) next = std::min(next, later->at);
-    }
-    if (term.what.sweep && t < term.what.sweep->duration) next = std::min(next, term.what.sweep->duration);
-  }
-  return next;
-}
-
-double BoundSignal::fastest() const {
-  double fastest = 0.0;
-  for (const Term& term : terms_) {
-    if (term.what.sine) fastest = std::max(fastest, term.what.sine->frequency);
-    if (term.what.sweep) fastest = std::max({fastest, term.what.sweep->from, term.what.sweep->to});
-  }
-  return fastest;
-}
 
 const Signal& ResponseInput::signal() const {
   if (motor.torque) return *motor.torque;
@@ -150,12 +67,12 @@ void check_term(const std::string& path, const SignalTerm& term, Problems& probl
 }
 
 bool has_file(const Signal& signal) {
-  return std::ranges::any_of(signal.terms(), [](const SignalTerm& t) { return t.file.has_value(); });
+  return signal.one.file || std::ranges::any_of(signal.many, [](const SignalTerm& t) { return t.file.has_value(); });
 }
 
 /// A prescribed speed is continuous, and the start is on it.
 void check_prescribed(const ResponseInput& r, double reach, Problems& problems) {
-  BoundSignal speed(*r.motor.speed);
+  BoundSignal speed(r.motor.speed->terms());
   const double at_start = speed.at(0.0).value;
   if (!(std::abs(reach * at_start - r.start.speed) <= 1e-9 * std::max(std::abs(r.start.speed), std::abs(reach))))
     problems.add("response.start.speed",
@@ -178,7 +95,8 @@ void check_inertia(const ResponseInput& r, Problems& problems) {
   constexpr std::string_view kText = "got 0 kg cm^2; expected an inertia > 0 of {}; add `inertia: 3 kg cm^2` to `{}`";
   if (r.coupling) {
     if (!(r.screw.inertia > 0.0))
-      problems.add("response.screw.inertia", fmt::format(fmt::runtime(kText), "what turns behind the coupling", "screw"));
+      problems.add("response.screw.inertia",
+                   fmt::format(fmt::runtime(kText), "what turns behind the coupling", "screw"));
     if (driven && !(r.motor.inertia > 0.0))
       problems.add("response.motor.inertia", fmt::format(fmt::runtime(kText), "a rotor that a torque turns", "motor"));
   } else if (driven && !(r.motor.inertia + r.screw.inertia > 0.0)) {
@@ -227,15 +145,18 @@ void check_response(const Case& c, Problems& problems) {
   }
   const auto& [upper, lower] = r.end_stops;
   if (upper && lower && !(upper->at > lower->at))
-    problems.add("response.end_stops", "got the upper one at {}, the lower one at {}; expected upper above lower; swap them",
-                 mm(upper->at), mm(lower->at));
+    problems.add("response.end_stops",
+                 "got the upper one at {}, the lower one at {}; expected upper above lower; swap them", mm(upper->at),
+                 mm(lower->at));
   if (r.shaft && r.shaft->span && !(r.shaft->length < *r.shaft->span))
     problems.add("response.shaft.length", "got {}; expected less than the span, {}; check both", mm(r.shaft->length),
                  mm(*r.shaft->span));
   if (r.settling && !(r.settling->after < r.duration))
-    problems.add("response.settling.after", "got {:.6g} s; expected a time before the end, {:.6g} s; take an earlier one",
-                 r.settling->after, r.duration);
-  const bool has_signal = r.motor.torque || r.motor.speed || (r.motor.controller && (r.motor.controller->speed || r.motor.controller->position));
+    problems.add("response.settling.after",
+                 "got {:.6g} s; expected a time before the end, {:.6g} s; take an earlier one", r.settling->after,
+                 r.duration);
+  const bool has_signal = r.motor.torque || r.motor.speed ||
+                          (r.motor.controller && (r.motor.controller->speed || r.motor.controller->position));
   const bool knows_load = !has_file(r.load.force);
   if (r.motor.speed && has_signal && !has_file(*r.motor.speed)) check_prescribed(r, reach, problems);
   if (const auto& f = r.frequency_response) {
@@ -249,7 +170,8 @@ void check_response(const Case& c, Problems& problems) {
                    "load_force, or change that",
                    r.motor.speed ? "a prescribed speed" : "a held screw");
     const bool is_open = !c.preload || c.preload->backlash;
-    if (is_open && (f->force || knows_load) && f->force.value_or(BoundSignal(r.load.force).at(0.0).value) == 0.0)
+    if (is_open && (f->force || knows_load) &&
+        f->force.value_or(BoundSignal(r.load.force.terms()).at(0.0).value) == 0.0)
       problems.add("response.frequency_response.force",
                    "got 0 N, where flanks do not touch; expected a force other than 0 without a preload{}; write for "
                    "example `force: 1 kN`",

@@ -2,36 +2,19 @@
 
 #include <functional>
 
+#include "modules/response/signal.h"
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
 
 namespace prs {
 
-/// A value over time: a constant or one of the forms, SI.
-struct SignalTerm {
-  struct Point {
-    double at = 0.0, value = 0.0;
-  };
-  struct Sine {
-    double mean = 0.0, amplitude = 0.0, frequency = 0.0, phase = 0.0;
-  };
-  enum class Spacing { logarithmic, linear };
-  struct Sweep {
-    double mean = 0.0, amplitude = 0.0, from = 0.0, to = 0.0, duration = 0.0;
-    Spacing spacing = Spacing::logarithmic;
-  };
+/// One that may also come from a file.
+struct SignalTerm : SignalForm {
   struct File {
     std::string name;
     CsvColumn time, value;
   };
-
-  double constant = 0.0;
-  std::optional<std::vector<Point>> steps, points;
-  std::optional<Sine> sine;
-  std::optional<Sweep> sweep;
   std::optional<File> file;
-
-  bool has_form() const { return steps || points || sine || sweep || file; }
 };
 
 /// A term, or the sum of several.
@@ -39,32 +22,9 @@ struct Signal {
   SignalTerm one;
   std::vector<SignalTerm> many;
 
-  std::vector<SignalTerm> terms() const { return many.empty() ? std::vector{one} : many; }
-};
-
-/// The signal for times from `bind` on up to `next`: a jump belongs to what follows it.
-class BoundSignal {
- public:
-  struct Value {
-    double value = 0.0, slope = 0.0, curve = 0.0;
-  };
-
-  BoundSignal() : BoundSignal(Signal{}) {}
-  explicit BoundSignal(const Signal& signal);
-
-  void bind(double t);
-  Value at(double t) const;
-  /// The place behind t at which the signal may jump or bend; infinity where there is none.
-  double next(double t) const;
-  double fastest() const;  ///< Highest frequency [Hz]
-
- private:
-  struct Term {
-    SignalTerm what;
-    std::size_t piece = 0;  ///< Points at or before the time
-    bool is_over = false;   ///< Of a sweep
-  };
-  std::vector<Term> terms_;
+  std::vector<SignalForm> terms() const {
+    return many.empty() ? std::vector<SignalForm>{one} : std::vector<SignalForm>(many.begin(), many.end());
+  }
 };
 
 /// Inputs of `prs response`: a screw in its drive, docs/response.md.

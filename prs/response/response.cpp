@@ -61,8 +61,8 @@ LargestForce under_solve(const Conditions& conditions, const Contacts& contacts,
     const auto k = static_cast<std::size_t>(most);
     MostLoaded& thread = (*largest.threads)[i];
     thread.normal_load = loads.normal_load[k];
-    thread.thread = 1 + (loads.threads_per_roller > 0 ? static_cast<int>(most) % loads.threads_per_roller
-                                                      : static_cast<int>(most));
+    thread.thread =
+        1 + (loads.threads_per_roller > 0 ? static_cast<int>(most) % loads.threads_per_roller : static_cast<int>(most));
     if (k < loads.peak_pressure.size()) {
       thread.peak_pressure = loads.peak_pressure[k];
       largest.peak_pressure = std::max(largest.peak_pressure.value_or(0.0), *thread.peak_pressure);
@@ -85,7 +85,8 @@ void put_under_preload(const Conditions& conditions, const Contacts& contacts,
     largest[d]->normal_load = 0.0;
     for (const Direction side : kDirections) {
       const SideLoads& loads = point.sides[side];
-      largest[d]->normal_load = std::max({*largest[d]->normal_load, loads.max_normal_load.screw, loads.max_normal_load.nut});
+      largest[d]->normal_load =
+          std::max({*largest[d]->normal_load, loads.max_normal_load.screw, loads.max_normal_load.nut});
       if (const std::optional<double> pressure = result.peak_pressure(loads))
         largest[d]->peak_pressure = std::max(largest[d]->peak_pressure.value_or(0.0), *pressure);
     }
@@ -110,22 +111,46 @@ SettlingResult settling_of(const ResponseInput& input, const DriveResult& run) {
   return s;
 }
 
+FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput& input) {
+  const ResponseInput::FrequencyResponse& f = *input.frequency_response;
+  const double share = 1.0 / (f.points - 1), ratio = f.to / f.from;
+  std::vector<double> all;
+  for (int k = 0; k < f.points; ++k)
+    all.push_back(k + 1 == f.points                               ? f.to
+                  : f.spacing == SignalForm::Spacing::logarithmic ? f.from * std::pow(ratio, k * share)
+                                                                  : f.from + (f.to - f.from) * k * share);
+  const WorkingPoint point{f.force.value_or(BoundSignal(input.load.force.terms()).at(0.0).value),
+                           f.position.value_or(input.start.position), f.speed.value_or(0.0),
+                           f.input == ResponseInput::Input::motor_torque};
+  double c = 0.0, slope = 0.0;
+  if (prs_shaft_compliance(&drive, point.position, &c, &slope) == 0)
+    throw CaseError("response.frequency_response.position",
+                    "lies off the shaft; expected a place on `response.shaft.length`; move it");
+  FrequencyResponse r = small_vibration(drive, point, std::move(all));
+  if (r.resonances.empty() && r.frequency.empty())
+    throw CaseError("response.frequency_response.force",
+                    "flanks do not touch there; expected a force other than 0 without a preload; change it");
+  return r;
+}
+
 void add_warnings(const Case& c, const SystemCurves& curves, ResponseResult& r) {
   const FrictionTable& friction = curves.friction;
   const double force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
   if (r.run.largest_force > force * (1.0 + 1e-9))
-    r.warnings.push_back(Warning{"response.curves.force", "beyond_force",
-                                 "the largest force is {value}, the curves end at {limit}: beyond, the force goes on in "
-                                 "a straight line and friction grows with it",
-                                 "raise `response.curves.force`"}
-                             .with(r.run.largest_force, force, text_unit::kilonewton));
+    r.warnings.push_back(
+        Warning{"response.curves.force", "beyond_force",
+                "the largest force is {value}, the curves end at {limit}: beyond, the force goes on in "
+                "a straight line and friction grows with it",
+                "raise `response.curves.force`"}
+            .with(r.run.largest_force, force, text_unit::kilonewton));
   if (!friction.speed.empty() && r.run.largest_speed > friction.speed.back() * (1.0 + 1e-9))
-    r.warnings.push_back(Warning{"response.curves.speed", "beyond_speed",
-                                 fmt::format("the screw reaches {:.0f} rpm, the table of friction ends at {:.0f} rpm, whose "
-                                             "values stay",
-                                             r.run.largest_speed * per_si::revolution_per_minute,
-                                             friction.speed.back() * per_si::revolution_per_minute),
-                                 "raise `response.curves.speed`"});
+    r.warnings.push_back(
+        Warning{"response.curves.speed", "beyond_speed",
+                fmt::format("the screw reaches {:.0f} rpm, the table of friction ends at {:.0f} rpm, whose "
+                            "values stay",
+                            r.run.largest_speed * per_si::revolution_per_minute,
+                            friction.speed.back() * per_si::revolution_per_minute),
+                "raise `response.curves.speed`"});
   if (!(c.response->screw.inertia > 0.0))
     r.warnings.push_back({"response.screw.inertia", "no_screw_inertia",
                           "the screw has no inertia of its own: shaft, spin and orbit of the rollers are left out",
@@ -139,9 +164,7 @@ double ResponseResult::lost() const {
          run.viscous;
 }
 
-double ResponseResult::residual() const {
-  return run.motor + run.load - (run.stored_end - run.stored_start) - lost();
-}
+double ResponseResult::residual() const { return run.motor + run.load - (run.stored_end - run.stored_start) - lost(); }
 
 double ResponseResult::rms_torque() const {
   const double time = converged() ? input.duration : run.stopped_at;
@@ -169,10 +192,10 @@ ResponseInput with_signal_files(const Case& c, const input::Source& source) {
     const SignalTerm::File file = *term.file;
     const std::string block = path + ".file";
     const std::string text = input::named_file_text(file.name, block + ".name", source);
-    const input::Dimension& dimension = is_force                            ? input::unit::force
-                                        : path.ends_with("motor.torque")    ? input::unit::torque
+    const input::Dimension& dimension = is_force                              ? input::unit::force
+                                        : path.ends_with("motor.torque")      ? input::unit::torque
                                         : path.find(".position") != path.npos ? input::unit::length
-                                                                            : input::unit::rotational_speed;
+                                                                              : input::unit::rotational_speed;
     std::vector<double> time, value;
     std::vector<input::WantedColumn> columns = {{"time", &file.time, &input::unit::duration, &time},
                                                 {"value", &file.value, &dimension, &value}};
@@ -263,10 +286,15 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
   r.warnings = curves.warnings;
   const PrsDrive drive = drive_of(c, r.input, curves);
   r.can_open = drive.curves.tension.root != 0 || drive.curves.compression.root != 0;
-  DriveSignals signals{BoundSignal(r.input.signal()), BoundSignal(r.input.load.force)};
+  DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.force.terms())};
   if (r.input.frequency_response) r.frequency_response = frequency_response(drive, r.input);
-  const DriveRun run{drive, signals.functions(), r.input.duration, r.input.interval(), r.input.samples(),
-                     r.input.tolerance, std::max(signals.motor.fastest(), signals.force.fastest())};
+  const DriveRun run{drive,
+                     signals.functions(),
+                     r.input.duration,
+                     r.input.interval(),
+                     r.input.samples(),
+                     r.input.tolerance,
+                     std::max(signals.motor.fastest(), signals.force.fastest())};
   modules::loaded<ResponseModule>().integrate(run, r.run);
   if (r.run.status == DriveStatus::left_shaft)
     throw CaseError("response.shaft.length",
@@ -288,8 +316,9 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
         r.largest[d] = under_solve(c, contacts, curves.load_case, *r.largest[d], d);
   }
   if (r.input.motor.controller && r.run.error.is_reached && drive.cut_at > 0.0)
-    r.following_error = FollowingError{r.input.motor.controller->position.has_value(), r.run.error.value, r.run.error.time,
-                                       std::sqrt(r.run.error_squared / std::min(r.input.duration, drive.cut_at))};
+    r.following_error =
+        FollowingError{r.input.motor.controller->position.has_value(), r.run.error.value, r.run.error.time,
+                       std::sqrt(r.run.error_squared / std::min(r.input.duration, drive.cut_at))};
   if (r.input.settling && r.converged()) r.settling = settling_of(r.input, r.run);
   add_warnings(c, curves, r);
   return r;

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "modules/response/response_module.h"
+#include "modules/response/small_vibration.h"
 #include "prs/curves/system_curves.h"
 
 namespace prs {
 
 constexpr std::string_view name(DriveStatus s) {
-  return s == DriveStatus::converged    ? "converged"
-         : s == DriveStatus::step_limit ? "step_limit"
-                                        : "integration_failed";
+  return s == DriveStatus::converged ? "converged" : s == DriveStatus::step_limit ? "step_limit" : "integration_failed";
 }
 
 /// Curves of the drive's screw under the block `response`: friction of static loads and the external
@@ -49,20 +48,6 @@ struct FollowingError {
   double largest = 0.0, time = 0.0, rms = 0.0;
 };
 
-struct Resonance {
-  double frequency = 0.0;  ///< |lambda|/(2 pi) [Hz]
-  double damping = 0.0;    ///< -Re lambda/|lambda|
-};
-
-/// Small vibration; compliance and stiffness of a force, the others of a motor torque.
-struct FrequencyResponse {
-  bool of_torque = false;
-  double tangent_stiffness = 0.0;
-  std::vector<double> frequency = {}, compliance = {}, phase = {}, stiffness = {};
-  std::vector<double> motor_speed = {}, motor_speed_phase = {}, position = {}, position_phase = {};
-  std::vector<Resonance> resonances = {};
-};
-
 /// Everything that `analyze_response` computes, SI units.
 struct ResponseResult {
   ResponseInput input;
@@ -81,8 +66,6 @@ struct ResponseResult {
   double rms_torque() const;
   bool has_stops() const { return input.end_stops.upper || input.end_stops.lower; }
 };
-
-FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput& input);
 
 /// Curves -> equations -> integration -> results. The case must have passed `check_case` and the
 /// requirements of `response`. Throws CaseError, InputError and modules::Missing.

@@ -32,13 +32,12 @@ Figures motion(const ResponseResult& r) {
   const std::size_t screw = figure.add("screw", line_of(Colour::vermillion));
   const std::size_t motor = figure.add("motor", line_of(Colour::green, Dash::dashed));
   const DriveResult& d = r.run;
-  figure.panels = {
-      panel_of("Position", {"Position", "mm"}, {over_time(load, d, d.x, per_si::millimetre)}),
-      panel_of("Speed of the load", {"Speed", "mm/s"}, {over_time(load, d, d.v, per_si::millimetre)}),
-      panel_of("Speed of screw and motor", {"Speed", "rpm"},
-               {over_time(screw, d, d.omega, per_si::revolution_per_minute),
-                over_time(motor, d, d.omega_m, per_si::revolution_per_minute)}),
-      panel_of("Deflection", {"Deflection", "µm"}, {over_time(screw, d, d.delta, per_si::micrometre)})};
+  figure.panels = {panel_of("Position", {"Position", "mm"}, {over_time(load, d, d.x, per_si::millimetre)}),
+                   panel_of("Speed of the load", {"Speed", "mm/s"}, {over_time(load, d, d.v, per_si::millimetre)}),
+                   panel_of("Speed of screw and motor", {"Speed", "rpm"},
+                            {over_time(screw, d, d.omega, per_si::revolution_per_minute),
+                             over_time(motor, d, d.omega_m, per_si::revolution_per_minute)}),
+                   panel_of("Deflection", {"Deflection", "µm"}, {over_time(screw, d, d.delta, per_si::micrometre)})};
   return {std::move(figure)};
 }
 
@@ -56,9 +55,10 @@ Figures force(const ResponseResult& r) {
     for (const DriveImpact& i : d.impacts) marks.add(1e3 * i.force.time, i.flank * i.force.value * per_si::kilonewton);
     forces.push_back(std::move(marks));
   }
-  figure.panels = {panel_of("Force", {"Force", "kN"}, std::move(forces)),
-                   panel_of("Torques", {"Torque", "N m"},
-                            {over_time(motor, d, d.motor_torque, 1.0), over_time(coupling, d, d.coupling_torque, 1.0)})};
+  figure.panels = {
+      panel_of("Force", {"Force", "kN"}, std::move(forces)),
+      panel_of("Torques", {"Torque", "N m"},
+               {over_time(motor, d, d.motor_torque, 1.0), over_time(coupling, d, d.coupling_torque, 1.0)})};
   return {std::move(figure)};
 }
 

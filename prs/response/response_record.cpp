@@ -16,11 +16,13 @@ constexpr Quantity<MostLoaded> kMostLoaded[] = {
 constexpr Quantity<LargestForce> kLargestForce[] = {
     {"force_N", of<&LargestForce::force>, "magnitude"},
     {"time_s", of<&LargestForce::time>, "when"},
-    {"screw", of_table<kMostLoaded, [](auto& l) -> const MostLoaded& { return l.threads->screw; },
-                       [](auto& l) { return l.threads.has_value(); }>,
+    {"screw",
+     of_table<kMostLoaded, [](auto& l) -> const MostLoaded& { return l.threads->screw; },
+              [](auto& l) { return l.threads.has_value(); }>,
      "the most loaded thread of the screw by `prs solve` at this force"},
-    {"nut", of_table<kMostLoaded, [](auto& l) -> const MostLoaded& { return l.threads->nut; },
-                     [](auto& l) { return l.threads.has_value(); }>,
+    {"nut",
+     of_table<kMostLoaded, [](auto& l) -> const MostLoaded& { return l.threads->nut; },
+              [](auto& l) { return l.threads.has_value(); }>,
      "the same of the nut"},
     {"max_normal_load_N", of<&LargestForce::normal_load>, "of a thread under this external load, by `prs preload`"},
     {"peak_pressure_MPa", of<[](auto& l) { return l.normal_load ? l.peak_pressure : std::nullopt; }>,
@@ -28,15 +30,14 @@ constexpr Quantity<LargestForce> kLargestForce[] = {
 };
 
 constexpr Quantity<ResponseResult> kLargest[] = {
-    {"tension", of_table<kLargestForce, [](auto& r) -> const std::optional<LargestForce>& { return r.largest.tension; }>,
+    {"tension",
+     of_table<kLargestForce, [](auto& r) -> const std::optional<LargestForce>& { return r.largest.tension; }>,
      "largest force in tension"},
     {"compression",
      of_table<kLargestForce, [](auto& r) -> const std::optional<LargestForce>& { return r.largest.compression; }>,
      "largest force in compression"},
     {"motor_torque_Nm", of<[](auto& r) { return r.run.torque.value; }>, "magnitude"},
-    {"end_stop_force_N", of<[](auto& r) { return r.run.stop.value; },
-                            &ResponseResult::has_stops>,
-     "magnitude"},
+    {"end_stop_force_N", of<[](auto& r) { return r.run.stop.value; }, &ResponseResult::has_stops>, "magnitude"},
 };
 
 constexpr Quantity<ResponseResult> kLost[] = {
@@ -58,9 +59,7 @@ constexpr Quantity<ResponseResult> kEnergy[] = {
     {"residual", of<&ResponseResult::residual>, "motor + load - change of stored energy - all lost"},
     {"turnover", of<[](auto& r) { return r.run.turnover; }>,
      "integral of the magnitudes of both powers, plus the stored energy at the start"},
-    {"residual_relative", of<[](auto& r) {
-       return std::abs(r.residual()) / std::max(r.run.turnover, 1e-300);
-     }>,
+    {"residual_relative", of<[](auto& r) { return std::abs(r.residual()) / std::max(r.run.turnover, 1e-300); }>,
      "residual over turnover"},
 };
 
@@ -126,18 +125,18 @@ constexpr Quantity<ResponseResult> kResponse[] = {
     {"coupling_torque_Nm", of<[](auto& r) -> const std::vector<double>& { return r.run.coupling_torque; }>,
      "between motor and screw"},
     {"external_force_N", of<[](auto& r) -> const std::vector<double>& { return r.run.external; }>, "on the load"},
-    {"end_stop_force_N", of<[](auto& r) -> const std::vector<double>& { return r.run.stop_force; },
-                            &ResponseResult::has_stops>,
+    {"end_stop_force_N",
+     of<[](auto& r) -> const std::vector<double>& { return r.run.stop_force; }, &ResponseResult::has_stops>,
      "magnitude"},
     {"energy_J", of_table<kEnergy>, "over the whole run"},
     {"largest", of_table<kLargest>, "over the whole run"},
-    {"rms_motor_torque_Nm", of<&ResponseResult::rms_torque>,
-     "root of the mean square"},
+    {"rms_motor_torque_Nm", of<&ResponseResult::rms_torque>, "root of the mean square"},
     {"lost_motion_um", of<[](auto& r) { return r.run.lost_motion; }>,
      "largest less least travel of the motor beyond that of the load"},
     {"following_error", of_table<kFollowing, &ResponseResult::following_error>, "of the controller, up to its cut"},
-    {"impacts", of_table<kImpact, [](auto& r) -> const std::vector<DriveImpact>& { return r.run.impacts; },
-                         &ResponseResult::can_open>,
+    {"impacts",
+     of_table<kImpact, [](auto& r) -> const std::vector<DriveImpact>& { return r.run.impacts; },
+              &ResponseResult::can_open>,
      "each instant at which a flank closes"},
     {"settling", of_table<kSettling, &ResponseResult::settling>, "with the block `settling`"},
     {"frequency_response", of_table<kFrequencyResponse, &ResponseResult::frequency_response>,
@@ -147,7 +146,8 @@ constexpr Quantity<ResponseResult> kResponse[] = {
 }  // namespace
 
 Record<ResponseResult> record_of(Type<ResponseResult>);
-PRS_RECORD(ResponseResult, "Response", "The screw in its drive over time and over frequency, docs/response.md.", kResponse);
+PRS_RECORD(ResponseResult, "Response", "The screw in its drive over time and over frequency, docs/response.md.",
+           kResponse);
 
 std::string response_csv(const ResponseResult& result, const CsvStyle& style) {
   CsvWriter csv(style);
@@ -190,7 +190,8 @@ const Analysis<ResponseResult>& response_analysis() {
       .command = Command::response,
       .help = "The screw in its drive: motion, forces, impacts, energies over time; frequency response",
       .file = "response.json",
-      .run = [](const input::Source& source, const input::CaseInput& in) { return analyze_response(in.values, source); },
+      .run = [](const input::Source& source,
+                const input::CaseInput& in) { return analyze_response(in.values, source); },
       .places = places,
       .put = [](Json& document, const ResponseResult& r) { document["response"] = object_of(r); },
       .table = response_table,

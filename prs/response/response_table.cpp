@@ -29,10 +29,13 @@ std::string energies_text(const ResponseResult& r) {
   const DriveResult& d = r.run;
   std::string text = line("energy of motor, of load", fmt::format("{:.5g} J, {:.5g} J", d.motor, d.load)) +
                      line("stored at start, at end", fmt::format("{:.5g} J, {:.5g} J", d.stored_start, d.stored_end));
-  const std::pair<const char*, double> lost[] = {
-      {"screw friction", d.screw_friction}, {"motor friction", d.motor_friction}, {"load friction", d.load_friction},
-      {"coupling", d.coupling},             {"material", d.contact},              {"end stops", d.end_stop},
-      {"viscous", d.viscous}};
+  const std::pair<const char*, double> lost[] = {{"screw friction", d.screw_friction},
+                                                 {"motor friction", d.motor_friction},
+                                                 {"load friction", d.load_friction},
+                                                 {"coupling", d.coupling},
+                                                 {"material", d.contact},
+                                                 {"end stops", d.end_stop},
+                                                 {"viscous", d.viscous}};
   std::string parts;
   for (const auto& [what, energy] : lost)
     if (energy != 0.0) parts += fmt::format("{}{} {:.4g} J", parts.empty() ? "" : ", ", what, energy);
@@ -60,18 +63,19 @@ std::string response_table(const ResponseResult& r) {
   if (r.can_open) text += impacts_text(r.run.impacts);
   text += line("lost motion", fixed_with_unit(r.run.lost_motion, "µm", 3));
   if (const auto& f = r.following_error)
-    text += line("following error",
-                 f->of_position ? fmt::format("{} at {:.6g} ms, {} rms", fixed_with_unit(f->largest, "µm", 2),
-                                              1e3 * f->time, fixed_with_unit(f->rms, "µm", 2))
-                                : fmt::format("{:.4g} rpm at {:.6g} ms, {:.4g} rpm rms",
-                                              f->largest * per_si::revolution_per_minute, 1e3 * f->time,
-                                              f->rms * per_si::revolution_per_minute));
+    text += line("following error", f->of_position
+                                        ? fmt::format("{} at {:.6g} ms, {} rms", fixed_with_unit(f->largest, "µm", 2),
+                                                      1e3 * f->time, fixed_with_unit(f->rms, "µm", 2))
+                                        : fmt::format("{:.4g} rpm at {:.6g} ms, {:.4g} rpm rms",
+                                                      f->largest * per_si::revolution_per_minute, 1e3 * f->time,
+                                                      f->rms * per_si::revolution_per_minute));
   text += energies_text(r);
   if (r.settling) text += line("settled after", settling_text(*r.settling));
   if (r.frequency_response) {
     text += line("tangent stiffness", fixed_with_unit(r.frequency_response->tangent_stiffness, "N/µm", 1));
     for (const Resonance& resonance : r.frequency_response->resonances)
-      text += line("resonance", fmt::format("{:.5g} Hz, damping {:.3g} %", resonance.frequency, 100.0 * resonance.damping));
+      text +=
+          line("resonance", fmt::format("{:.5g} Hz, damping {:.3g} %", resonance.frequency, 100.0 * resonance.damping));
   }
   return text + warning_section(r.warnings);
 }

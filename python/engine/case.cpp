@@ -116,8 +116,7 @@ std::string CaseSource::thread_profiles() const {
 }
 
 std::vector<std::string> CaseSource::export_model(const std::string& file, std::optional<double> force,
-                                                  std::optional<double> speed,
-                                                  std::optional<std::string> load_case,
+                                                  std::optional<double> speed, std::optional<std::string> load_case,
                                                   std::optional<double> friction_load) const {
   const GilRelease released;
   const std::filesystem::path path(file);
@@ -130,8 +129,8 @@ std::vector<std::string> CaseSource::export_model(const std::string& file, std::
   model.text.name = model_name(file);
   std::optional<RobotConstants> robot;
   if (for_robots)
-    robot = input::compute_from(
-        *source_, [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
+    robot = input::compute_from(*source_,
+                                [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
   StagedFile staged(path);
   staged.append(ending == ".mo"     ? modelica_package(model.curves, model.text)
                 : ending == ".xml"  ? mjcf(*model.drive, *robot, model.text)

@@ -60,7 +60,8 @@ class PlainDrive {
   BoundSignal motor, force;
 
  private:
-  void set_branch(std::vector<double> at, std::vector<double> value, std::vector<double> slope, bool root, double play) {
+  void set_branch(std::vector<double> at, std::vector<double> value, std::vector<double> slope, bool root,
+                  double play) {
     at_ = std::move(at), value_ = std::move(value), slope_ = std::move(slope);
     drive.curves.tension = {play, root ? 1 : 0, at_.size(), at_.data(), value_.data(), slope_.data()};
     drive.curves.compression = drive.curves.tension;
@@ -71,17 +72,18 @@ class PlainDrive {
 BoundSignal constant(double value) {
   Signal signal;
   signal.one.constant = value;
-  return BoundSignal(signal);
+  return BoundSignal(signal.terms());
 }
 
 BoundSignal ramp(std::vector<SignalTerm::Point> points) {
   Signal signal;
   signal.one.points = std::move(points);
-  return BoundSignal(signal);
+  return BoundSignal(signal.terms());
 }
 
 double residual(const DriveResult& r) {
-  const double lost = r.screw_friction + r.motor_friction + r.load_friction + r.coupling + r.contact + r.end_stop + r.viscous;
+  const double lost =
+      r.screw_friction + r.motor_friction + r.load_friction + r.coupling + r.contact + r.end_stop + r.viscous;
   return std::abs(r.motor + r.load - (r.stored_end - r.stored_start) - lost) / r.turnover;
 }
 
@@ -225,7 +227,7 @@ TEST(Drive, TheCurrentLoopLagsAsAFirstOrder) {
   d.drive.cut_at = 5e-3;
   Signal step;
   step.one.steps = std::vector<SignalTerm::Point>{{1e-3, 2.0}};
-  d.motor = BoundSignal(step);
+  d.motor = BoundSignal(step.terms());
   const DriveResult r = d.run(8e-3, 1e-4);
   for (std::size_t i = 0; i < r.time.size(); ++i) {
     const double t = r.time[i];

@@ -37,8 +37,9 @@ void expect_near(const Json& found, const Json& expected, const std::string& pat
     const std::vector<double> values = expected;
     const auto [least, most] = std::ranges::minmax(values);
     for (std::size_t k = 0; k < values.size(); ++k)
-      EXPECT_NEAR(found[k].get<double>(), values[k],
-                  slack * (path.find("frequency") == path.npos ? 3e-4 * (most - least) : 2e-3 * std::abs(values[k])) + 1e-12)
+      EXPECT_NEAR(
+          found[k].get<double>(), values[k],
+          slack * (path.find("frequency") == path.npos ? 3e-4 * (most - least) : 2e-3 * std::abs(values[k])) + 1e-12)
           << path << ' ' << k;
   } else if (expected.is_array()) {
     ASSERT_EQ(found.size(), expected.size()) << path;
@@ -76,7 +77,8 @@ TEST(Response, ATenthOfTheToleranceChangesNothing) {
 
 TEST(Response, SamplesDoNotMoveScalars) {
   const Json& given = solved()["cases"][0];
-  const Json one = response_of(source_of(given)), other = response_of(source_of(given, {"response.sample_interval=7 ms"}));
+  const Json one = response_of(source_of(given)),
+             other = response_of(source_of(given, {"response.sample_interval=7 ms"}));
   EXPECT_EQ(one["energy_J"], other["energy_J"]);
   EXPECT_EQ(one["largest"], other["largest"]);
   EXPECT_EQ(one["impacts"], other["impacts"]);
@@ -149,18 +151,21 @@ TEST(Response, EachWrongValueIsRefused) {
 TEST(Response, ASumOfSignalsIsWhatItsTermsAre) {
   const Json& given = solved()["cases"][2];
   const Json sum = response_of(source_of(given));
-  const std::string sine = "response.load.force=[{steps: [{at: 60 ms, value: 1500 N}]}, {sine: {amplitude: 75 N, "
-                           "frequency: 90 Hz}}, {sine: {amplitude: 75 N, frequency: 90 Hz}}]";
-  const std::vector<double> one = sum["external_force_N"], two = response_of(source_of(given, {sine}))["external_force_N"];
+  const std::string sine =
+      "response.load.force=[{steps: [{at: 60 ms, value: 1500 N}]}, {sine: {amplitude: 75 N, "
+      "frequency: 90 Hz}}, {sine: {amplitude: 75 N, frequency: 90 Hz}}]";
+  const std::vector<double> one = sum["external_force_N"],
+                            two = response_of(source_of(given, {sine}))["external_force_N"];
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(one[k], two[k], 1e-9);
 }
 
 TEST(Response, ALeftHandedScrewTurnsTheOtherWay) {
   const Json& given = solved()["cases"][0];
   const Json right = response_of(source_of(given));
-  const Json left = response_of(source_of(
-      given, {"mechanism.lead=-5 mm", "response.motor.torque={points: [{at: 0 ms, value: -4 N m}, {at: 15 ms, value: -4 N m}, "
-                                      "{at: 25 ms, value: 5 N m}, {at: 50 ms, value: 5 N m}]}"}));
+  const Json left = response_of(
+      source_of(given, {"mechanism.lead=-5 mm",
+                        "response.motor.torque={points: [{at: 0 ms, value: -4 N m}, {at: 15 ms, value: -4 N m}, "
+                        "{at: 25 ms, value: 5 N m}, {at: 50 ms, value: 5 N m}]}"}));
   for (std::size_t k = 0; k < right["time_s"].size(); k += 10) {
     EXPECT_NEAR(left["position_mm"][k], right["position_mm"][k].get<double>(), 1e-4);
     EXPECT_NEAR(left["screw_speed_rpm"][k], -right["screw_speed_rpm"][k].get<double>(), 0.05);
@@ -168,10 +173,12 @@ TEST(Response, ALeftHandedScrewTurnsTheOtherWay) {
 }
 
 TEST(Response, ResonancesAreWhereTheComplianceIsLargest) {
-  const Json response = response_of(source_of(solved()["cases"][3], {"response.frequency_response.points=2000"}))["frequency_response"];
+  const Json response =
+      response_of(source_of(solved()["cases"][3], {"response.frequency_response.points=2000"}))["frequency_response"];
   const std::vector<double> compliance = response["compliance_um_per_N"];
   const auto most = static_cast<std::size_t>(std::ranges::max_element(compliance) - compliance.begin());
-  const double resonance = response["resonances"][0]["frequency_Hz"], zeta = response["resonances"][0]["damping_percent"];
+  const double resonance = response["resonances"][0]["frequency_Hz"],
+               zeta = response["resonances"][0]["damping_percent"];
   EXPECT_NEAR(response["frequency_Hz"][most], resonance * std::sqrt(1.0 - 2e-4 * zeta * zeta), 0.5);
 }
 

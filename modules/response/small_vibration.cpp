@@ -1,8 +1,10 @@
+#include "modules/response/small_vibration.h"
+
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <complex>
-
-#include "prs/response/response.h"
+#include <numbers>
 
 namespace prs {
 namespace {
@@ -12,13 +14,13 @@ struct SmallVibration {
   Eigen::MatrixXd mass, damping, stiffness;
 };
 
-SmallVibration vibration_of(const PrsDrive& d, const ResponseInput::FrequencyResponse& f, double force, double k) {
+SmallVibration vibration_of(const PrsDrive& d, const WorkingPoint& f, double k) {
   const double r = d.curves.lead / (2.0 * std::numbers::pi), beta = d.material_damping;
-  const bool held = f.screw == ResponseInput::ScrewState::held, by_speed = d.by == PRS_BY_SPEED;
+  const bool held = f.speed == 0.0, by_speed = d.by == PRS_BY_SPEED;
   SmallVibration all{Eigen::MatrixXd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3)};
   double g = r, b = 0.0;
   if (!held) {
-    const double speed = *f.speed, step = 1e-4 * std::max(std::abs(force), 1.0), share = 1e-3;
+    const double speed = f.speed, force = f.force, step = 1e-4 * std::max(std::abs(force), 1.0), share = 1e-3;
     const int sigma = speed < 0.0 ? -1 : 1;
     const auto friction = [&](double at_force, double at_speed) {
       return prs_friction_torque(&d.curves, at_force, at_speed, sigma);
@@ -68,38 +70,25 @@ std::vector<Resonance> resonances_of(const SmallVibration& v) {
 
 }  // namespace
 
-FrequencyResponse frequency_response(const PrsDrive& d, const ResponseInput& input) {
-  const ResponseInput::FrequencyResponse& f = *input.frequency_response;
-  const double force = f.force.value_or(BoundSignal(input.load.force).at(0.0).value);
+FrequencyResponse small_vibration(const PrsDrive& d, const WorkingPoint& point, std::vector<double> frequency) {
   double c = 0.0, slope = 0.0, u = 0.0;
-  FrequencyResponse r{f.input == ResponseInput::Input::motor_torque};
-  if (prs_shaft_compliance(&d, f.position.value_or(input.start.position), &c, &slope) == 0)
-    throw CaseError("response.frequency_response.position",
-                    "lies off the shaft; expected a place on `response.shaft.length`; move it");
-  const double delta = prs_static_deflection(&d, force, f.position.value_or(input.start.position));
-  prs_series_force(&d.curves, delta, c, &u, &r.tangent_stiffness);
-  if (!(r.tangent_stiffness > 0.0))
-    throw CaseError("response.frequency_response.force",
-                    "flanks do not touch there; expected a force other than 0 without a preload; change it");
-  const SmallVibration v = vibration_of(d, f, force, r.tangent_stiffness);
+  FrequencyResponse r{point.of_torque};
+  prs_shaft_compliance(&d, point.position, &c, &slope);
+  prs_series_force(&d.curves, prs_static_deflection(&d, point.force, point.position), c, &u, &r.tangent_stiffness);
+  if (!(r.tangent_stiffness > 0.0)) return r;
+  const SmallVibration v = vibration_of(d, point, r.tangent_stiffness);
   r.resonances = resonances_of(v);
+  r.frequency = std::move(frequency);
   const Eigen::Index n = v.mass.rows();
-  Eigen::VectorXcd input_vector = Eigen::VectorXcd::Zero(n);
-  input_vector(r.of_torque ? n - 1 : 0) = 1.0;
-  for (int k = 0; k < f.points; ++k) {
-    const double share = static_cast<double>(k) / (f.points - 1);
-    const double frequency = k + 1 == f.points                                ? f.to
-                             : f.spacing == SignalTerm::Spacing::logarithmic ? f.from * std::pow(f.to / f.from, share)
-                                                                              : f.from + (f.to - f.from) * share;
-    const double w = 2.0 * std::numbers::pi * frequency;
-    const std::complex<double> i(0.0, 1.0);
-    const Eigen::MatrixXcd dynamic = v.stiffness - w * w * v.mass + i * w * v.damping;
-    const Eigen::VectorXcd x = dynamic.partialPivLu().solve(input_vector);
-    r.frequency.push_back(frequency);
+  Eigen::VectorXcd input = Eigen::VectorXcd::Zero(n);
+  input(r.of_torque ? n - 1 : 0) = 1.0;
+  for (const double f : r.frequency) {
+    const std::complex<double> iw(0.0, 2.0 * std::numbers::pi * f);
+    const Eigen::MatrixXcd dynamic = v.stiffness + iw * iw * v.mass + iw * v.damping;
+    const Eigen::VectorXcd x = dynamic.partialPivLu().solve(input);
     if (r.of_torque) {
-      const std::complex<double> speed = i * w * x(n - 1);
-      r.motor_speed.push_back(std::abs(speed));
-      r.motor_speed_phase.push_back(std::arg(speed));
+      r.motor_speed.push_back(std::abs(iw * x(n - 1)));
+      r.motor_speed_phase.push_back(std::arg(iw * x(n - 1)));
       r.position.push_back(std::abs(x(0)));
       r.position_phase.push_back(std::arg(x(0)));
     } else {
