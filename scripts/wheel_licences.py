@@ -24,6 +24,7 @@ LIBRARIES = {
     "nettle": "(LGPL-3.0-or-later OR GPL-2.0-or-later)",
     "onetbb": "Apache-2.0",
     "pagmo": "(LGPL-3.0-or-later OR GPL-3.0-or-later)",
+    "sundials": "BSD-3-Clause",
     "yaml-cpp": "MIT",
 }
 #: Header libraries: Debian's package and the licence.

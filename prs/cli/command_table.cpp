@@ -165,7 +165,12 @@ void add_export_options(CLI::App& command, Options& options) {
   add_file(command, options)->required();
   add_set(command, options);
   add_flag(command, "--fmu", o.fmu, "Write a co-simulation unit of FMI 2.0, CASE.fmu");
+  add_flag(command, "--static", o.is_static, "Write the unit without the drive, also where the case has `response`");
   add_flag(command, "--modelica", o.modelica, "Write a Modelica package, CASE.mo");
+  add_flag(command, "--mjcf", o.mjcf, "Write the drive for MuJoCo, CASE.mjcf.xml");
+  add_flag(command, "--urdf", o.urdf, "Write the drive for ROS and other robot simulators, CASE.urdf");
+  add_value(command, "--friction-load", o.friction_load, "FORCE",
+            "Load whose friction robot simulators take; default: half of the largest force");
   add_flag(command, "--step", o.step, "Grooved bodies for CAD: says how the Python package writes them");
   add_value(command, "--force", o.force, "FORCE", "Largest force of the curves; default: that of the case");
   add_value(command, "--speed", o.speed, "SPEED", "Largest speed of the torque; default: that of the case");

@@ -2,7 +2,7 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
-#include "prs/export/system_model.h"
+#include "prs/export/robot.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
 
@@ -14,12 +14,19 @@ struct Form {
   const char* option;
   const char* ending;
   bool ExportOptions::*is_asked_for;
-  std::string (*make)(const SystemCurves&, const ModelText&);
+  std::string (*make)(const SystemModel&, const std::optional<RobotConstants>&);
+
+  std::string extension() const { return std::filesystem::path(std::string("NAME") + ending).extension().string(); }
 };
 
 constexpr Form kForms[] = {
-    {"--fmu", ".fmu", &ExportOptions::fmu, functional_mockup_unit},
-    {"--modelica", ".mo", &ExportOptions::modelica, modelica_package},
+    {"--fmu", ".fmu", &ExportOptions::fmu, [](const SystemModel& m, const auto&) { return functional_mockup_unit(m); }},
+    {"--modelica", ".mo", &ExportOptions::modelica,
+     [](const SystemModel& m, const auto&) { return modelica_package(m.curves, m.text); }},
+    {"--mjcf", ".mjcf.xml", &ExportOptions::mjcf,
+     [](const SystemModel& m, const auto& robot) { return mjcf(*m.drive, *robot, m.text); }},
+    {"--urdf", ".urdf", &ExportOptions::urdf,
+     [](const SystemModel& m, const auto& robot) { return urdf(*m.drive, *robot, m.text); }},
 };
 
 std::vector<const Form*> forms_of(const ExportOptions& options) {
@@ -41,7 +48,7 @@ bool is_folder(const std::filesystem::path& path) {
 
 /// `--output` with the ending of a form is its file, else a folder.
 bool is_file_of(const Form& form, const std::filesystem::path& output) {
-  return output.extension() == form.ending && !is_folder(output);
+  return output.extension() == form.extension() && !is_folder(output);
 }
 
 /// Before minutes are spent on what cannot be written.
@@ -52,10 +59,10 @@ void require_place(const std::filesystem::path& output, const std::vector<const 
   if (output.empty()) throw UsageError("--output: got nothing; expected a file or a folder");
   for (const Form& form : kForms) {
     if (!is_file_of(form, output)) continue;
-    if (forms.size() > 1) fail(", one file, for two forms", "a folder, for example `models`");
+    if (forms.size() > 1) fail(", one file, for several forms", "a folder, for example `models`");
     if (forms.size() == 1 && forms.front() != &form)
       fail(fmt::format(" for {}", forms.front()->option),
-           fmt::format("a file that ends in {}, or a folder", forms.front()->ending));
+           fmt::format("a file that ends in {}, or a folder", forms.front()->extension()));
     return;
   }
   if (std::error_code error; std::filesystem::exists(output, error) && !is_folder(output))
@@ -71,13 +78,14 @@ struct Destination {
 };
 
 Destination destination_of(const std::vector<const Form*>& forms, const SystemModel& model,
+                           const std::optional<RobotConstants>& robot,
                            const std::optional<std::filesystem::path>& output) {
   Destination place;
   const bool is_file = output && forms.size() == 1 && is_file_of(*forms.front(), *output);
   if (output) place.folder = is_file ? output->parent_path() : *output;
   for (const Form* form : forms)
     place.files.push_back(
-        {is_file ? output->filename().string() : model.text.name + form->ending, form->make(model.curves, model.text)});
+        {is_file ? output->filename().string() : model.text.name + form->ending, form->make(model, robot)});
   return place;
 }
 
@@ -103,17 +111,31 @@ CurveOptions curve_options(const ExportOptions& o) {
 int export_model(const Options& options) {
   const std::vector<const Form*> forms = forms_of(options.export_model);
   const std::optional<std::filesystem::path>& output = options.export_model.output;
-  if (forms.empty() && !options.json) throw UsageError("the form is missing; expected --fmu, --modelica or both");
+  if (forms.empty() && !options.json)
+    throw UsageError("the form is missing; expected --fmu, --modelica, --mjcf or --urdf, or several of them");
   if (output) require_place(*output, forms);
   const CurveOptions asked = curve_options(options.export_model);
-  const SystemModel model = system_model(case_source(options), asked);
-  const Destination place = destination_of(forms, model, output);
+  const ExportOptions& o = options.export_model;
+  const bool for_robots = o.mjcf || o.urdf;
+  const input::Source source = case_source(options);
+  const SystemModel model = system_model(source, asked,
+                                         for_robots              ? WithDrive::needed
+                                         : o.fmu && !o.is_static ? WithDrive::stated
+                                                                 : WithDrive::never);
+  std::optional<RobotConstants> robot;
+  std::optional<double> friction_load;
+  if (o.friction_load) friction_load = positive_option("--friction-load", *o.friction_load, input::unit::force, "N");
+  if (for_robots)
+    robot = input::compute_from(source,
+                                [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
+  const Destination place = destination_of(forms, model, robot, output);
   if (!place.files.empty()) write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
 
   for (const std::string& warning : sentences(model.curves.warnings)) note(options, "warning: " + warning);
   if (options.json) {
     nlohmann::ordered_json document = document_head(model.info, model.curves.warnings);
     document["export"] = curves_json(model.curves);
+    if (robot) document["export"]["robot"] = robot_json(*robot);
     for (const OutputFile& file : place.files)
       document["export"]["files"].push_back({{"path", place.path(file)}, {"sha256", sha256(file.content)}});
     print(json_text(document));

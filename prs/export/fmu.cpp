@@ -1,16 +1,24 @@
 
 
+#include <sstream>
+
 #include "prs/embed.h"
 #include "prs/export/system_model.h"
 #include "prs/export/zip.h"
 #include "prs/report/report.h"
+#include "prs/response/response.h"
 #include "prs/sha256.h"
 #include "prs/version.h"
 
-PRS_EMBED(curves_h, PRS_UNIT_SOURCES "/curves.h")
-PRS_EMBED(curves_c, PRS_UNIT_SOURCES "/curves.c")
+PRS_EMBED(drive_h, PRS_DRIVE_SOURCES "/drive.h")
+PRS_EMBED(drive_c, PRS_DRIVE_SOURCES "/drive.c")
+PRS_EMBED(dormand_prince_h, PRS_DRIVE_SOURCES "/dormand_prince.h")
+PRS_EMBED(dormand_prince_c, PRS_DRIVE_SOURCES "/dormand_prince.c")
+PRS_EMBED(curves_h, PRS_DRIVE_SOURCES "/curves.h")
+PRS_EMBED(curves_c, PRS_DRIVE_SOURCES "/curves.c")
 PRS_EMBED(fmi2_h, PRS_UNIT_SOURCES "/fmi2.h")
 PRS_EMBED(description, PRS_UNIT_SOURCES "/modelDescription.xml")
+PRS_EMBED(drive_variables, PRS_UNIT_SOURCES "/drive_variables.txt")
 PRS_EMBED(unit_c, PRS_UNIT_SOURCES "/unit.c")
 PRS_EMBED(licence, PRS_LICENCE)
 PRS_EMBED(library, PRS_UNIT_LIBRARY)
@@ -29,11 +37,66 @@ std::string bytes_of(const std::vector<double>& numbers) {
   return bytes;
 }
 
-/// Variables have the order of the value references in unit.c.
-std::string description_xml(const SystemCurves& curves, const ModelText& text, const std::string& guid) {
-  return fmt::format(fmt::runtime(description()), fmt::arg("name", text.name), fmt::arg("guid", guid),
-                     fmt::arg("file", html(text.case_file)), fmt::arg("sha", text.case_sha256),
-                     fmt::arg("version", kVersion), fmt::arg("range", html(curves_text(curves))));
+/// The variables of a drive in the place of those of the screw alone: rows of drive_variables.txt, whose
+/// references are those of unit.c.
+std::string with_drive(std::string xml, const ResponseInput& in, double reach) {
+  const auto& controller = in.motor.controller;
+  const bool of_position = controller && controller->position;
+  const auto stands = [&](std::string_view when) {
+    return when == "all" || (when == "torque" && in.motor.torque) || (when == "speed" && in.motor.speed) ||
+           (when == "speed_loop" && controller && !of_position) || (when == "position_loop" && of_position) ||
+           (when == "feed_forward" && of_position && controller->speed_feed_forward);
+  };
+  std::string list, outputs;
+  int index = 0;
+  std::istringstream rows{std::string(drive_variables())};
+  for (std::string row; std::getline(rows, row);) {
+    std::vector<std::string> cells;
+    std::istringstream parts(row);
+    for (std::string cell; std::getline(parts, cell, '|');) cells.push_back(cell);
+    if (!stands(cells[0])) continue;
+    ++index;
+    const bool is_input = cells[1] == "input";
+    const double start = cells[3] == "motor_speed"                ? in.start.speed / reach
+                         : cells[3] == "reference" && of_position ? in.start.position
+                                                                  : 0.0;
+    list += fmt::format(
+        "    <ScalarVariable name=\"{}\" valueReference=\"{}\" causality=\"{}\" variability=\"continuous\"{} "
+        "description=\"{}\"><Real unit=\"{}\"{}/></ScalarVariable>\n",
+        cells[3], cells[2], cells[1], is_input ? "" : " initial=\"calculated\"", cells[5], cells[4],
+        is_input ? fmt::format(" start=\"{:.17g}\"", start) : "");
+    if (!is_input) outputs += fmt::format("    <Unknown index=\"{}\"/>\n", index);
+  }
+  const auto replace = [&](std::string_view from, std::string_view to, const std::string& content) {
+    const std::size_t first = xml.find(from) + from.size();
+    xml.replace(first, xml.find(to) - first, content);
+  };
+  replace("<ModelVariables>\n", "  </ModelVariables>", list);
+  replace("<Outputs>\n", "    </Outputs>", outputs);
+  replace("<InitialUnknowns>\n", "    </InitialUnknowns>", outputs);
+  const std::string_view units = "<UnitDefinitions>\n";
+  xml.insert(xml.find(units) + units.size(),
+             "    <Unit name=\"m/s\"><BaseUnit m=\"1\" s=\"-1\"/></Unit>\n"
+             "    <Unit name=\"rad\"><BaseUnit rad=\"1\"/></Unit>\n");
+  return xml;
+}
+
+std::string description_xml(const SystemModel& model, const std::string& guid) {
+  const SystemCurves& curves = model.curves;
+  const ModelText& text = model.text;
+  std::string xml = fmt::format(fmt::runtime(description()), fmt::arg("name", text.name), fmt::arg("guid", guid),
+                                fmt::arg("file", html(text.case_file)), fmt::arg("sha", text.case_sha256),
+                                fmt::arg("version", kVersion), fmt::arg("range", html(curves_text(curves))));
+  return model.drive ? with_drive(std::move(xml), *model.drive, curves.lead / (2.0 * std::numbers::pi)) : xml;
+}
+
+/// The numbers of the drive and how exactly events are found [s].
+std::vector<double> drive_numbers(const SystemModel& model) {
+  PrsDrive drive = drive_of(*model.case_with_drive, *model.drive, model.curves);
+  std::vector<double> numbers(PRS_DRIVE_NUMBERS);
+  prs_drive_numbers(&drive, numbers.data(), 1);
+  numbers.push_back(1e-12 * model.drive->duration);
+  return numbers;
 }
 
 std::string documentation(const SystemCurves& curves, const ModelText& text) {
@@ -112,10 +175,13 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& text) {
+std::string functional_mockup_unit(const SystemModel& model) {
+  const SystemCurves& curves = model.curves;
+  const ModelText& text = model.text;
   const std::string data = bytes_of(curves.data());
-  const std::string guid = guid_of(description_xml(curves, text, "") + data + std::string(library()));
-  std::vector<OutputFile> files{{"modelDescription.xml", description_xml(curves, text, guid)}};
+  const std::string drive = model.drive ? bytes_of(drive_numbers(model)) : std::string();
+  const std::string guid = guid_of(description_xml(model, "") + data + drive + std::string(library()));
+  std::vector<OutputFile> files{{"modelDescription.xml", description_xml(model, guid)}};
 #if defined(__x86_64__) && defined(__linux__)  // The standard has names for few platforms.
   files.push_back({fmt::format("binaries/linux64/{}.so", text.name), std::string(library())});
 #endif
@@ -123,9 +189,14 @@ std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& 
   const auto add = [&](const char* name, std::string_view content) { files.push_back({name, std::string(content)}); };
   add("documentation/licenses/license.txt", licence());
   add("resources/curves.bin", data);
+  if (model.drive) add("resources/drive.bin", drive);
   add("resources/guid.txt", guid);
   add("sources/curves.c", curves_c());
   add("sources/curves.h", curves_h());
+  add("sources/dormand_prince.c", dormand_prince_c());
+  add("sources/dormand_prince.h", dormand_prince_h());
+  add("sources/drive.c", drive_c());
+  add("sources/drive.h", drive_h());
   add("sources/fmi2.h", fmi2_h());
   add("sources/unit.c", unit_c());
   return zip(files);

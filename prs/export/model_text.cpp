@@ -1,6 +1,7 @@
 #include <cctype>
 
 #include "prs/export/system_model.h"
+#include "prs/response/response.h"
 #include "prs/run/commands.h"
 #include "prs/sha256.h"
 
@@ -53,13 +54,20 @@ bool is_word_of_modelica(std::string_view name) {
 
 }  // namespace
 
-SystemModel system_model(const input::Source& source, const CurveOptions& options) {
-  const bool preloaded = input::read_case_input(source, Command::check).values.preload.has_value();
-  const Command needed = preloaded ? Command::preload : Command::solve;
+SystemModel system_model(const input::Source& source, const CurveOptions& options, WithDrive with_drive) {
+  const Case stated = input::read_case_input(source, Command::check).values;
+  const bool drive = with_drive == WithDrive::needed || (with_drive == WithDrive::stated && stated.response);
+  const Command needed = drive ? Command::response : stated.preload ? Command::preload : Command::solve;
   const input::CaseInput in = input::read_case_input(source, needed);
-  SystemModel model{input::compute_from(source, [&] { return system_curves(in.values, options); }),
-                    {model_name(source.name), source.name, sha256(source.text)},
-                    document_info(source, needed)};
+  SystemModel model{
+      input::compute_from(
+          source, [&] { return drive ? response_curves(in.values, options) : system_curves(in.values, options); }),
+      {model_name(source.name), source.name, sha256(source.text)},
+      document_info(source, needed)};
+  if (drive) {
+    model.drive = input::compute_from(source, [&] { return with_signal_files(in.values, source); });
+    model.case_with_drive = in.values;
+  }
   model.info.command = "export";
   std::vector<Warning>& warnings = model.curves.warnings;
   warnings.insert(warnings.begin(), in.warnings.begin(), in.warnings.end());

@@ -1,64 +1,9 @@
 #pragma once
 
-#include "prs/export/curves.h"
-#include "prs/loads/load_analysis.h"
+#include "prs/curves/system_curves.h"
+#include "prs/record/analysis.h"
 
 namespace prs {
-
-struct CurveOptions {
-  std::optional<double> force = {};           ///< Largest of both senses [N]; else that of the case.
-  std::optional<double> speed = {};           ///< Largest of both senses [rad/s]; else that of the case.
-  bool speed_along_axis = false;              ///< `speed` is that of the travel [m/s].
-  std::optional<std::string> load_case = {};  ///< Else the first whose loads are solved.
-};
-
-/// Nodes of one sense, as `PrsBranch` describes them.
-struct BranchTable {
-  double origin = 0.0;
-  bool over_root = false;
-  std::vector<double> at, force, slope;
-
-  PrsBranch view() const;
-  double deflection(std::size_t node) const;  ///< Magnitude [m].
-  double stiffness(std::size_t node) const;   ///< [N/m]
-};
-
-/// Torque less force x lead / (2 pi) [N m], a row per speed; empty without friction.
-struct FrictionTable {
-  std::vector<double> root_force;         ///< Signed root of the force [N^0.5].
-  std::vector<double> speed;              ///< Magnitude [rad/s].
-  std::vector<double> forward, backward;  ///< Of both senses of rotation.
-};
-
-/// What a model of a system needs of a screw: force over deflection, torque over force and speed.
-/// SI units, tension positive. `prs_force` and `prs_torque` evaluate them, here and where they are
-/// exported to.
-struct SystemCurves {
-  std::string load_case;  ///< Whose conditions hold; empty with preload.
-  double lead = 0.0;      ///< [m]
-  PerDirection<BranchTable> senses;
-  FrictionTable friction;
-  /// Largest errors between nodes at the last refinement but one: of the largest force, of the
-  /// largest stiffness, of the largest torque.
-  double force_error = 0.0, stiffness_error = 0.0, torque_error = 0.0;
-  std::vector<Warning> warnings;
-
-  /// The curves as the functions of `curves.h` take them; valid as long as this object.
-  PrsCurves view() const;
-  /// Content of the file `curves.bin`.
-  std::vector<double> data() const;
-};
-
-/// Nodes of a curve in one sense, at the most.
-inline constexpr std::size_t kMostNodes = 800;
-/// Errors between nodes that the tables are refined to.
-inline constexpr double kForceTolerance = 1e-6, kStiffnessTolerance = 1e-4, kTorqueTolerance = 1e-4;
-
-/// Solves loads of both senses until the curves between them hold the tolerances. With `preload`
-/// they are those of `prs preload`, else those of `prs solve` under the conditions of one load
-/// case. The case must have passed the requirements of `preload` or `solve`. Throws CaseError where
-/// a load does not converge, or friction has no equilibrium.
-SystemCurves system_curves(const Case& c, const CurveOptions& options);
 
 /// What an exported model says of itself.
 struct ModelText {
@@ -72,11 +17,17 @@ struct SystemModel {
   SystemCurves curves;
   ModelText text;
   DocumentInfo info;
+  std::optional<ResponseInput> drive = {};  ///< Of a model with the drive.
+  std::optional<Case> case_with_drive = {};
 };
 
-/// Reads the case and computes its curves, warnings on single values among theirs. Throws
-/// InputError where the case lacks something or is wrong.
-SystemModel system_model(const input::Source& source, const CurveOptions& options);
+/// With the drive of the case: never, where it states one, always.
+enum class WithDrive { never, stated, needed };
+
+/// Reads the case and computes its curves, warnings on single values among theirs. With the drive they
+/// are those of `prs response`. Throws InputError where the case lacks something or is wrong.
+SystemModel system_model(const input::Source& source, const CurveOptions& options,
+                         WithDrive with_drive = WithDrive::never);
 
 /// An identifier made of the name of a case file: `12_preload.yaml` -> `screw_12_preload`.
 std::string model_name(const std::string& case_file);
@@ -87,7 +38,8 @@ std::string curves_text(const SystemCurves& curves);
 /// A co-simulation unit of FMI 2.0: a ZIP archive. The same curves and text give the same bytes.
 /// Inputs `deflection` [m] and `speed` [rad/s], outputs `force` [N], `stiffness` [N/m] and `torque`
 /// [N m].
-std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& text);
+/// With its drive it has states, and the inputs and outputs of docs/response.md.
+std::string functional_mockup_unit(const SystemModel& model);
 
 /// A Modelica package of the same curves: block `Curves` with the same inputs and outputs, and
 /// `Screw` between a rotational and a translational flange.

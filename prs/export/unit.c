@@ -1,26 +1,60 @@
-/* A roller screw as a co-simulation unit of FMI 2.0: outputs follow the inputs without delay. */
+/* A roller screw as a co-simulation unit of FMI 2.0: alone, its outputs follow the inputs without
+   delay; with its drive (resources/drive.bin) it has states, and integrates them. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "curves.h"
+#include "dormand_prince.h"
 #include "fmi2.h"
 
 /* Value references, as in modelDescription.xml. */
 enum { kDeflection, kSpeed, kForce, kStiffness, kTorque, kInputs = 2, kVariables = 5 };
 
+enum {
+  kMotorTorque,
+  kReference,
+  kReferenceSpeed,
+  kMotorSpeed,
+  kExternalForce,
+  kPosition,
+  kVelocity,
+  kDriveForce,
+  kDriveDeflection,
+  kMotorAngle,
+  kMotorVelocity,
+  kScrewAngle,
+  kScrewVelocity,
+  kCouplingTorque,
+  kDriveInputs = kPosition,
+  kDriveVariables = kCouplingTorque + 1
+};
+
+static const double kTolerance = 1e-8; /* Of a step */
+static const long kMostSteps = 20000000;
+
+static const char* const kDriveFile = "drive.bin";
 static const char* const kGuidFile = "guid.txt";
 static const char* const kCurvesFile = "curves.bin";
 static const char* const kWarnings = "logStatusWarning";
 static const char* const kErrors = "logStatusError";
 
 typedef struct {
-  double input[kInputs];
+  double input[kDriveInputs];
+  double before; /* Motor speed at the end of the last step */
+  double value[kDriveVariables];
+  PrsState drive;
+  int moves; /* A step was made. */
 } State;
 
 typedef struct {
   State state;
+  int has_drive;
+  double resolution;
+  PrsDrive drive;
+  PrsRun run;
+  PrsDormandPrince method;
+  double from, to; /* Of the step */
   double* data;
   PrsCurves curves;
   double time;
@@ -29,11 +63,10 @@ typedef struct {
   char name[200];
 } Unit;
 
-static void tell(const fmi2CallbackFunctions* callbacks, const char* name, fmi2Status status,
-                 const char* message) {
+static void tell(const fmi2CallbackFunctions* callbacks, const char* name, fmi2Status status, const char* message) {
   if (callbacks && callbacks->logger)
-    callbacks->logger(callbacks->componentEnvironment, name, status,
-                      status == fmi2Warning ? kWarnings : kErrors, "%s", message);
+    callbacks->logger(callbacks->componentEnvironment, name, status, status == fmi2Warning ? kWarnings : kErrors, "%s",
+                      message);
 }
 
 static fmi2Status fail(Unit* unit, const char* message) {
@@ -81,8 +114,7 @@ static char* content_of(const char* uri, const char* file, size_t* size) {
   if (!path_of(uri, file, path, sizeof path)) return NULL;
   stream = fopen(path, "rb");
   if (!stream) return NULL;
-  if (fseek(stream, 0, SEEK_END) == 0 && (length = ftell(stream)) >= 0 &&
-      fseek(stream, 0, SEEK_SET) == 0) {
+  if (fseek(stream, 0, SEEK_END) == 0 && (length = ftell(stream)) >= 0 && fseek(stream, 0, SEEK_SET) == 0) {
     *size = (size_t)length;
     content = (char*)malloc(*size + 1);
     if (content && fread(content, 1, *size, stream) != *size) {
@@ -93,6 +125,115 @@ static char* content_of(const char* uri, const char* file, size_t* size) {
   fclose(stream);
   if (content) content[*size] = '\0';
   return content;
+}
+
+static double at_speed(const Unit* unit, double t, double* slope) {
+  const double* const in = unit->state.input;
+  const double width = unit->to - unit->from;
+  *slope = width > 0.0 ? (in[kMotorSpeed] - unit->state.before) / width : 0.0;
+  return width > 0.0 ? unit->state.before + *slope * (t - unit->from) : in[kMotorSpeed];
+}
+
+/* Inputs hold over a step; a motor speed goes straight to its new value. */
+static void inputs_at(void* self, double t, PrsInputs* inputs) {
+  const Unit* const unit = (const Unit*)self;
+  const double* const in = unit->state.input;
+  inputs->slope = inputs->curve = 0.0;
+  inputs->force = in[kExternalForce];
+  inputs->motor = in[unit->drive.by == PRS_BY_TORQUE ? kMotorTorque : kReference];
+  if (unit->drive.by == PRS_BY_SPEED) inputs->motor = at_speed(unit, t, &inputs->slope);
+  if (unit->drive.by == PRS_POSITION_LOOP) inputs->slope = in[kReferenceSpeed];
+}
+static void bind_inputs(void* self, double t) { (void)self, (void)t; }
+static double next_of_inputs(void* self, double t) {
+  (void)self, (void)t;
+  return HUGE_VAL;
+}
+
+static PrsSignals signals_of(Unit* unit) {
+  PrsSignals signals;
+  signals.self = unit;
+  signals.bind = bind_inputs;
+  signals.at = inputs_at;
+  signals.next = next_of_inputs;
+  return signals;
+}
+
+static void take_values(Unit* unit) {
+  double* const value = unit->state.value;
+  PrsView view;
+  prs_view(&unit->run, unit->run.state.t, unit->run.state.y, NULL, &view);
+  memcpy(value, unit->state.input, sizeof unit->state.input);
+  if (unit->drive.by != PRS_BY_TORQUE) value[kMotorTorque] = view.motor_torque;
+  value[kPosition] = view.x;
+  value[kVelocity] = view.v;
+  value[kDriveForce] = view.force;
+  value[kDriveDeflection] = view.delta;
+  value[kMotorAngle] = view.phi_m;
+  value[kMotorVelocity] = view.omega_m;
+  value[kScrewAngle] = view.phi;
+  value[kScrewVelocity] = view.omega;
+  value[kCouplingTorque] = view.coupling_torque;
+}
+
+/* The drive at rest on its start, under the inputs as they are. */
+static void start_drive(Unit* unit) {
+  unit->from = unit->to = unit->time;
+  prs_run_start(&unit->run, &unit->drive, signals_of(unit), unit->resolution);
+  unit->run.state.t = unit->time;
+  prs_dormand_prince_start(&unit->method, &unit->run, kTolerance);
+  unit->state.before = unit->state.input[kMotorSpeed];
+  take_values(unit);
+  unit->state.drive = unit->run.state;
+}
+
+static void set_start(Unit* unit) {
+  if (!unit->has_drive) return;
+  unit->state.input[kMotorSpeed] = unit->drive.start_speed * 6.283185307179586476925287 / unit->drive.curves.lead;
+  if (unit->drive.by == PRS_POSITION_LOOP) unit->state.input[kReference] = unit->drive.start_position;
+}
+
+/* NULL, or what is wrong. A unit without the file is one without a drive. */
+static const char* load_drive(Unit* unit, const char* resources) {
+  size_t size = 0;
+  double* const numbers = (double*)(void*)content_of(resources, kDriveFile, &size);
+  if (!numbers) return NULL;
+  if (size != (PRS_DRIVE_NUMBERS + 1) * sizeof(double)) {
+    free(numbers);
+    return "resources/drive.bin is damaged; export the unit again";
+  }
+  prs_drive_numbers(&unit->drive, numbers, 0);
+  unit->resolution = numbers[PRS_DRIVE_NUMBERS];
+  unit->drive.curves = unit->curves;
+  unit->has_drive = 1;
+  free(numbers);
+  set_start(unit);
+  return NULL;
+}
+
+static fmi2Status step_drive(Unit* unit, double time, double step) {
+  const PrsStepper stepper = prs_dormand_prince_stepper(&unit->method);
+  int end;
+  if (!unit->state.moves) {
+    unit->time = time;
+    start_drive(unit);
+  } else if (!unit->run.drive) { /* The state is that of another unit. */
+    const State taken = unit->state;
+    start_drive(unit);
+    unit->state = taken;
+  }
+  unit->state.moves = 1;
+  unit->from = time;
+  unit->to = time + step;
+  unit->run.state = unit->state.drive;
+  unit->run.steps_left = kMostSteps;
+  end = prs_run_to(&unit->run, &stepper, NULL, unit->to);
+  if (end == PRS_LEFT_SHAFT) return fail(unit, "the nut has left the shaft");
+  if (end != PRS_DONE) return fail(unit, "the integration does not come through this step");
+  unit->state.drive = unit->run.state;
+  take_values(unit);
+  unit->state.before = unit->state.input[kMotorSpeed];
+  return fmi2OK;
 }
 
 /* NULL, or what is wrong. */
@@ -110,14 +251,14 @@ static const char* load(Unit* unit, const char* guid, const char* resources) {
   if (!is_own) return "the GUID is not that of this unit; read modelDescription.xml again";
   if (!order.first) return "this unit runs on processors of little-endian numbers alone";
   unit->data = (double*)(void*)content_of(resources, kCurvesFile, &size);
-  if (!unit->data || size % sizeof(double) != 0 ||
-      !prs_read_curves(unit->data, size / sizeof(double), &unit->curves))
+  if (!unit->data || size % sizeof(double) != 0 || !prs_read_curves(unit->data, size / sizeof(double), &unit->curves))
     return "resources/curves.bin is missing or damaged; export the unit again";
-  return NULL;
+  return load_drive(unit, resources);
 }
 
 static void forget(Unit* unit) {
   memset(&unit->state, 0, sizeof unit->state);
+  set_start(unit);
   unit->time = 0.0;
   unit->warned_of_deflection = unit->warned_of_torque = 0;
 }
@@ -136,10 +277,9 @@ static void evaluate(Unit* unit, double value[kVariables]) {
   warn_once(unit, beyond, &unit->warned_of_deflection,
             "deflection: beyond the computed range; the force goes on in a straight line");
   value[kTorque] = prs_torque(&unit->curves, value[kForce], value[kSpeed], &beyond);
-  warn_once(
-      unit, beyond, &unit->warned_of_torque,
-      "torque: force or speed is beyond the computed range; friction grows with the force and "
-      "stays that of the largest speed");
+  warn_once(unit, beyond, &unit->warned_of_torque,
+            "torque: force or speed is beyond the computed range; friction grows with the force and "
+            "stays that of the largest speed");
 }
 
 FMI2(const char*, fmi2GetTypesPlatform)(void) { return "default"; }
@@ -152,8 +292,8 @@ FMI2(fmi2Status, fmi2SetDebugLogging)
 }
 
 FMI2(fmi2Component, fmi2Instantiate)
-(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
- const fmi2CallbackFunctions* callbacks, fmi2Boolean visible, fmi2Boolean logging) {
+(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions* callbacks,
+ fmi2Boolean visible, fmi2Boolean logging) {
   const char* problem;
   Unit* unit;
   (void)visible, (void)logging;
@@ -182,8 +322,7 @@ FMI2(void, fmi2FreeInstance)(fmi2Component c) {
 }
 
 FMI2(fmi2Status, fmi2SetupExperiment)
-(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start,
- fmi2Boolean has_stop, fmi2Real stop) {
+(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start, fmi2Boolean has_stop, fmi2Real stop) {
   (void)has_tolerance, (void)tolerance, (void)has_stop, (void)stop;
   ((Unit*)c)->time = start;
   return fmi2OK;
@@ -208,11 +347,18 @@ FMI2(fmi2Status, fmi2Reset)(fmi2Component c) {
 FMI2(fmi2Status, fmi2GetReal)
 (fmi2Component c, const fmi2ValueReference references[], size_t count, fmi2Real values[]) {
   Unit* const unit = (Unit*)c;
-  double value[kVariables];
+  double value[kDriveVariables];
   size_t k;
-  evaluate(unit, value);
+  if (unit->has_drive) {
+    if (!unit->state.moves) start_drive(unit);
+    memcpy(value, unit->state.value, sizeof value);
+    memcpy(value, unit->state.input, sizeof unit->state.input);
+    if (unit->drive.by != PRS_BY_TORQUE) value[kMotorTorque] = unit->state.value[kMotorTorque];
+  } else {
+    evaluate(unit, value);
+  }
   for (k = 0; k < count; ++k) {
-    if (references[k] >= kVariables) return fail(unit, "unknown value reference");
+    if (references[k] >= (unit->has_drive ? kDriveVariables : kVariables)) return fail(unit, "unknown value reference");
     values[k] = value[references[k]];
   }
   return fmi2OK;
@@ -223,10 +369,12 @@ FMI2(fmi2Status, fmi2SetReal)
   Unit* const unit = (Unit*)c;
   size_t k;
   for (k = 0; k < count; ++k) {
-    if (references[k] >= kInputs) return fail(unit, "only deflection and speed can be set");
+    if (references[k] >= (unit->has_drive ? kDriveInputs : kInputs))
+      return fail(unit, unit->has_drive ? "outputs cannot be set" : "only deflection and speed can be set");
     if (!isfinite(values[k]))
-      return fail(unit, references[k] == kDeflection ? "deflection: not a finite number"
-                                                     : "speed: not a finite number");
+      return fail(unit, unit->has_drive                ? "an input is not a finite number"
+                        : references[k] == kDeflection ? "deflection: not a finite number"
+                                                       : "speed: not a finite number");
   }
   for (k = 0; k < count; ++k) unit->state.input[references[k]] = values[k];
   return fmi2OK;
@@ -284,8 +432,8 @@ FMI2(fmi2Status, fmi2DeSerializeFMUstate)
 
 /* Not provided, as modelDescription.xml says. */
 FMI2(fmi2Status, fmi2GetDirectionalDerivative)
-(fmi2Component c, const fmi2ValueReference unknown[], size_t unknowns,
- const fmi2ValueReference known[], size_t knowns, const fmi2Real along[], fmi2Real derivative[]) {
+(fmi2Component c, const fmi2ValueReference unknown[], size_t unknowns, const fmi2ValueReference known[], size_t knowns,
+ const fmi2Real along[], fmi2Real derivative[]) {
   (void)unknown, (void)unknowns, (void)known, (void)knowns, (void)along, (void)derivative;
   return fail((Unit*)c, "this unit gives no directional derivatives");
 }
@@ -296,16 +444,20 @@ FMI2(fmi2Status, fmi2SetRealInputDerivatives)
   return fail((Unit*)c, "this unit takes no derivatives of inputs");
 }
 FMI2(fmi2Status, fmi2GetRealOutputDerivatives)
-(fmi2Component c, const fmi2ValueReference references[], size_t count, const fmi2Integer orders[],
- fmi2Real values[]) {
+(fmi2Component c, const fmi2ValueReference references[], size_t count, const fmi2Integer orders[], fmi2Real values[]) {
   (void)references, (void)count, (void)orders, (void)values;
   return fail((Unit*)c, "this unit gives no derivatives of outputs");
 }
 
 FMI2(fmi2Status, fmi2DoStep)
 (fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean is_no_state_before) {
+  Unit* const unit = (Unit*)c;
   (void)is_no_state_before;
-  ((Unit*)c)->time = time + step;
+  if (unit->has_drive && step > 0.0) {
+    const fmi2Status status = step_drive(unit, time, step);
+    if (status != fmi2OK) return status;
+  }
+  unit->time = time + step;
   return fmi2OK;
 }
 FMI2(fmi2Status, fmi2CancelStep)(fmi2Component c) { return fail((Unit*)c, "no step is under way"); }

@@ -1110,6 +1110,247 @@ void fields(const Fields& io, ReportTexts& r) {
   io("revision", r.revision, Text{"\"A\""}, "Of the calculation");
 }
 
+void alternatives(Choices& io, SignalTerm::Spacing& s) {
+  io("logarithmic", s, SignalTerm::Spacing::logarithmic, "equal ratios");
+  io("linear", s, SignalTerm::Spacing::linear, "equal differences");
+}
+
+void alternatives(Choices& io, ResponseInput::Feedback& f) {
+  io("motor", f, ResponseInput::Feedback::motor, "the angle of the motor");
+  io("load", f, ResponseInput::Feedback::load, "the position of the load");
+}
+
+void alternatives(Choices& io, ResponseInput::Ends& e) {
+  io("fixed_free", e, ResponseInput::Ends::fixed_free, "one axial bearing");
+  io("fixed_fixed", e, ResponseInput::Ends::fixed_fixed, "an axial bearing at each end of the span");
+}
+
+void alternatives(Choices& io, ResponseInput::ScrewState& s) {
+  io("held", s, ResponseInput::ScrewState::held, "the screw does not turn");
+  io("rolling", s, ResponseInput::ScrewState::rolling, "the screw turns evenly");
+}
+
+void alternatives(Choices& io, ResponseInput::Input& i) {
+  io("load_force", i, ResponseInput::Input::load_force, "a force on the load");
+  io("motor_torque", i, ResponseInput::Input::motor_torque, "the torque of the motor");
+}
+
+namespace signal_kinds {
+
+/// {at, value} with such values.
+struct Point {
+  Quantity time, value;
+};
+Value value_of(SignalTerm::Point& point, const Point& kind) {
+  return {map_of([&point, kind](const Fields& io) {
+    io("at", point.at, kind.time, required, "Time");
+    io("value", point.value, kind.value, required, "From then on, or then");
+  })};
+}
+
+/// A map whose keys a function lists.
+template <class List>
+struct KeysOf {
+  List list;
+};
+template <class List>
+KeysOf(List) -> KeysOf<List>;
+template <class T, class L>
+Value value_of(T& block, const KeysOf<L>& kind) {
+  return {map_of([&block, kind](const Fields& io) { kind.list(io, block); })};
+}
+
+}  // namespace signal_kinds
+
+Value value_of(SignalTerm& term, const OneOrSum& kind) {
+  using signal_kinds::KeysOf, signal_kinds::Point;
+  const auto forms = [&term, kind](const Fields& io) {
+    const Quantity time{unit::duration, unbounded, "10 ms"}, late{unit::duration, positive, "50 ms"};
+    const Quantity frequency{unit::frequency, positive};
+    const auto points = [&](std::string_view key, std::optional<std::vector<SignalTerm::Point>>& list,
+                            std::string_view meaning) {
+      io(key, list, List{Point{time, kind.quantity}, 1}, meaning);
+    };
+    points("steps", term.steps, "The value of the last time that has come, 0 before the first");
+    points("points", term.points, "Straight between, the ends' values outside");
+    io("sine", term.sine, KeysOf{[kind, frequency](const Fields& of, SignalTerm::Sine& s) {
+         of("mean", s.mean, kind.quantity, "About which it swings");
+         of("amplitude", s.amplitude, kind.quantity, required, "Of the swing");
+         of("frequency", s.frequency, frequency, required, "Of the swing");
+         of("phase", s.phase, Quantity{unit::angle}, "At t = 0");
+       }},
+       "mean + amplitude sin(2 pi f t + phase)");
+    io("sweep", term.sweep, KeysOf{[kind, frequency, late](const Fields& of, SignalTerm::Sweep& s) {
+         of("mean", s.mean, kind.quantity, "About which it swings");
+         of("amplitude", s.amplitude, kind.quantity, required, "Of the swing");
+         of("from", s.from, frequency, required, "Frequency at t = 0");
+         of("to", s.to, frequency, required, "Frequency at the end and from then on");
+         of("duration", s.duration, late, required, "From one to the other");
+         of("spacing", s.spacing, Choice{}, "How the frequency goes over time");
+       }},
+       "A sine whose frequency moves");
+    io("file", term.file, KeysOf{[](const Fields& of, SignalTerm::File& f) {
+         of("name", f.name, Text{"signal.csv"}, required,
+            "Comma-separated values with a heading; relative to this file");
+         of("time", f.time, Block{}, required, "Times, which rise");
+         of("value", f.value, Block{}, required, "Values, straight between");
+       }},
+       "As `points`, from a file");
+  };
+  return {OneOr{.form = OneOr::Form::signal,
+                .one = [&term, kind] { return input::value_of(term.constant, kind.quantity); },
+                .several = [forms] { return Value{map_of(forms)}; },
+                .others = ", or a map with one of steps, points, sine, sweep, file, or a list of these",
+                .are_several = term.has_form() || term.file}};
+}
+
+Value value_of(Signal& signal, const OneOrSum& kind) {
+  return {OneOr{.form = OneOr::Form::rollers,
+                .one = [&signal, kind] { return value_of(signal.one, kind); },
+                .several =
+                    [&signal, kind] {
+                      return input::value_of(signal.many, List{kind, 1});
+                    },
+                .others = "",
+                .are_several = !signal.many.empty()}};
+}
+
+void fields(const Fields& io, ResponseInput::Controller& c) {
+  io("speed", c.speed, OneOrSum{{unit::rotational_speed}}, "Reference of the speed; this or `position`");
+  io("position", c.position, OneOrSum{{unit::length}}, "Reference of the position of the load");
+  io("position_gain", c.position_gain, Quantity{unit::position_gain, positive},
+     required_only_if(c.position.has_value(), "only with `position`"), "Speed over error of position");
+  io("speed_gain", c.speed_gain, Quantity{unit::rotational_damping, positive}, required, "Torque over error of speed");
+  io("integral_time", c.integral_time, Quantity{unit::duration, positive, "20 ms"},
+     "Of the speed loop; none by default");
+  io("largest_torque", c.largest_torque, Quantity{unit::torque, positive}, "Bound of the torque; none by default");
+  io("largest_speed", c.largest_speed, Quantity{unit::rotational_speed, positive},
+     "Bound of the speed that the loop asks for; none by default");
+  io("feedback", c.feedback, Choice{}, optional_only_if(c.position.has_value(), "only with `position`"),
+     "What the position loop measures");
+  io("speed_feed_forward", c.speed_feed_forward, Flag{},
+     optional_only_if(c.position.has_value(), "only with `position`"), "Whether the slope of the reference is added");
+}
+
+void fields(const Fields& io, ResponseInput::CurrentLoop& l) {
+  io("time_constant", l.time_constant, Quantity{unit::duration, positive, "0.3 ms"}, required,
+     "Of the lag of the torque behind the commanded one");
+}
+
+void fields(const Fields& io, ResponseInput::Motor& m) {
+  io("inertia", m.inertia, Quantity{unit::inertia, not_negative}, "Of the rotor");
+  io("friction_torque", m.friction_torque, Quantity{unit::torque, not_negative}, "Dry friction at its shaft");
+  io("damping", m.damping, Quantity{unit::rotational_damping, not_negative}, "Torque over speed");
+  io("torque", m.torque, OneOrSum{{unit::torque}}, "Of the motor on its shaft; one of torque, speed, controller");
+  io("speed", m.speed, OneOrSum{{unit::rotational_speed}}, "Prescribed, without jumps");
+  io("controller", m.controller, Block{}, "Of speed or position");
+  constexpr std::string_view kDriven = "only with `torque` or `controller`";
+  io("current_loop", m.current_loop, Block{}, optional_only_if(!m.speed, kDriven),
+     "Lag of the torque; none by default");
+  io("cut_at", m.cut_at, Quantity{unit::duration, not_negative, "0.1 s"}, optional_only_if(!m.speed, kDriven),
+     "From here on the commanded torque is 0; never by default");
+}
+
+void fields(const Fields& io, ResponseInput::Brake& b) {
+  io("torque", b.torque, Quantity{unit::torque, not_negative}, required, "Dry friction at the motor's shaft");
+  io("at", b.at, Quantity{unit::duration, not_negative, "0.1 s"}, required, "From here on, for good");
+}
+
+void fields(const Fields& io, ResponseInput::Coupling& c) {
+  io("stiffness", c.stiffness, Quantity{unit::tilt_stiffness, positive, "2000 N m/rad"}, required, "Torsional");
+  io("damping", c.damping, Quantity{unit::rotational_damping, not_negative}, "Torque over rate of twist");
+}
+
+void fields(const Fields& io, ResponseInput::Screw& s) {
+  io("inertia", s.inertia, Quantity{unit::inertia, not_negative}, "Of all that turns behind the coupling");
+  io("drag_torque", s.drag_torque, Quantity{unit::torque, not_negative}, "Dry friction of bearings and seals");
+}
+
+void fields(const Fields& io, ResponseInput::Load& l) {
+  io("mass", l.mass, Quantity{unit::mass, positive}, required, "That moves along the axis");
+  io("force", l.force, OneOrSum{{unit::force}}, "> 0 holds the load back against +x and puts the screw in tension");
+  io("friction_force", l.friction_force, Quantity{unit::force, not_negative}, "Dry friction of the guides");
+  io("damping", l.damping, Quantity{unit::damping, not_negative}, "Force over speed");
+}
+
+void fields(const Fields& io, ResponseInput::MaterialDamping& m) {
+  io("time", m.time, Quantity{unit::duration, not_negative, "15 us"}, "Damping over stiffness of the screw");
+  io("loss_factor", m.loss_factor, Quantity{unit::share, not_negative, "3 %"},
+     "In place of `time`, with `at_frequency`");
+  io("at_frequency", m.at_frequency, Quantity{unit::frequency, positive}, "At which the loss factor holds");
+}
+
+void fields(const Fields& io, ResponseInput::EndStop& s) {
+  io("at", s.at, Quantity{unit::length}, required, "Position of the load at which it begins");
+  io("stiffness", s.stiffness, Quantity{unit::stiffness, positive}, required, "Of the stop");
+  io("damping", s.damping, Quantity{unit::stop_damping, not_negative}, "Share of the force over the speed of pressing");
+}
+
+void fields(const Fields& io, ResponseInput::EndStops& s) {
+  io("upper", s.upper, Block{}, "At large positions");
+  io("lower", s.lower, Block{}, "At small positions");
+}
+
+void fields(const Fields& io, ResponseInput::Shaft& s) {
+  io("length", s.length, Quantity{unit::length, positive, "300 mm"}, required,
+     "From the axial bearing to the loaded section at the start");
+  io("ends", s.ends, Choice{}, "Axial bearings of the shaft");
+  io("span", s.span, Quantity{unit::length, positive, "900 mm"},
+     required_only_if(s.ends == ResponseInput::Ends::fixed_fixed, "only with `ends: fixed_fixed`"),
+     "Between the bearings");
+}
+
+void fields(const Fields& io, ResponseInput::Start& s) {
+  io("position", s.position, Quantity{unit::length}, "Of the load");
+  io("speed", s.speed, Quantity{unit::travel_speed}, "Of the load, and of the motor over the lead");
+  io("deflection", s.deflection, Quantity{unit::length}, "Of the screw; that of the external force by default");
+}
+
+void fields(const Fields& io, ResponseInput::Curves& c) {
+  io("force", c.force, Quantity{unit::force, positive}, "Largest force of the curves; that of the file by default");
+  io("speed", c.speed, Quantity{unit::rotational_speed, positive},
+     "Largest speed of the table of friction; that of the file by default");
+  io("load_case", c.load_case, Text{"pull"}, "Whose conditions hold; the first that is solved by default");
+}
+
+void fields(const Fields& io, ResponseInput::Settling& s) {
+  io("after", s.after, Quantity{unit::duration, not_negative, "50 ms"}, required, "From which time on settling counts");
+  io("band", s.band, Quantity{unit::length, positive, "20 um"}, required, "To both sides of where the load ends");
+}
+
+void fields(const Fields& io, ResponseInput::FrequencyResponse& f) {
+  io("from", f.from, Quantity{unit::frequency, positive, "10 Hz"}, required, "Lowest frequency");
+  io("to", f.to, Quantity{unit::frequency, positive, "2 kHz"}, required, "Highest frequency");
+  io("points", f.points, Whole{2, kMostSteps}, "Ends included");
+  io("spacing", f.spacing, Choice{}, "Of the frequencies");
+  io("force", f.force, Quantity{unit::force}, "Of the working point; `load.force` at t = 0 by default");
+  io("position", f.position, Quantity{unit::length}, "Of the working point; that of the start by default");
+  io("screw", f.screw, Choice{}, "What the screw does");
+  io("speed", f.speed, Quantity{unit::rotational_speed, not_zero},
+     required_only_if(f.screw == ResponseInput::ScrewState::rolling, "only with `screw: rolling`"), "Of the screw");
+  io("input", f.input, Choice{}, "What swings");
+}
+
+void fields(const Fields& io, ResponseInput& r) {
+  io("duration", r.duration, Quantity{unit::duration, positive, "0.1 s"}, required, "Of the run, from 0 on");
+  io("sample_interval", r.sample_interval, Quantity{unit::duration, positive, "0.1 ms"},
+     "Of the series; a thousandth of the duration by default");
+  io("tolerance", r.tolerance, Number{Bounds{.least = 1e-12, .greatest = 1e-3}, "1e-8"},
+     "Of the integration, relative");
+  io("motor", r.motor, Block{"{inertia: 5 kg cm^2, torque: 2 N m}"}, required, "What drives");
+  io("brake", r.brake, Block{}, "That closes and stays closed");
+  io("coupling", r.coupling, Block{}, "Between motor and screw; without it both are one rigid part");
+  io("screw", r.screw, Block{}, "What turns with the screw");
+  io("load", r.load, Block{}, required, "What moves along the axis");
+  io("material_damping", r.material_damping, Block{}, "Of the screw's flanks and bodies");
+  io("end_stops", r.end_stops, Block{}, "Springs that the load runs into");
+  io("shaft", r.shaft, Block{}, "Axial compliance of the shaft beyond the nut");
+  io("start", r.start, Block{}, "State at t = 0");
+  io("curves", r.curves, Block{}, "Range of force and friction that are computed, as `prs export` has them");
+  io("settling", r.settling, Block{}, "When the load comes to rest");
+  io("frequency_response", r.frequency_response, Block{}, "Small vibration about a state of rest or of even rolling");
+}
+
 void fields(const Fields& io, CaseFile& file) {
   Case& c = file.values;
   io("mechanism", c.mechanism, Block{}, required, "The threads");
@@ -1131,6 +1372,7 @@ void fields(const Fields& io, CaseFile& file) {
   io("operation", c.operation, Block{}, "How the mechanism runs");
   io("carrier", c.carrier, Block{}, "What acts on the rollers besides the threads");
   io("heat", c.heat, Block{}, "How the parts get rid of the heat of friction, for `prs slip`");
+  io("response", c.response, Block{}, "The screw in its drive, for `prs response`");
   io("limits", file.limits, Block{}, "What the verdict of `prs check` and of the report holds the case against");
   io("study", file.study, Block{}, "What `prs study` varies");
   io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");

@@ -173,6 +173,11 @@ struct OneOrRange {
   Quantity quantity;
 };
 
+/// A constant, one of the forms of `SignalTerm`, or a list of these.
+struct OneOrSum {
+  Quantity quantity;
+};
+
 /// Any value, kept as the text that `--set` takes for it.
 struct Verbatim {
   std::string_view example = "5 mm";
@@ -229,7 +234,7 @@ struct ListValue {
 
 /// One value or several.
 struct OneOr {
-  enum class Form { parts, ends, range, rollers, word, number, levels };
+  enum class Form { parts, ends, range, rollers, word, number, levels, signal };
 
   Form form;
   std::function<Value()> one, several;
@@ -450,6 +455,8 @@ Value value_of(T& block, const WordOrBlock& kind) {
 }
 Value value_of(Range& range, const OneOrRange& kind);
 Value value_of(WrittenValues& values, const ListOrRange& kind);
+Value value_of(Signal& signal, const OneOrSum& kind);
+Value value_of(SignalTerm& term, const OneOrSum& kind);
 
 /// The plans of a study by their names.
 void alternatives(Choices& io, Plan& p);

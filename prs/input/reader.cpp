@@ -495,6 +495,9 @@ bool turn_speeds(Node& root) {
   for (Node& block : root.children) {
     if (block.key == "operation") turn(block);
     if (block.key == "load_cases") std::ranges::for_each(block.children, turn);
+    if (block.key == "response")
+      for (Node& part : block.children)
+        if (part.key == "curves" || part.key == "frequency_response") turn(part);
   }
   return any;
 }

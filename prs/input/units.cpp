@@ -83,7 +83,8 @@ constexpr Unit kTiltStiffness[] = {
 constexpr Unit kThermalExpansion[] = {
     {{"um/m/K", "ppm/K"}, 1.0, 1e6}, {{"1/K"}}, {{"uin/in/degF", "ppm/degF"}, 1.8, 1e6}};
 
-constexpr Unit kDuration[] = {{{"s"}}, {{"ms"}, 1.0, 1e3}, {{"min"}, 60.0}, {{"h"}, 3600.0}, {{"d"}, 86400.0}};
+constexpr Unit kDuration[] = {{{"s"}},         {{"ms"}, 1.0, 1e3}, {{"us", "µs", "μs"}, 1.0, 1e6},
+                              {{"min"}, 60.0}, {{"h"}, 3600.0},    {{"d"}, 86400.0}};
 
 constexpr Unit kWear[] = {{{"mm^3/(N m)", "mm^3/Nm", "mm³/(N m)"}, 1.0, 1e9},
                           {{"um^3/(N m)", "µm^3/(N m)", "μm^3/(N m)"}, 1.0, 1e18},
@@ -115,7 +116,19 @@ constexpr Unit kDistance[] = {{{"km"}, 1e3}, {{"m"}}};
 constexpr Unit kInertia[] = {{{"kg m^2", "kg*m^2"}},
                              {{"kg cm^2", "kg*cm^2"}, 1.0, 1e4},
                              {{"kg mm^2", "kg*mm^2"}, 1.0, 1e6},
+                             {{"g cm^2", "g*cm^2"}, 1.0, 1e7},
                              {{"lb in^2", "lb*in^2"}, kPound* kInch* kInch}};
+
+constexpr Unit kFrequency[] = {{{"Hz"}}, {{"kHz"}, 1e3}};
+
+constexpr Unit kRotationalDamping[] = {{{"N m s/rad", "Nm s/rad", "N*m*s/rad"}},
+                                       {{"lbf in s/rad", "in lbf s/rad"}, kPoundForce* kInch}};
+
+constexpr Unit kDamping[] = {{{"N s/m", "N*s/m"}}, {{"N s/mm", "N*s/mm"}, 1e3}, {{"lbf s/in"}, kPoundForce / kInch}};
+
+constexpr Unit kStopDamping[] = {{{"s/m"}}, {{"s/mm"}, 1e3}, {{"s/in"}, 1.0 / kInch}};
+
+constexpr Unit kPositionGain[] = {{{"1/s", "s^-1"}}};
 
 }  // namespace
 
@@ -143,6 +156,11 @@ const Dimension mass{"a mass", "12 kg", "kg", kMass};
 const Dimension speed{"a speed", "150000 mm/min", "mm/min", kSpeed};
 const Dimension distance{"a distance", "500 km", "km", kDistance};
 const Dimension inertia{"a moment of inertia", "5 kg cm^2", "kg cm^2", kInertia};
+const Dimension frequency{"a frequency", "100 Hz", "Hz", kFrequency};
+const Dimension rotational_damping{"a rotational damping", "0.01 N m s/rad", "N m s/rad", kRotationalDamping};
+const Dimension damping{"a damping", "200 N s/m", "N s/m", kDamping};
+const Dimension stop_damping{"a damping of a stop", "0.2 s/m", "s/m", kStopDamping};
+const Dimension position_gain{"a position gain", "80 1/s", "1/s", kPositionGain};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
 const Dimension thermal_conductivity{"a thermal conductivity", "45 W/(m K)", "W/(m K)", kThermalConductivity};
@@ -180,7 +198,12 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::mass,
                                             &unit::speed,
                                             &unit::distance,
-                                            &unit::inertia};
+                                            &unit::inertia,
+                                            &unit::frequency,
+                                            &unit::rotational_damping,
+                                            &unit::damping,
+                                            &unit::stop_damping,
+                                            &unit::position_gain};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)

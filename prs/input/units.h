@@ -84,6 +84,11 @@ extern const Dimension mass;
 extern const Dimension speed;
 extern const Dimension distance;
 extern const Dimension inertia;
+extern const Dimension frequency;
+extern const Dimension rotational_damping;
+extern const Dimension damping;
+extern const Dimension stop_damping;
+extern const Dimension position_gain;
 }  // namespace unit
 
 /// All dimensions, in the order in which they are shown.

@@ -200,6 +200,7 @@ class SlotFinder {
         return find(several);
       case Form::rollers:
       case Form::number:
+      case Form::signal:
         return find(value.are_several ? several : one);
       case Form::parts:
         return key == "screw" || key == "roller" || key == "nut" ? find(several) : find_all(several);

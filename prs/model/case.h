@@ -4,6 +4,7 @@
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
 #include "prs/model/operation.h"
+#include "prs/model/response_input.h"
 
 namespace prs {
 
@@ -33,6 +34,7 @@ struct Conditions {
   Carrier carrier;
   std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].
   std::optional<Heat> heat;
+  std::optional<ResponseInput> response;
 };
 
 /// All rollers between bodies of `influence` know no friction on their threads.

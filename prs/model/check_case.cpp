@@ -23,6 +23,7 @@ std::vector<Problem> check_case(const Case& c) {
   check_carrier(c.carrier, problems);
   if (c.heat) check_heat(c, problems);
   if (c.measures) check_measures(*c.measures, problems);
+  if (c.response) check_response(c, problems);
   return std::move(problems).take();
 }
 

@@ -52,6 +52,8 @@ void check_preload(const Case& c, Problems& problems);
 void check_life(const Case& c, Problems& problems);
 void check_heat(const Case& c, Problems& problems);
 void check_measures(const MeasureOptions& m, Problems& problems);
+/// Signals from files are left out until their points are known.
+void check_response(const Case& c, Problems& problems);
 
 // What `slip` needs of the blocks that it reads.
 

@@ -16,7 +16,7 @@ struct Command {
   void (*needs)(const Case&, Problems&) = nullptr;
 
   // Commands that other parts name. Blocks of searches: see input::unmet.
-  static const Command check, contact, solve, compare, slip, preload, life, measures, study, optimize, size;
+  static const Command check, contact, solve, compare, slip, preload, life, measures, response, study, optimize, size;
 
   friend constexpr bool operator==(const Command& a, const Command& b) { return a.word == b.word; }
   friend constexpr auto operator<=>(const Command& a, const Command& b) { return a.word <=> b.word; }
@@ -29,6 +29,7 @@ void need_slip(const Case& c, Problems& problems);
 void need_preload(const Case& c, Problems& problems);
 void need_life(const Case& c, Problems& problems);
 void need_measures(const Case& c, Problems& problems);
+void need_response(const Case& c, Problems& problems);
 
 inline constexpr Command Command::check{"check"};
 inline constexpr Command Command::contact{"contact"};
@@ -38,6 +39,7 @@ inline constexpr Command Command::slip{"slip", need_slip};
 inline constexpr Command Command::preload{"preload", need_preload};
 inline constexpr Command Command::life{"life", need_life};
 inline constexpr Command Command::measures{"measures", need_measures};
+inline constexpr Command Command::response{"response", need_response};
 inline constexpr Command Command::study{"study"};
 inline constexpr Command Command::optimize{"optimize"};
 inline constexpr Command Command::size{"size"};

@@ -6,6 +6,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/response/response_analysis.h"
 #include "prs/run/check.h"
 #include "prs/size/size_analysis.h"
 #include "prs/version.h"
@@ -22,6 +23,7 @@ std::span<const AnyAnalysis> analyses() {
       any(preload_analysis()),
       any(life_analysis()),
       any(measures_analysis()),
+      any(response_analysis()),
       {Command::study, "Run the study of the file: many designs, a row each"},
       {.command = Command::optimize,
        .help = "Search the designs that the file aims at",

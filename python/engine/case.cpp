@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-#include "prs/export/system_model.h"
+#include "prs/export/robot.h"
 #include "prs/input/document.h"
 #include "prs/input/echo.h"
 #include "prs/input/force_history.h"
@@ -116,15 +116,26 @@ std::string CaseSource::thread_profiles() const {
 }
 
 std::vector<std::string> CaseSource::export_model(const std::string& file, std::optional<double> force,
-                                                  std::optional<double> speed,
-                                                  std::optional<std::string> load_case) const {
+                                                  std::optional<double> speed, std::optional<std::string> load_case,
+                                                  std::optional<double> friction_load) const {
   const GilRelease released;
   const std::filesystem::path path(file);
-  SystemModel model = system_model(*source_, {.force = force, .speed = speed, .load_case = std::move(load_case)});
+  const std::string ending = path.extension();
+  const bool for_robots = ending == ".xml" || ending == ".urdf";
+  SystemModel model = system_model(*source_, {.force = force, .speed = speed, .load_case = std::move(load_case)},
+                                   for_robots         ? WithDrive::needed
+                                   : ending == ".fmu" ? WithDrive::stated
+                                                      : WithDrive::never);
   model.text.name = model_name(file);
+  std::optional<RobotConstants> robot;
+  if (for_robots)
+    robot = input::compute_from(*source_,
+                                [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
   StagedFile staged(path);
-  staged.append(path.extension() == ".mo" ? modelica_package(model.curves, model.text)
-                                          : functional_mockup_unit(model.curves, model.text));
+  staged.append(ending == ".mo"     ? modelica_package(model.curves, model.text)
+                : ending == ".xml"  ? mjcf(*model.drive, *robot, model.text)
+                : ending == ".urdf" ? urdf(*model.drive, *robot, model.text)
+                                    : functional_mockup_unit(model));
   staged.publish();
   return sentences(model.curves.warnings);
 }
@@ -159,7 +170,8 @@ void bind_case(nb::module_& module) {
            "Axial profiles of the threads as JSON, in metres: radii, and half the width of the "
            "groove at each; of the nut those of the air in it.")
       .def("export_model", &CaseSource::export_model, nb::arg("file"), nb::arg("force").none(), nb::arg("speed").none(),
-           nb::arg("load_case").none(), "Writes a model of the screw by the file's ending, .fmu or .mo; its warnings.")
+           nb::arg("load_case").none(), nb::arg("friction_load").none() = nb::none(),
+           "Writes a model of the screw by the file's ending, .fmu, .mo, .xml or .urdf; its warnings.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
   module.def(
       "size",

@@ -34,9 +34,10 @@ class CaseSource {
   /// of.
   std::string thread_profiles() const;
 
-  /// Writes one of the forms of `prs export`, by the ending `.fmu` or `.mo`; its warnings.
+  /// Writes one of the forms of `prs export`, by its ending; its warnings.
   std::vector<std::string> export_model(const std::string& file, std::optional<double> force,
-                                        std::optional<double> speed, std::optional<std::string> load_case) const;
+                                        std::optional<double> speed, std::optional<std::string> load_case,
+                                        std::optional<double> friction_load) const;
 
  private:
   std::shared_ptr<const input::CaseInput> input(Command command) const;

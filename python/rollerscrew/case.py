@@ -277,6 +277,33 @@ class Case(Analyses):
         """Writes a Modelica package of the same curves; its warnings."""
         return self._export(file, ".mo", force, speed, load_case)
 
+    def export_mjcf(
+        self,
+        file: str | os.PathLike[str],
+        *,
+        force: float | None = None,
+        speed: float | None = None,
+        load_case: str | None = None,
+        friction_load: float | None = None,
+    ) -> list[str]:
+        """Writes the drive of the block `response` for MuJoCo; its warnings.
+
+        The friction is that under `friction_load` [N], else under half of the largest force.
+        """
+        return self._export(file, ".xml", force, speed, load_case, friction_load)
+
+    def export_urdf(
+        self,
+        file: str | os.PathLike[str],
+        *,
+        force: float | None = None,
+        speed: float | None = None,
+        load_case: str | None = None,
+        friction_load: float | None = None,
+    ) -> list[str]:
+        """Writes the drive of the block `response` as URDF; its warnings."""
+        return self._export(file, ".urdf", force, speed, load_case, friction_load)
+
     def _export(
         self,
         file: str | os.PathLike[str],
@@ -284,14 +311,16 @@ class Case(Analyses):
         force: float | None,
         speed: float | None,
         load_case: str | None,
+        friction_load: float | None = None,
     ) -> list[str]:
         name = _file_name(file)
         if not name.endswith(ending):
             raise ValueError(f"file: got {name!r}; expected a name that ends in {ending}")
-        for what, value in (("force", force), ("speed", speed)):
+        given = (("force", force), ("speed", speed), ("friction_load", friction_load))
+        for what, value in given:
             if value is not None and not (math.isfinite(value) and value > 0.0):
                 raise ValueError(f"{what}: got {value!r}; expected a finite number > 0")
-        return self._case.export_model(name, force, speed, load_case)
+        return self._case.export_model(name, force, speed, load_case, friction_load)
 
     def study(
         self,

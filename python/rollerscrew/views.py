@@ -36,6 +36,7 @@ from rollerscrew.records import (
     Model,
     Preload,
     PreloadPoint,
+    Response,
     RollerLives,
     SizeCriterion,
     SizedCandidate,
@@ -525,6 +526,33 @@ class PreloadViews(Result):
     def plot_stiffness(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Tangent stiffness over the external load, with preload and without."""
         return self.plot_figure("preload", ax, **look, panel=1)
+
+
+class ResponseViews(Result):
+    __slots__ = ()
+    response: Response
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row per sample, a column per series under its key."""
+        series = {k: v for k, v in self.response.items() if isinstance(v, np.ndarray)}
+        rows = [dict(zip(series, row, strict=True)) for row in zip(*series.values(), strict=True)]
+        return frame_of(rows, {key: float for key in series})
+
+    def plot_motion(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Positions, speeds and deflection over time."""
+        return self.plot_figure("response_motion", ax, **look)
+
+    def plot_force(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Forces and torques over time, impacts marked."""
+        return self.plot_figure("response_force", ax, **look)
+
+    def plot_energy(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """What motor and load put in, what was stored and what was lost."""
+        return self.plot_figure("response_energy", ax, **look)
+
+    def plot_frequency_response(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """The frequency response, with the block `frequency_response`."""
+        return self.plot_figure("response_frequency", ax, **look)
 
 
 class LifeViews(Result):

@@ -297,7 +297,7 @@ bool run_export(const input::Source& source) {
       expect(std::isfinite(prs_torque(&here, force, speed, &beyond)), "a torque is not finite");
     before = force;
   }
-  expect(functional_mockup_unit(curves, model.text).starts_with("PK"), "no archive");
+  expect(functional_mockup_unit(model).starts_with("PK"), "no archive");
   expect(modelica_package(curves, model.text).ends_with("end " + model.text.name + ";\n"), "no whole package");
   expect(!curves_text(curves).empty(), "nothing is said of the curves");
   return true;

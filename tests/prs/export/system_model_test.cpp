@@ -32,9 +32,9 @@ TEST(Zip, IsWhatOthersRead) {
 
 TEST(SystemModel, TheSameCaseGivesTheSameBytes) {
   const SystemModel a = standard_screw(), b = standard_screw();
-  EXPECT_EQ(functional_mockup_unit(a.curves, a.text), functional_mockup_unit(b.curves, b.text));
+  EXPECT_EQ(functional_mockup_unit(a), functional_mockup_unit(b));
   const SystemModel other = standard_screw({"mechanism.rollers=9"});
-  EXPECT_NE(functional_mockup_unit(a.curves, a.text), functional_mockup_unit(other.curves, other.text));
+  EXPECT_NE(functional_mockup_unit(a), functional_mockup_unit(other));
 }
 
 TEST(SystemModel, NamesAreIdentifiers) {

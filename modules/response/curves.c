@@ -81,8 +81,7 @@ static size_t interval_of(const double* at, size_t count, double x) {
 
 /* The cubic with these values and slopes at both ends of an interval of width h, at the share t of
    it; its slope. */
-static double hermite(double h, double t, double y0, double d0, double y1, double d1,
-                      double* slope) {
+static double hermite(double h, double t, double y0, double d0, double y1, double d1, double* slope) {
   const double secant = (y1 - y0) / h;
   const double c2 = 3.0 * secant - 2.0 * d0 - d1;
   const double c3 = d0 + d1 - 2.0 * secant;
@@ -91,8 +90,7 @@ static double hermite(double h, double t, double y0, double d0, double y1, doubl
 }
 
 /* Of one sense: magnitude of the force at |deflection|. */
-static double branch_force(const PrsBranch* branch, double deflection, double* stiffness,
-                           int* beyond) {
+static double branch_force(const PrsBranch* branch, double deflection, double* stiffness, int* beyond) {
   const size_t last = branch->count - 1;
   const double way = deflection - branch->origin;
   const double end = branch->root ? branch->at[last] * branch->at[last] : branch->at[last];
@@ -103,16 +101,14 @@ static double branch_force(const PrsBranch* branch, double deflection, double* s
     return way == way ? 0.0 : way;
   }
   if (way > end) {
-    *stiffness =
-        branch->root ? branch->slope[last] / (2.0 * branch->at[last]) : branch->slope[last];
+    *stiffness = branch->root ? branch->slope[last] / (2.0 * branch->at[last]) : branch->slope[last];
     *beyond = way > end * (1.0 + 1e-9); /* A node itself may lie there by rounding. */
     return branch->force[last] + *stiffness * (way - end);
   }
   x = branch->root ? sqrt(way) : way;
   k = interval_of(branch->at, branch->count, x);
-  force = hermite(branch->at[k + 1] - branch->at[k],
-                  (x - branch->at[k]) / (branch->at[k + 1] - branch->at[k]), branch->force[k],
-                  branch->slope[k], branch->force[k + 1], branch->slope[k + 1], &slope);
+  force = hermite(branch->at[k + 1] - branch->at[k], (x - branch->at[k]) / (branch->at[k + 1] - branch->at[k]),
+                  branch->force[k], branch->slope[k], branch->force[k + 1], branch->slope[k + 1], &slope);
   *stiffness = branch->root ? slope / (2.0 * x) : slope;
   return force;
 }
@@ -154,16 +150,15 @@ static double between(size_t count, const double* x, const double* y, double at)
   if (at >= x[count - 1]) return y[count - 1];
   k = interval_of(x, count, at);
   h = x[k + 1] - x[k];
-  return hermite(h, (at - x[k]) / h, y[k], node_slope(count, x, y, k), y[k + 1],
-                 node_slope(count, x, y, k + 1), &slope);
+  return hermite(h, (at - x[k]) / h, y[k], node_slope(count, x, y, k), y[k + 1], node_slope(count, x, y, k + 1),
+                 &slope);
 }
 
 /* Speeds stand at equal ratios: over their fourth roots they are spread evenly enough. */
 static double spread(double speed) { return sqrt(sqrt(speed)); }
 
 /* Friction while turning in one sense, over the four speeds around this one. */
-static double friction_at(const PrsCurves* c, const double* table, double root_force,
-                          double speed) {
+static double friction_at(const PrsCurves* c, const double* table, double root_force, double speed) {
   double x[4], y[4];
   size_t first = 0, count = c->speeds, k;
   if (count > 4) {

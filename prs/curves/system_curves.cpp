@@ -1,4 +1,4 @@
-#include "prs/export/system_model.h"
+#include "prs/curves/system_curves.h"
 
 #include <fmt/ranges.h>
 

@@ -1,0 +1,227 @@
+#include "modules/response/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prs {
+namespace {
+
+constexpr double kWeights[PRS_POINTS] = {1.0 / 20.0, 49.0 / 180.0, 16.0 / 45.0, 49.0 / 180.0, 1.0 / 20.0};
+
+double motor_power(const PrsView& v) { return v.motor_torque * v.omega_m; }
+double load_power(const PrsView& v) { return -v.external * v.v; }
+
+template <class Value>
+double integral(const PrsView points[PRS_POINTS], const Value& value) {
+  double sum = 0.0;
+  for (int k = 0; k < PRS_POINTS; ++k) sum += kWeights[k] * value(points[k]);
+  return sum * (points[PRS_POINTS - 1].t - points[0].t);
+}
+
+/// Mass that a closing flank stops.
+double reduced_mass(const PrsDrive& d, double reach) {
+  if (d.coupled == 0 && d.by == PRS_BY_SPEED) return d.mass;
+  const double turning = (d.screw_inertia + (d.coupled != 0 ? 0.0 : d.motor_inertia)) / (reach * reach);
+  return d.mass * turning / (d.mass + turning);
+}
+
+}  // namespace
+
+Recorder::Recorder(const DriveRun& run, PrsRun& core, const PrsStepper& stepper, DriveResult& result)
+    : run_(run),
+      core_(core),
+      stepper_(stepper),
+      result_(result),
+      follow_until_(run.drive.by >= PRS_SPEED_LOOP ? std::min(run.duration, run.drive.cut_at) : -1.0),
+      reduced_mass_(reduced_mass(run.drive, core.reach)) {
+  PrsView view;
+  prs_view(&core_, 0.0, core_.state.y, nullptr, &view);
+  result_.stored_start = prs_stored_energy(&core_, &view);
+}
+
+PrsObserver Recorder::observer() {
+  return {this, [](void* self, const PrsView* view, int closed) { static_cast<Recorder*>(self)->begin(*view, closed); },
+          [](void* self, const PrsView* points) { static_cast<Recorder*>(self)->step(points); }};
+}
+
+PrsView Recorder::at(double t) const {
+  double y[PRS_STATES];
+  PrsView view;
+  stepper_.at(stepper_.self, t, y);
+  prs_view(&core_, t, y, nullptr, &view);
+  return view;
+}
+
+double Recorder::tracked(const PrsView& v, int which) const {
+  const double lost = v.delta + core_.reach * v.theta;
+  switch (which) {
+    case kTension:
+      return v.force;
+    case kCompression:
+      return -v.force;
+    case kTorque:
+      return v.motor_torque;
+    case kBackTorque:
+      return -v.motor_torque;
+    case kLag:
+      return lost;
+    case kLead:
+      return -lost;
+    case kStop:
+      return v.stop_pressed;
+    case kError:
+      return follows(v.t) ? v.error : -HUGE_VAL;
+    case kBackError:
+      return follows(v.t) ? -v.error : -HUGE_VAL;
+    default:
+      return result_.impacts.empty() ? -HUGE_VAL : result_.impacts.back().flank * v.force;
+  }
+}
+
+void Recorder::track(const PrsView& view) {
+  for (int j = 0; j < kAll; ++j) {
+    DrivePeak& peak = peaks_[j];
+    const double value = tracked(view, j);
+    if (value == -HUGE_VAL) continue;
+    if (!peak.is_reached || value > peak.value + 1e-13 * std::abs(peak.value)) peak = {value, view.t, true};
+  }
+  result_.largest_force = std::max(result_.largest_force, std::abs(view.force));
+  result_.largest_speed = std::max(result_.largest_speed, std::abs(view.omega));
+}
+
+void Recorder::refine(const PrsView points[PRS_POINTS]) {
+  constexpr double kGolden = 0.3819660112501051;
+  for (int j = 0; j < kAll; ++j)
+    for (int k = 1; k + 1 < PRS_POINTS; ++k) {
+      const double a = tracked(points[k - 1], j), b = tracked(points[k], j), c = tracked(points[k + 1], j);
+      const double h0 = points[k].t - points[k - 1].t, h1 = points[k + 1].t - points[k].t;
+      const double s0 = (b - a) / h0, s1 = (c - b) / h1;
+      const double bend = (s1 - s0) / (h0 + h1), slope = (s0 * h1 + s1 * h0) / (h0 + h1);
+      if (!(bend < 0.0)) continue;
+      const double shift = -0.5 * slope / bend;
+      if (!(shift > -h0 && shift < h1)) continue;
+      const double predicted = b - 0.25 * slope * slope / bend;
+      if (!(predicted > peaks_[j].value + 1e-11 * std::abs(peaks_[j].value))) continue;
+      double from = points[k - 1].t, to = points[k + 1].t;
+      PrsView left = at(from + kGolden * (to - from)), right = at(to - kGolden * (to - from));
+      for (int i = 0; i < 24; ++i) {
+        if (tracked(left, j) > tracked(right, j)) {
+          to = right.t;
+          right = left;
+          left = at(from + kGolden * (to - from));
+        } else {
+          from = left.t;
+          left = right;
+          right = at(to - kGolden * (to - from));
+        }
+      }
+      track(left);
+    }
+}
+
+double Recorder::magnitude(double (*power)(const PrsView&), const PrsView points[PRS_POINTS], int depth) const {
+  int changes = 0, last = 0;
+  for (int k = 1; k < PRS_POINTS; ++k)
+    if ((power(points[k - 1]) < 0.0) != (power(points[k]) < 0.0)) {
+      ++changes;
+      last = k;
+    }
+  if (changes == 0 || depth > 12) return integral(points, [&](const PrsView& v) { return std::abs(power(v)); });
+  const double start = points[0].t, end = points[PRS_POINTS - 1].t;
+  double middle = 0.5 * (start + end);
+  if (changes == 1) {
+    double from = points[last - 1].t, to = points[last].t;
+    const bool negative = power(points[last - 1]) < 0.0;
+    for (int i = 0; i < 20; ++i) {
+      middle = 0.5 * (from + to);
+      ((power(at(middle)) < 0.0) == negative ? from : to) = middle;
+    }
+    // Each part has one sign, but for a hair.
+    depth = 12;
+  }
+  double sum = 0.0;
+  for (const auto& [from, to] : {std::pair{start, middle}, std::pair{middle, end}}) {
+    PrsView part[PRS_POINTS];
+    for (int k = 0; k < PRS_POINTS; ++k) part[k] = at(from + prs_places[k] * (to - from));
+    sum += magnitude(power, part, depth + 1);
+  }
+  return sum;
+}
+
+void Recorder::sample(const PrsView& v) {
+  DriveResult& r = result_;
+  r.time.push_back(static_cast<double>(r.time.size()) * run_.sample_interval);
+  r.x.push_back(v.x);
+  r.v.push_back(v.v);
+  r.phi.push_back(v.phi);
+  r.omega.push_back(v.omega);
+  r.phi_m.push_back(v.phi_m);
+  r.omega_m.push_back(v.omega_m);
+  r.delta.push_back(v.delta);
+  r.force.push_back(v.force);
+  r.motor_torque.push_back(v.motor_torque);
+  r.coupling_torque.push_back(v.coupling_torque);
+  r.external.push_back(v.external);
+  r.stop_force.push_back(v.stop_pressed);
+}
+
+void Recorder::begin(const PrsView& view, int closed) {
+  if (closed != 0 && view.t > 0.0) {
+    if (!result_.impacts.empty()) result_.impacts.back().force = peaks_[kImpact];
+    const double speed = std::abs(view.delta_rate);
+    result_.impacts.push_back({view.t, closed, speed, 0.5 * reduced_mass_ * speed * speed});
+    peaks_[kImpact] = {0.0, view.t, true};
+  }
+  track(view);
+  while (result_.time.size() < run_.samples &&
+         static_cast<double>(result_.time.size()) * run_.sample_interval <= view.t + core_.resolution)
+    sample(view);
+}
+
+void Recorder::step(const PrsView points[PRS_POINTS]) {
+  DriveResult& r = result_;
+  const PrsDrive& d = run_.drive;
+  const double from = points[0].t, to = points[PRS_POINTS - 1].t;
+  const auto add = [&](double& sum, const auto& value) { sum += integral(points, value); };
+  add(r.motor, motor_power);
+  add(r.load, load_power);
+  add(r.screw_friction, [](const PrsView& v) { return v.screw_friction * v.omega; });
+  add(r.motor_friction, [](const PrsView& v) { return v.motor_friction * v.omega_m; });
+  add(r.load_friction, [](const PrsView& v) { return v.load_friction * v.v; });
+  if (d.coupled != 0)
+    add(r.coupling, [&](const PrsView& v) { return d.coupling_damping * v.theta_rate * v.theta_rate; });
+  add(r.contact, [](const PrsView& v) { return (v.force - v.static_force) * v.delta_rate; });
+  add(r.end_stop, [](const PrsView& v) { return v.stop_damped; });
+  add(r.viscous,
+      [&](const PrsView& v) { return d.motor_damping * v.omega_m * v.omega_m + d.load_damping * v.v * v.v; });
+  r.turnover += magnitude(motor_power, points, 0) + magnitude(load_power, points, 0);
+  add(r.torque_squared, [](const PrsView& v) { return v.motor_torque * v.motor_torque; });
+  if (follows(to - 0.5 * core_.resolution)) add(r.error_squared, [](const PrsView& v) { return v.error * v.error; });
+  for (int k = 0; k < PRS_POINTS; ++k) track(points[k]);
+  refine(points);
+  r.last_reference = points[PRS_POINTS - 1].reference;
+  while (r.time.size() < run_.samples) {
+    const double t = static_cast<double>(r.time.size()) * run_.sample_interval;
+    if (t >= to - core_.resolution) break;
+    sample(at(std::max(t, from)));
+  }
+}
+
+void Recorder::finish() {
+  DriveResult& r = result_;
+  PrsView view;
+  prs_view(&core_, core_.state.t, core_.state.y, nullptr, &view);
+  r.stored_end = prs_stored_energy(&core_, &view);
+  r.turnover += r.stored_start;
+  r.stopped_at = core_.state.t;
+  r.position = view.x;
+  r.tension = peaks_[kTension];
+  r.compression = peaks_[kCompression];
+  r.torque = larger(kTorque, kBackTorque);
+  r.stop = peaks_[kStop];
+  r.error = larger(kError, kBackError);
+  r.lost_motion = peaks_[kLag].value + peaks_[kLead].value;
+  if (!r.impacts.empty()) r.impacts.back().force = peaks_[kImpact];
+}
+
+}  // namespace prs

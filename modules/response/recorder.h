@@ -1,0 +1,39 @@
+#pragma once
+
+#include "modules/response/response_module.h"
+
+namespace prs {
+
+/// Takes samples, energies and extremes off the steps of a run. Energies are integrals over each step
+/// by Lobatto's rule of five points, of magnitudes split where their sign changes; extremes inside of a
+/// step are refined on the integrator's own curve.
+class Recorder {
+ public:
+  Recorder(const DriveRun& run, PrsRun& core, const PrsStepper& stepper, DriveResult& result);
+
+  PrsObserver observer();
+  void finish();
+
+ private:
+  enum Tracked { kTension, kCompression, kTorque, kBackTorque, kLag, kLead, kStop, kError, kBackError, kImpact, kAll };
+
+  void begin(const PrsView& view, int closed);
+  void step(const PrsView points[PRS_POINTS]);
+  PrsView at(double t) const;
+  double tracked(const PrsView& view, int which) const;
+  void track(const PrsView& view);
+  void refine(const PrsView points[PRS_POINTS]);
+  double magnitude(double (*power)(const PrsView&), const PrsView points[PRS_POINTS], int depth) const;
+  void sample(const PrsView& view);
+  bool follows(double t) const { return t <= follow_until_; }
+  DrivePeak larger(Tracked a, Tracked b) const { return peaks_[b].value > peaks_[a].value ? peaks_[b] : peaks_[a]; }
+
+  const DriveRun& run_;
+  PrsRun& core_;
+  const PrsStepper& stepper_;
+  DriveResult& result_;
+  double follow_until_, reduced_mass_;
+  DrivePeak peaks_[kAll];
+};
+
+}  // namespace prs

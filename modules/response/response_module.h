@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "modules/module.h"
+#include "modules/response/drive.h"
+
+namespace prs {
+
+/// What is integrated, all SI.
+struct DriveRun {
+  PrsDrive drive;
+  PrsSignals signals;
+  double duration, sample_interval;
+  std::size_t samples;
+  double tolerance;  ///< Relative
+  double fastest;    ///< Highest frequency of the signals [Hz]; 0: none.
+};
+
+/// An extreme of the whole run.
+struct DrivePeak {
+  double value = 0.0, time = 0.0;
+  bool is_reached = false;
+};
+
+struct DriveImpact {
+  double time = 0.0;
+  int flank = 1;  ///< 1 tension, -1 compression
+  double speed = 0.0, energy = 0.0;
+  DrivePeak force = {};
+};
+
+enum class DriveStatus { converged, step_limit, integration_failed, left_shaft };
+
+/// Series have a value per sample.
+struct DriveResult {
+  DriveStatus status = DriveStatus::integration_failed;
+  double stopped_at = 0.0, position = 0.0;
+  std::vector<double> time, x, v, phi, omega, phi_m, omega_m, delta, force, motor_torque, coupling_torque, external,
+      stop_force;
+  double motor = 0.0, load = 0.0, stored_start = 0.0, stored_end = 0.0, turnover = 0.0;
+  double screw_friction = 0.0, motor_friction = 0.0, load_friction = 0.0;
+  double coupling = 0.0, contact = 0.0, end_stop = 0.0, viscous = 0.0;
+  DrivePeak tension, compression, torque, stop, error;
+  double lost_motion = 0.0, torque_squared = 0.0, error_squared = 0.0;
+  double largest_force = 0.0, largest_speed = 0.0;  ///< Of the screw, magnitudes.
+  double last_reference = 0.0;                      ///< Of the controller, before a jump at the end.
+  std::vector<DriveImpact> impacts;
+};
+
+/// The drive over time, by CVODE of SUNDIALS.
+struct ResponseModule : modules::Module {
+  static constexpr modules::Name kName{"prs_sundials.so", "SUNDIALS", "libsundials-dev", ""};
+
+  void (*integrate)(const DriveRun& run, DriveResult& result);
+};
+
+}  // namespace prs

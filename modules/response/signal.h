@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace prs {
+
+/// A value over time: a constant or one of the forms, SI.
+struct SignalForm {
+  struct Point {
+    double at = 0.0, value = 0.0;
+  };
+  struct Sine {
+    double mean = 0.0, amplitude = 0.0, frequency = 0.0, phase = 0.0;
+  };
+  enum class Spacing { logarithmic, linear };
+  struct Sweep {
+    double mean = 0.0, amplitude = 0.0, from = 0.0, to = 0.0, duration = 0.0;
+    Spacing spacing = Spacing::logarithmic;
+  };
+
+  double constant = 0.0;
+  std::optional<std::vector<Point>> steps, points;
+  std::optional<Sine> sine;
+  std::optional<Sweep> sweep;
+
+  bool has_form() const { return steps || points || sine || sweep; }
+};
+
+/// The sum of some for times from `bind` on up to `next`: a jump belongs to what follows it.
+class BoundSignal {
+ public:
+  struct Value {
+    double value = 0.0, slope = 0.0, curve = 0.0;
+  };
+
+  explicit BoundSignal(const std::vector<SignalForm>& terms = {{}});
+
+  void bind(double t);
+  Value at(double t) const;
+  /// The place behind t at which the signal may jump or bend; infinity where there is none.
+  double next(double t) const;
+  double fastest() const;  ///< Highest frequency [Hz]
+
+ private:
+  struct Term {
+    SignalForm what;
+    std::size_t piece = 0;  ///< Points at or before the time
+    bool is_over = false;   ///< Of a sweep
+  };
+  std::vector<Term> terms_;
+};
+
+}  // namespace prs

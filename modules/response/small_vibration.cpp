@@ -1,0 +1,103 @@
+#include "modules/response/small_vibration.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace prs {
+namespace {
+
+/// M q'' + D q' + A q about the working point; q = (x, phi, phi_M) as far as free.
+struct SmallVibration {
+  Eigen::MatrixXd mass, damping, stiffness;
+};
+
+SmallVibration vibration_of(const PrsDrive& d, const WorkingPoint& f, double k) {
+  const double r = d.curves.lead / (2.0 * std::numbers::pi), beta = d.material_damping;
+  const bool held = f.speed == 0.0, by_speed = d.by == PRS_BY_SPEED;
+  SmallVibration all{Eigen::MatrixXd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3)};
+  double g = r, b = 0.0;
+  if (!held) {
+    const double speed = f.speed, force = f.force, step = 1e-4 * std::max(std::abs(force), 1.0), share = 1e-3;
+    const int sigma = speed < 0.0 ? -1 : 1;
+    const auto friction = [&](double at_force, double at_speed) {
+      return prs_friction_torque(&d.curves, at_force, at_speed, sigma);
+    };
+    g += (friction(force + step, speed) - friction(force - step, speed)) / (2.0 * step);
+    b = (friction(force, speed * (1.0 + share)) - friction(force, speed * (1.0 - share))) / (2.0 * share * speed);
+  }
+  Eigen::Matrix3d screw, coupling = Eigen::Matrix3d::Zero();
+  screw << 1.0, -r, 0.0, -g, g * r, 0.0, 0.0, 0.0, 0.0;
+  if (d.coupled != 0) coupling << 0.0, 0.0, 0.0, 0.0, 1.0, -1.0, 0.0, -1.0, 1.0;
+  all.mass.diagonal() << d.mass, d.screw_inertia, d.motor_inertia;
+  all.damping = beta * k * screw + d.coupling_damping * coupling;
+  all.damping.diagonal() += Eigen::Vector3d(d.load_damping, b, d.motor_damping);
+  all.stiffness = k * screw + d.coupling_stiffness * coupling;
+  int free = 3;
+  if (d.coupled == 0) {
+    free = by_speed ? 1 : 2;
+    all.mass(1, 1) += d.motor_inertia;
+    all.damping(1, 1) += d.motor_damping;
+  } else if (by_speed) {
+    free = 2;
+  }
+  if (held) free = 1;
+  for (Eigen::MatrixXd* m : {&all.mass, &all.damping, &all.stiffness}) *m = m->topLeftCorner(free, free).eval();
+  return all;
+}
+
+std::vector<Resonance> resonances_of(const SmallVibration& v) {
+  const Eigen::Index n = v.mass.rows();
+  Eigen::MatrixXd first = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  const Eigen::MatrixXd inverse = v.mass.inverse();
+  first.topRightCorner(n, n).setIdentity();
+  first.bottomLeftCorner(n, n) = -inverse * v.stiffness;
+  first.bottomRightCorner(n, n) = -inverse * v.damping;
+  // Rates and displacements of one size.
+  const double w = std::sqrt(std::max(first.bottomLeftCorner(n, n).norm(), 1e-300));
+  first.topRightCorner(n, n) *= w;
+  first.bottomLeftCorner(n, n) /= w;
+  std::vector<Resonance> found;
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(first, false);
+  for (const std::complex<double> lambda : solver.eigenvalues())
+    if (lambda.imag() > 1e-6 * std::abs(lambda))
+      found.push_back({std::abs(lambda) / (2.0 * std::numbers::pi), -lambda.real() / std::abs(lambda)});
+  std::ranges::sort(found, {}, &Resonance::frequency);
+  return found;
+}
+
+}  // namespace
+
+FrequencyResponse small_vibration(const PrsDrive& d, const WorkingPoint& point, std::vector<double> frequency) {
+  double c = 0.0, slope = 0.0, u = 0.0;
+  FrequencyResponse r{point.of_torque};
+  prs_shaft_compliance(&d, point.position, &c, &slope);
+  prs_series_force(&d.curves, prs_static_deflection(&d, point.force, point.position), c, &u, &r.tangent_stiffness);
+  if (!(r.tangent_stiffness > 0.0)) return r;
+  const SmallVibration v = vibration_of(d, point, r.tangent_stiffness);
+  r.resonances = resonances_of(v);
+  r.frequency = std::move(frequency);
+  const Eigen::Index n = v.mass.rows();
+  Eigen::VectorXcd input = Eigen::VectorXcd::Zero(n);
+  input(r.of_torque ? n - 1 : 0) = 1.0;
+  for (const double f : r.frequency) {
+    const std::complex<double> iw(0.0, 2.0 * std::numbers::pi * f);
+    const Eigen::MatrixXcd dynamic = v.stiffness + iw * iw * v.mass + iw * v.damping;
+    const Eigen::VectorXcd x = dynamic.partialPivLu().solve(input);
+    if (r.of_torque) {
+      r.motor_speed.push_back(std::abs(iw * x(n - 1)));
+      r.motor_speed_phase.push_back(std::arg(iw * x(n - 1)));
+      r.position.push_back(std::abs(x(0)));
+      r.position_phase.push_back(std::arg(x(0)));
+    } else {
+      r.compliance.push_back(std::abs(x(0)));
+      r.phase.push_back(std::arg(x(0)));
+      r.stiffness.push_back(1.0 / std::abs(x(0)));
+    }
+  }
+  return r;
+}
+
+}  // namespace prs

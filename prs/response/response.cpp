@@ -1,0 +1,327 @@
+#include "prs/response/response.h"
+
+#include <cmath>
+
+#include "prs/input/force_history.h"
+#include "prs/model/check_case.h"
+#include "prs/preload/preloaded_mechanism.h"
+
+namespace prs {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// Signals as the equations ask for them.
+struct DriveSignals {
+  BoundSignal motor, force;
+
+  PrsSignals functions() {
+    return {this,
+            [](void* self, double t) {
+              auto& s = *static_cast<DriveSignals*>(self);
+              s.motor.bind(t);
+              s.force.bind(t);
+            },
+            [](void* self, double t, PrsInputs* inputs) {
+              const auto& s = *static_cast<const DriveSignals*>(self);
+              const BoundSignal::Value v = s.motor.at(t);
+              *inputs = {v.value, v.slope, v.curve, s.force.at(t).value};
+            },
+            [](void* self, double t) {
+              const auto& s = *static_cast<const DriveSignals*>(self);
+              return std::min(s.motor.next(t), s.force.next(t));
+            }};
+  }
+};
+
+Conditions at_rest(Conditions c) {
+  if (c.model.loads != ModelOptions::Loads::running) c.model.loads = ModelOptions::Loads::at_rest;
+  return c;
+}
+
+/// Of one load as `prs solve` has it.
+LargestForce under_solve(const Conditions& conditions, const Contacts& contacts, const std::string& load_case,
+                         LargestForce largest, Direction d) {
+  Conditions c = conditions;
+  c.model.loads = ModelOptions::Loads::at_rest;
+  const auto pattern = std::ranges::find(c.load_cases, load_case, &LoadCase::name);
+  LoadCase load = *pattern;
+  load.direction = d;
+  load.axial_force = largest.force;
+  load.travel.reset();
+  load.modes.reset();
+  c.load_cases = {load};
+  const Result result = analyze(c, contacts);
+  const LoadCaseResult& found = result.load_cases.front();
+  if (!found.converged() || !found.threads) return largest;
+  largest.threads.emplace();
+  for (const Interface i : kInterfaces) {
+    const InterfaceLoads& loads = (*found.threads)[i];
+    const auto most = std::ranges::max_element(loads.normal_load) - loads.normal_load.begin();
+    const auto k = static_cast<std::size_t>(most);
+    MostLoaded& thread = (*largest.threads)[i];
+    thread.normal_load = loads.normal_load[k];
+    thread.thread =
+        1 + (loads.threads_per_roller > 0 ? static_cast<int>(most) % loads.threads_per_roller : static_cast<int>(most));
+    if (k < loads.peak_pressure.size()) {
+      thread.peak_pressure = loads.peak_pressure[k];
+      largest.peak_pressure = std::max(largest.peak_pressure.value_or(0.0), *thread.peak_pressure);
+    }
+  }
+  return largest;
+}
+
+/// Both senses as `prs preload` has them.
+void put_under_preload(const Conditions& conditions, const Contacts& contacts,
+                       PerDirection<std::optional<LargestForce>>& largest, double least) {
+  Conditions c = conditions;
+  const auto force = [&](Direction d) { return largest[d] ? largest[d]->force : 0.0; };
+  c.preload->load = {-force(Direction::compression), force(Direction::tension), 2};
+  const PreloadResult result = analyze_preload(c, contacts);
+  for (const Direction d : kDirections) {
+    if (force(d) <= least) continue;
+    const PreloadPoint& point = d == Direction::compression ? result.curve.points.front() : result.curve.points.back();
+    if (!point.solve.converged()) continue;
+    largest[d]->normal_load = 0.0;
+    for (const Direction side : kDirections) {
+      const SideLoads& loads = point.sides[side];
+      largest[d]->normal_load =
+          std::max({*largest[d]->normal_load, loads.max_normal_load.screw, loads.max_normal_load.nut});
+      if (const std::optional<double> pressure = result.peak_pressure(loads))
+        largest[d]->peak_pressure = std::max(largest[d]->peak_pressure.value_or(0.0), *pressure);
+    }
+  }
+}
+
+SettlingResult settling_of(const ResponseInput& input, const DriveResult& run) {
+  const ResponseInput::Settling& block = *input.settling;
+  SettlingResult s{run.x.back()};
+  const bool holds = input.motor.controller && input.motor.controller->position &&
+                     input.motor.cut_at.value_or(HUGE_VAL) > input.duration;
+  const double there = holds ? run.last_reference : s.final_position;
+  if (holds) {
+    s.reference = there;
+    s.settled = std::abs(s.final_position - there) <= block.band;
+    if (!*s.settled) return s;
+  }
+  s.time = 0.0;
+  for (std::size_t k = 0; k < run.time.size(); ++k)
+    if (run.time[k] >= block.after * (1.0 - 1e-12) && std::abs(run.x[k] - there) > block.band)
+      s.time = (k + 1 < run.time.size() ? run.time[k + 1] : run.time[k]) - block.after;
+  return s;
+}
+
+FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput& input) {
+  const ResponseInput::FrequencyResponse& f = *input.frequency_response;
+  const double share = 1.0 / (f.points - 1), ratio = f.to / f.from;
+  std::vector<double> all;
+  for (int k = 0; k < f.points; ++k)
+    all.push_back(k + 1 == f.points                               ? f.to
+                  : f.spacing == SignalForm::Spacing::logarithmic ? f.from * std::pow(ratio, k * share)
+                                                                  : f.from + (f.to - f.from) * k * share);
+  const WorkingPoint point{f.force.value_or(BoundSignal(input.load.force.terms()).at(0.0).value),
+                           f.position.value_or(input.start.position), f.speed.value_or(0.0),
+                           f.input == ResponseInput::Input::motor_torque};
+  double c = 0.0, slope = 0.0;
+  if (prs_shaft_compliance(&drive, point.position, &c, &slope) == 0)
+    throw CaseError("response.frequency_response.position",
+                    "lies off the shaft; expected a place on `response.shaft.length`; move it");
+  FrequencyResponse r = small_vibration(drive, point, std::move(all));
+  if (r.resonances.empty() && r.frequency.empty())
+    throw CaseError("response.frequency_response.force",
+                    "flanks do not touch there; expected a force other than 0 without a preload; change it");
+  return r;
+}
+
+void add_warnings(const Case& c, const SystemCurves& curves, ResponseResult& r) {
+  const FrictionTable& friction = curves.friction;
+  const double force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
+  if (r.run.largest_force > force * (1.0 + 1e-9))
+    r.warnings.push_back(
+        Warning{"response.curves.force", "beyond_force",
+                "the largest force is {value}, the curves end at {limit}: beyond, the force goes on in "
+                "a straight line and friction grows with it",
+                "raise `response.curves.force`"}
+            .with(r.run.largest_force, force, text_unit::kilonewton));
+  if (!friction.speed.empty() && r.run.largest_speed > friction.speed.back() * (1.0 + 1e-9))
+    r.warnings.push_back(
+        Warning{"response.curves.speed", "beyond_speed",
+                fmt::format("the screw reaches {:.0f} rpm, the table of friction ends at {:.0f} rpm, whose "
+                            "values stay",
+                            r.run.largest_speed * per_si::revolution_per_minute,
+                            friction.speed.back() * per_si::revolution_per_minute),
+                "raise `response.curves.speed`"});
+  if (!(c.response->screw.inertia > 0.0))
+    r.warnings.push_back({"response.screw.inertia", "no_screw_inertia",
+                          "the screw has no inertia of its own: shaft, spin and orbit of the rollers are left out",
+                          "see `equivalent_inertia` of `prs measures`"});
+}
+
+}  // namespace
+
+double ResponseResult::lost() const {
+  return run.screw_friction + run.motor_friction + run.load_friction + run.coupling + run.contact + run.end_stop +
+         run.viscous;
+}
+
+double ResponseResult::residual() const { return run.motor + run.load - (run.stored_end - run.stored_start) - lost(); }
+
+double ResponseResult::rms_torque() const {
+  const double time = converged() ? input.duration : run.stopped_at;
+  return time > 0.0 ? std::sqrt(run.torque_squared / time) : 0.0;
+}
+
+SystemCurves response_curves(const Case& c, const CurveOptions& asked) {
+  Case stated = c;
+  static_cast<Conditions&>(stated) = at_rest(c);
+  CurveOptions options = asked;
+  if (c.response) {
+    const ResponseInput::Curves& curves = c.response->curves;
+    if (!options.force) options.force = curves.force;
+    if (!options.speed) options.speed = curves.speed;
+    if (!options.load_case) options.load_case = curves.load_case;
+  }
+  return system_curves(stated, options);
+}
+
+ResponseInput with_signal_files(const Case& c, const input::Source& source) {
+  Case filled = c;
+  bool any = false;
+  const auto fill = [&](const std::string& path, SignalTerm& term, bool is_force) {
+    if (!term.file) return;
+    const SignalTerm::File file = *term.file;
+    const std::string block = path + ".file";
+    const std::string text = input::named_file_text(file.name, block + ".name", source);
+    const input::Dimension& dimension = is_force                              ? input::unit::force
+                                        : path.ends_with("motor.torque")      ? input::unit::torque
+                                        : path.find(".position") != path.npos ? input::unit::length
+                                                                              : input::unit::rotational_speed;
+    std::vector<double> time, value;
+    std::vector<input::WantedColumn> columns = {{"time", &file.time, &input::unit::duration, &time},
+                                                {"value", &file.value, &dimension, &value}};
+    input::read_columns(text, input::name_in_messages(file.name, source), block, columns, source);
+    term.points.emplace();
+    for (std::size_t k = 0; k < time.size(); ++k) {
+      if (k > 0 && !(time[k] > time[k - 1]))
+        throw CaseError(block + ".time.column",
+                        fmt::format("got {:.9g} s twice in row {}; expected times that rise; delete one of the rows",
+                                    time[k], k + 1));
+      term.points->push_back({time[k], value[k]});
+    }
+    term.file.reset();
+    any = true;
+  };
+  filled.response->for_each_signal([&](const std::string& path, Signal& signal) {
+    const std::string plain = path.substr(0, path.find('['));
+    fill(plain, signal.one, plain == "response.load.force");
+    for (std::size_t k = 0; k < signal.many.size(); ++k)
+      fill(fmt::format("{}[{}]", path, k), signal.many[k], plain == "response.load.force");
+  });
+  if (any) {
+    Problems problems;
+    check_response(filled, problems);
+    if (std::vector<Problem> found = std::move(problems).take(); !found.empty()) throw CaseError(found.front());
+  }
+  return *filled.response;
+}
+
+PrsDrive drive_of(const Case& c, const ResponseInput& in, const SystemCurves& curves) {
+  PrsDrive d{};
+  d.curves = curves.view();
+  d.mass = in.load.mass;
+  d.screw_inertia = in.screw.inertia;
+  d.motor_inertia = in.motor.inertia;
+  if (in.coupling) {
+    d.coupled = 1;
+    d.coupling_stiffness = in.coupling->stiffness;
+    d.coupling_damping = in.coupling->damping;
+  }
+  d.motor_friction = in.motor.friction_torque;
+  d.motor_damping = in.motor.damping;
+  d.brake_torque = in.brake ? in.brake->torque : 0.0;
+  d.brake_at = in.brake ? in.brake->at : HUGE_VAL;
+  d.cut_at = in.motor.cut_at.value_or(HUGE_VAL);
+  d.drag = in.screw.drag_torque;
+  d.load_friction = in.load.friction_force;
+  d.load_damping = in.load.damping;
+  if (const auto& m = in.material_damping)
+    d.material_damping = m->time ? *m->time : *m->loss_factor / (kTurn * *m->at_frequency);
+  const auto stop = [](const std::optional<ResponseInput::EndStop>& s) {
+    return s ? PrsStop{1, s->at, s->stiffness, s->damping} : PrsStop{};
+  };
+  d.stop[PRS_UPPER] = stop(in.end_stops.upper);
+  d.stop[PRS_LOWER] = stop(in.end_stops.lower);
+  if (in.shaft) {
+    d.has_shaft = 1;
+    d.fixed_fixed = in.shaft->ends == ResponseInput::Ends::fixed_fixed ? 1 : 0;
+    d.shaft_length = in.shaft->length;
+    d.shaft_span = in.shaft->span.value_or(HUGE_VAL);
+    const double diameter = *c.mechanism.pitch_diameter.screw, bore = c.structure->screw.bore;
+    d.shaft_rigidity = c.materials->screw.youngs_modulus * std::numbers::pi / 4.0 * (diameter * diameter - bore * bore);
+  }
+  d.start_position = in.start.position;
+  d.start_speed = in.start.speed;
+  d.start_deflection = in.start.deflection.value_or(HUGE_VAL);
+  d.largest_torque = d.largest_speed = HUGE_VAL;
+  d.by = in.motor.torque ? PRS_BY_TORQUE : PRS_BY_SPEED;
+  if (const auto& k = in.motor.controller) {
+    d.by = k->position ? PRS_POSITION_LOOP : PRS_SPEED_LOOP;
+    d.position_gain = k->position_gain.value_or(0.0);
+    d.speed_gain = k->speed_gain;
+    d.integral_time = k->integral_time.value_or(0.0);
+    d.largest_torque = k->largest_torque.value_or(HUGE_VAL);
+    d.largest_speed = k->largest_speed.value_or(HUGE_VAL);
+    d.feedback_of_load = k->feedback == ResponseInput::Feedback::load ? 1 : 0;
+    d.feeds_speed_forward = k->speed_feed_forward ? 1 : 0;
+  }
+  if (in.motor.current_loop) d.time_constant = in.motor.current_loop->time_constant;
+  return d;
+}
+
+ResponseResult analyze_response(const Case& c, const input::Source& source) {
+  ResponseResult r;
+  r.input = with_signal_files(c, source);
+  r.has_preload = c.preload.has_value();
+  const SystemCurves curves = response_curves(c);
+  r.warnings = curves.warnings;
+  const PrsDrive drive = drive_of(c, r.input, curves);
+  r.can_open = drive.curves.tension.root != 0 || drive.curves.compression.root != 0;
+  DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.force.terms())};
+  if (r.input.frequency_response) r.frequency_response = frequency_response(drive, r.input);
+  const DriveRun run{drive,
+                     signals.functions(),
+                     r.input.duration,
+                     r.input.interval(),
+                     r.input.samples(),
+                     r.input.tolerance,
+                     std::max(signals.motor.fastest(), signals.force.fastest())};
+  modules::loaded<ResponseModule>().integrate(run, r.run);
+  if (r.run.status == DriveStatus::left_shaft)
+    throw CaseError("response.shaft.length",
+                    fmt::format("the nut leaves the shaft at position {:.6g} mm, {:.6g} s; expected a motion on the "
+                                "shaft; take a longer one, or an end stop",
+                                1e3 * r.run.position, r.run.stopped_at));
+  const double least = 1e-4 * std::max(curves.senses.tension.force.back(), curves.senses.compression.force.back());
+  for (const Direction d : kDirections) {
+    const DrivePeak& peak = d == Direction::tension ? r.run.tension : r.run.compression;
+    if (peak.value > 0.0) r.largest[d] = LargestForce{peak.value, peak.time};
+  }
+  const Contacts contacts = checked_contacts(c, Detail::complete);
+  if (r.has_preload) {
+    if (std::max(r.run.tension.value, r.run.compression.value) > least)
+      put_under_preload(c, contacts, r.largest, least);
+  } else {
+    for (const Direction d : kDirections)
+      if (r.largest[d] && r.largest[d]->force > least)
+        r.largest[d] = under_solve(c, contacts, curves.load_case, *r.largest[d], d);
+  }
+  if (r.input.motor.controller && r.run.error.is_reached && drive.cut_at > 0.0)
+    r.following_error =
+        FollowingError{r.input.motor.controller->position.has_value(), r.run.error.value, r.run.error.time,
+                       std::sqrt(r.run.error_squared / std::min(r.input.duration, drive.cut_at))};
+  if (r.input.settling && r.converged()) r.settling = settling_of(r.input, r.run);
+  add_warnings(c, curves, r);
+  return r;
+}
+
+}  // namespace prs

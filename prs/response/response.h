@@ -1,0 +1,74 @@
+#pragma once
+
+#include "modules/response/response_module.h"
+#include "modules/response/small_vibration.h"
+#include "prs/curves/system_curves.h"
+
+namespace prs {
+
+constexpr std::string_view name(DriveStatus s) {
+  return s == DriveStatus::converged ? "converged" : s == DriveStatus::step_limit ? "step_limit" : "integration_failed";
+}
+
+/// Curves of the drive's screw under the block `response`: friction of static loads and the external
+/// force alone, unless the case states running ones.
+SystemCurves response_curves(const Case& c, const CurveOptions& asked = {});
+
+/// The block with the points of the files that its signals name. Throws InputError for a file, CaseError
+/// for what the points then have wrong.
+ResponseInput with_signal_files(const Case& c, const input::Source& source);
+
+/// The drive as the equations take it; valid as long as the curves.
+PrsDrive drive_of(const Case& c, const ResponseInput& input, const SystemCurves& curves);
+
+/// The most loaded thread of an interface under the largest force.
+struct MostLoaded {
+  double normal_load = 0.0;  ///< [N]
+  int thread = 1;
+  std::optional<double> peak_pressure;  ///< [Pa]
+};
+
+/// A largest force of the run and the threads under it, which a small one has none of.
+struct LargestForce {
+  double force = 0.0, time = 0.0;
+  std::optional<PerInterface<MostLoaded>> threads = {};  ///< Without preload.
+  std::optional<double> normal_load = {};                ///< With preload, of both sides [N].
+  std::optional<double> peak_pressure = {};              ///< The largest [Pa].
+};
+
+struct SettlingResult {
+  double final_position = 0.0;
+  std::optional<double> reference = {};  ///< Of a position loop, at the end.
+  std::optional<bool> settled = {};
+  std::optional<double> time = {};
+};
+
+struct FollowingError {
+  bool of_position = true;
+  double largest = 0.0, time = 0.0, rms = 0.0;
+};
+
+/// Everything that `analyze_response` computes, SI units.
+struct ResponseResult {
+  ResponseInput input;
+  bool has_preload = false;
+  DriveResult run;
+  PerDirection<std::optional<LargestForce>> largest;
+  std::optional<FollowingError> following_error;
+  std::optional<SettlingResult> settling;
+  std::optional<FrequencyResponse> frequency_response;
+  bool can_open = true;
+  std::vector<Warning> warnings;
+
+  bool converged() const { return run.status == DriveStatus::converged; }
+  double lost() const;
+  double residual() const;
+  double rms_torque() const;
+  bool has_stops() const { return input.end_stops.upper || input.end_stops.lower; }
+};
+
+/// Curves -> equations -> integration -> results. The case must have passed `check_case` and the
+/// requirements of `response`. Throws CaseError, InputError and modules::Missing.
+ResponseResult analyze_response(const Case& c, const input::Source& source);
+
+}  // namespace prs

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "prs/record/analysis.h"
+#include "prs/response/response.h"
+
+namespace prs {
+
+/// `response.csv`: one row per sample, a column per series.
+std::string response_csv(const ResponseResult& result, const CsvStyle& style = {});
+
+/// The results at a glance.
+std::string response_table(const ResponseResult& result);
+
+Pictures response_pictures(const ResponseResult& result);
+
+const Analysis<ResponseResult>& response_analysis();
+
+}  // namespace prs

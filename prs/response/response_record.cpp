@@ -1,0 +1,211 @@
+#include "prs/response/response_analysis.h"
+
+namespace prs {
+
+namespace {
+
+bool has_following(const FollowingError& f) { return f.of_position; }
+bool of_speed(const FollowingError& f) { return !f.of_position; }
+
+constexpr Quantity<MostLoaded> kMostLoaded[] = {
+    {"normal_load_N", of<&MostLoaded::normal_load>, "of one roller's thread"},
+    {"thread", of<&MostLoaded::thread>, "1 is the first"},
+    {"peak_pressure_MPa", of<&MostLoaded::peak_pressure>, "of this thread"},
+};
+
+constexpr Quantity<LargestForce> kLargestForce[] = {
+    {"force_N", of<&LargestForce::force>, "magnitude"},
+    {"time_s", of<&LargestForce::time>, "when"},
+    {"screw",
+     of_table<kMostLoaded, [](auto& l) -> const MostLoaded& { return l.threads->screw; },
+              [](auto& l) { return l.threads.has_value(); }>,
+     "the most loaded thread of the screw by `prs solve` at this force"},
+    {"nut",
+     of_table<kMostLoaded, [](auto& l) -> const MostLoaded& { return l.threads->nut; },
+              [](auto& l) { return l.threads.has_value(); }>,
+     "the same of the nut"},
+    {"max_normal_load_N", of<&LargestForce::normal_load>, "of a thread under this external load, by `prs preload`"},
+    {"peak_pressure_MPa", of<[](auto& l) { return l.normal_load ? l.peak_pressure : std::nullopt; }>,
+     "larger one of both sides, by `prs preload`"},
+};
+
+constexpr Quantity<ResponseResult> kLargest[] = {
+    {"tension",
+     of_table<kLargestForce, [](auto& r) -> const std::optional<LargestForce>& { return r.largest.tension; }>,
+     "largest force in tension"},
+    {"compression",
+     of_table<kLargestForce, [](auto& r) -> const std::optional<LargestForce>& { return r.largest.compression; }>,
+     "largest force in compression"},
+    {"motor_torque_Nm", of<[](auto& r) { return r.run.torque.value; }>, "magnitude"},
+    {"end_stop_force_N", of<[](auto& r) { return r.run.stop.value; }, &ResponseResult::has_stops>, "magnitude"},
+};
+
+constexpr Quantity<ResponseResult> kLost[] = {
+    {"screw_friction", of<[](auto& r) { return r.run.screw_friction; }>, "threads and drag"},
+    {"motor_friction", of<[](auto& r) { return r.run.motor_friction; }>, "dry friction of the motor, brake"},
+    {"load_friction", of<[](auto& r) { return r.run.load_friction; }>, "dry friction of the guides"},
+    {"coupling", of<[](auto& r) { return r.run.coupling; }>, "damping of the coupling"},
+    {"contact", of<[](auto& r) { return r.run.contact; }>, "material damping of the screw"},
+    {"end_stop", of<[](auto& r) { return r.run.end_stop; }>, "damping of the end stops"},
+    {"viscous", of<[](auto& r) { return r.run.viscous; }>, "viscous damping of motor and load"},
+};
+
+constexpr Quantity<ResponseResult> kEnergy[] = {
+    {"motor", of<[](auto& r) { return r.run.motor; }>, "what the motor put in"},
+    {"load", of<[](auto& r) { return r.run.load; }>, "what the external force put in"},
+    {"stored_start", of<[](auto& r) { return r.run.stored_start; }>, "kinetic and elastic energy at the start"},
+    {"stored_end", of<[](auto& r) { return r.run.stored_end; }>, "the same at the end"},
+    {"lost", of_table<kLost>, "what friction and damping took"},
+    {"residual", of<&ResponseResult::residual>, "motor + load - change of stored energy - all lost"},
+    {"turnover", of<[](auto& r) { return r.run.turnover; }>,
+     "integral of the magnitudes of both powers, plus the stored energy at the start"},
+    {"residual_relative", of<[](auto& r) { return std::abs(r.residual()) / std::max(r.run.turnover, 1e-300); }>,
+     "residual over turnover"},
+};
+
+constexpr Quantity<FollowingError> kFollowing[] = {
+    {"largest_um", of<&FollowingError::largest, has_following>, "of the position of the load against its reference"},
+    {"largest_rpm", of<&FollowingError::largest, of_speed>, "of the speed of the motor against its reference"},
+    {"time_s", of<&FollowingError::time>, "of the largest"},
+    {"rms_um", of<&FollowingError::rms, has_following>, "root of the mean square"},
+    {"rms_rpm", of<&FollowingError::rms, of_speed>, "root of the mean square"},
+};
+
+constexpr Quantity<DriveImpact> kImpact[] = {
+    {"time_s", of<&DriveImpact::time>, "when the flank closes"},
+    {"flank", of<[](auto& i) { return i.flank < 0 ? "compression" : "tension"; }>, "tension | compression"},
+    {"speed_mm_per_s", of<&DriveImpact::speed>, "of closing"},
+    {"energy_J", of<&DriveImpact::energy>, "of the reduced mass at that speed"},
+    {"largest_force_N", of<[](auto& i) { return i.force.value; }>, "of this flank up to the next impact or the end"},
+};
+
+constexpr Quantity<SettlingResult> kSettling[] = {
+    {"final_position_mm", of<&SettlingResult::final_position>, "of the last sample"},
+    {"reference_mm", of<&SettlingResult::reference>, "of a position loop at the end"},
+    {"settled", of<&SettlingResult::settled>, "whether the last sample lies within the band of it"},
+    {"time_s", of<&SettlingResult::time>, "from `after` to the first sample from which on all lie within the band"},
+};
+
+constexpr Quantity<Resonance> kResonance[] = {
+    {"frequency_Hz", of<&Resonance::frequency>, "|lambda|/(2 pi)"},
+    {"damping_percent", of<&Resonance::damping>, "-Re lambda/|lambda|"},
+};
+
+constexpr Quantity<FrequencyResponse> kFrequencyResponse[] = {
+    {"frequency_Hz", of<&FrequencyResponse::frequency>, "of the force or the torque"},
+    {"compliance_um_per_N", filled<&FrequencyResponse::compliance>, "position of the load over a force on it"},
+    {"phase_deg", filled<&FrequencyResponse::phase>, "of that, < 0 behind the force"},
+    {"stiffness_N_per_um", filled<&FrequencyResponse::stiffness>, "1/compliance"},
+    {"motor_speed_rad_per_s_per_Nm", filled<&FrequencyResponse::motor_speed>, "motor speed over motor torque"},
+    {"motor_speed_phase_deg", filled<&FrequencyResponse::motor_speed_phase>, "of that"},
+    {"position_um_per_Nm", filled<&FrequencyResponse::position>, "position of the load over motor torque"},
+    {"position_phase_deg", filled<&FrequencyResponse::position_phase>, "of that"},
+    {"tangent_stiffness_N_per_um", of<&FrequencyResponse::tangent_stiffness>, "with the shaft, at the working point"},
+    {"resonances", of_table<kResonance, &FrequencyResponse::resonances>, "natural vibrations, by frequency"},
+};
+
+constexpr Quantity<ResponseResult> kResponse[] = {
+    {"converged", always<&ResponseResult::converged>, "whether the run came to its end"},
+    {"status", always<[](auto& r) { return name(r.run.status); }>, "converged | step_limit | integration_failed"},
+    {"stopped_at_s", of<[](auto& r) { return r.run.stopped_at; }, [](auto& r) { return !r.converged(); }>,
+     "where a run that did not converge ended"},
+    {"duration_s", of<[](auto& r) { return r.input.duration; }>, "of the run"},
+    {"time_s", of<[](auto& r) -> const std::vector<double>& { return r.run.time; }>, "of the samples"},
+    {"position_mm", of<[](auto& r) -> const std::vector<double>& { return r.run.x; }>, "of the load"},
+    {"speed_mm_per_s", of<[](auto& r) -> const std::vector<double>& { return r.run.v; }>, "of the load"},
+    {"screw_angle_deg", of<[](auto& r) -> const std::vector<double>& { return r.run.phi; }>, "not reduced by turns"},
+    {"screw_speed_rpm", of<[](auto& r) -> const std::vector<double>& { return r.run.omega; }>, "of the screw"},
+    {"motor_angle_deg", of<[](auto& r) -> const std::vector<double>& { return r.run.phi_m; }>, "not reduced by turns"},
+    {"motor_speed_rpm", of<[](auto& r) -> const std::vector<double>& { return r.run.omega_m; }>, "of the motor"},
+    {"deflection_um", of<[](auto& r) -> const std::vector<double>& { return r.run.delta; }>,
+     "of screw and shaft, > 0 in tension"},
+    {"force_N", of<[](auto& r) -> const std::vector<double>& { return r.run.force; }>, "of the screw, > 0 in tension"},
+    {"motor_torque_Nm", of<[](auto& r) -> const std::vector<double>& { return r.run.motor_torque; }>,
+     "behind the current loop"},
+    {"coupling_torque_Nm", of<[](auto& r) -> const std::vector<double>& { return r.run.coupling_torque; }>,
+     "between motor and screw"},
+    {"external_force_N", of<[](auto& r) -> const std::vector<double>& { return r.run.external; }>, "on the load"},
+    {"end_stop_force_N",
+     of<[](auto& r) -> const std::vector<double>& { return r.run.stop_force; }, &ResponseResult::has_stops>,
+     "magnitude"},
+    {"energy_J", of_table<kEnergy>, "over the whole run"},
+    {"largest", of_table<kLargest>, "over the whole run"},
+    {"rms_motor_torque_Nm", of<&ResponseResult::rms_torque>, "root of the mean square"},
+    {"lost_motion_um", of<[](auto& r) { return r.run.lost_motion; }>,
+     "largest less least travel of the motor beyond that of the load"},
+    {"following_error", of_table<kFollowing, &ResponseResult::following_error>, "of the controller, up to its cut"},
+    {"impacts",
+     of_table<kImpact, [](auto& r) -> const std::vector<DriveImpact>& { return r.run.impacts; },
+              &ResponseResult::can_open>,
+     "each instant at which a flank closes"},
+    {"settling", of_table<kSettling, &ResponseResult::settling>, "with the block `settling`"},
+    {"frequency_response", of_table<kFrequencyResponse, &ResponseResult::frequency_response>,
+     "with the block `frequency_response`"},
+};
+
+}  // namespace
+
+Record<ResponseResult> record_of(Type<ResponseResult>);
+PRS_RECORD(ResponseResult, "Response", "The screw in its drive over time and over frequency, docs/response.md.",
+           kResponse);
+
+std::string response_csv(const ResponseResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
+  series_header<ResponseResult>(csv);
+  csv.end_row();
+  for (std::size_t k = 0; k < result.run.time.size(); ++k) {
+    series_fields(csv, result, k);
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+namespace {
+
+constexpr std::string_view kResponses[] = {"response.largest.tension.force_N", "response.largest.compression.force_N",
+                                           "response.largest.motor_torque_Nm", "response.lost_motion_um"};
+
+/// The largest force, and how near its pressure comes to the static limit of ISO 76's kind.
+std::vector<Headline> headlines(const ResponseResult& r) {
+  const std::optional<LargestForce>* larger = &r.largest.tension;
+  if (r.largest.compression && (!*larger || (*larger)->force < r.largest.compression->force))
+    larger = &r.largest.compression;
+  if (!*larger) return {};
+  std::vector<Headline> all{{"Largest force", "force_N", (*larger)->force}};
+  if ((*larger)->peak_pressure) all.push_back({"Its peak pressure", "peak_pressure_MPa", *(*larger)->peak_pressure});
+  return all;
+}
+
+PageSection section(const ResponseResult&) {
+  return {.in_document = {{"response.largest", {"tension", "compression", "motor_torque_Nm", "end_stop_force_N"}}},
+          .folded = {"response_energy"},
+          .note = "The motion is that of the run that wrote this page."};
+}
+
+}  // namespace
+
+const Analysis<ResponseResult>& response_analysis() {
+  static const std::vector<Place> places = {{"response", describe<ResponseResult>}};
+  static const Analysis<ResponseResult> analysis{
+      .command = Command::response,
+      .help = "The screw in its drive: motion, forces, impacts, energies over time; frequency response",
+      .file = "response.json",
+      .run = [](const input::Source& source,
+                const input::CaseInput& in) { return analyze_response(in.values, source); },
+      .places = places,
+      .put = [](Json& document, const ResponseResult& r) { document["response"] = object_of(r); },
+      .table = response_table,
+      .files =
+          [](const ResponseResult& r, const CsvStyle& style) {
+            return std::vector<OutputFile>{{"response.csv", response_csv(r, style)}};
+          },
+      .pictures = [](const ResponseResult& r, const Case&) { return response_pictures(r); },
+      .converged = [](const ResponseResult& r) { return r.converged(); },
+      .headlines = headlines,
+      .place = {"Response", 5},
+      .section = section,
+      .responses = kResponses};
+  return analysis;
+}
+
+}  // namespace prs

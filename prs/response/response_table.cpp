@@ -1,0 +1,83 @@
+#include "prs/loads/case_table.h"
+#include "prs/response/response_analysis.h"
+
+namespace prs {
+namespace {
+
+std::string line(const std::string& what, const std::string& value) { return hanging("  " + what, 34, value); }
+
+std::string largest_text(const LargestForce& l) {
+  std::string text = fmt::format("{} at {:.6g} ms", fixed_with_unit(l.force, "kN", 3), 1e3 * l.time);
+  if (l.peak_pressure) text += ", " + fixed_with_unit(l.peak_pressure, "GPa", 3) + " peak pressure";
+  return text;
+}
+
+std::string impact_text(const DriveImpact& i) {
+  return fmt::format("{} at {:.6g} ms, {:.4g} mm/s, {:.3g} J", fixed_with_unit(i.force.value, "kN", 3), 1e3 * i.time,
+                     1e3 * i.speed, i.energy);
+}
+
+std::string impacts_text(const std::vector<DriveImpact>& all) {
+  if (all.empty()) return line("impacts", "none");
+  const auto fastest = std::ranges::max_element(all, {}, &DriveImpact::speed);
+  const auto hardest = std::ranges::max_element(all, {}, [](const DriveImpact& i) { return i.force.value; });
+  return line("impacts", fmt::format("{}", all.size())) + line("  fastest", impact_text(*fastest)) +
+         line("  hardest", impact_text(*hardest));
+}
+
+std::string energies_text(const ResponseResult& r) {
+  const DriveResult& d = r.run;
+  std::string text = line("energy of motor, of load", fmt::format("{:.5g} J, {:.5g} J", d.motor, d.load)) +
+                     line("stored at start, at end", fmt::format("{:.5g} J, {:.5g} J", d.stored_start, d.stored_end));
+  const std::pair<const char*, double> lost[] = {{"screw friction", d.screw_friction},
+                                                 {"motor friction", d.motor_friction},
+                                                 {"load friction", d.load_friction},
+                                                 {"coupling", d.coupling},
+                                                 {"material", d.contact},
+                                                 {"end stops", d.end_stop},
+                                                 {"viscous", d.viscous}};
+  std::string parts;
+  for (const auto& [what, energy] : lost)
+    if (energy != 0.0) parts += fmt::format("{}{} {:.4g} J", parts.empty() ? "" : ", ", what, energy);
+  text += line("lost", parts.empty() ? "nothing" : parts);
+  return text + line("residual", fmt::format("{:.1e} J of {:.4g} J turned over", r.residual(), d.turnover));
+}
+
+std::string settling_text(const SettlingResult& s) {
+  const std::string where = fixed_with_unit(s.final_position, "mm", 4);
+  if (!s.time) return "not within the band: ends at " + where;
+  return fmt::format("{:.5g} ms, at {}", 1e3 * *s.time, where);
+}
+
+}  // namespace
+
+std::string response_table(const ResponseResult& r) {
+  std::string text = fmt::format("Screw in its drive, {:.6g} s, {} samples\n", r.input.duration, r.run.time.size());
+  if (!r.converged())
+    text += fmt::format("NOT CONVERGED ({}): stopped at {:.6g} s\n", name(r.run.status), r.run.stopped_at);
+  for (const Direction d : kDirections)
+    if (r.largest[d]) text += line(fmt::format("largest force in {}", name(d)), largest_text(*r.largest[d]));
+  text += line("motor torque", fmt::format("{} at the most, {} rms", fixed_with_unit(r.run.torque.value, "N m", 3),
+                                           fixed_with_unit(r.rms_torque(), "N m", 3)));
+  if (r.has_stops()) text += line("largest force of an end stop", fixed_with_unit(r.run.stop.value, "kN", 3));
+  if (r.can_open) text += impacts_text(r.run.impacts);
+  text += line("lost motion", fixed_with_unit(r.run.lost_motion, "µm", 3));
+  if (const auto& f = r.following_error)
+    text += line("following error", f->of_position
+                                        ? fmt::format("{} at {:.6g} ms, {} rms", fixed_with_unit(f->largest, "µm", 2),
+                                                      1e3 * f->time, fixed_with_unit(f->rms, "µm", 2))
+                                        : fmt::format("{:.4g} rpm at {:.6g} ms, {:.4g} rpm rms",
+                                                      f->largest * per_si::revolution_per_minute, 1e3 * f->time,
+                                                      f->rms * per_si::revolution_per_minute));
+  text += energies_text(r);
+  if (r.settling) text += line("settled after", settling_text(*r.settling));
+  if (r.frequency_response) {
+    text += line("tangent stiffness", fixed_with_unit(r.frequency_response->tangent_stiffness, "N/µm", 1));
+    for (const Resonance& resonance : r.frequency_response->resonances)
+      text +=
+          line("resonance", fmt::format("{:.5g} Hz, damping {:.3g} %", resonance.frequency, 100.0 * resonance.damping));
+  }
+  return text + warning_section(r.warnings);
+}
+
+}  // namespace prs

@@ -1,0 +1,330 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+#include "prs/model/response_input.h"
+#include "prs/response/response.h"
+
+namespace prs {
+namespace {
+
+constexpr double kReach = 0.005 / (2.0 * std::numbers::pi);
+
+/// A drive of linear or Hertzian flanks, without friction of threads, whose motion has a closed form.
+class PlainDrive {
+ public:
+  PlainDrive() {
+    drive.mass = 40.0;
+    drive.by = PRS_BY_SPEED;
+    drive.cut_at = drive.brake_at = drive.largest_torque = drive.largest_speed = drive.start_deflection = HUGE_VAL;
+    drive.shaft_span = HUGE_VAL;
+    drive.curves.lead = 0.005;
+    set_stiffness(2e8);
+  }
+
+  /// A spring that pulls in both senses; with play flanks that open.
+  void set_stiffness(double k, double play = 0.0) {
+    if (play > 0.0)
+      set_branch({0.0, 0.01}, {0.0, 1e-4 * k}, {0.0, 0.02 * k}, true, play);
+    else
+      set_branch({0.0, 1e-4}, {0.0, 1e-4 * k}, {k, k}, false, 0.0);
+  }
+  /// F = C w^1.5, the cube of the root.
+  void set_hertz(double c, double play) { set_branch({0.0, 0.01}, {0.0, 1e-6 * c}, {0.0, 3e-4 * c}, true, play); }
+
+  DriveResult run(double duration, double interval, double tolerance = 1e-8) {
+    PrsSignals functions{this,
+                         [](void* self, double t) {
+                           static_cast<PlainDrive*>(self)->motor.bind(t);
+                           static_cast<PlainDrive*>(self)->force.bind(t);
+                         },
+                         [](void* self, double t, PrsInputs* in) {
+                           const BoundSignal::Value v = static_cast<PlainDrive*>(self)->motor.at(t);
+                           *in = {v.value, v.slope, v.curve, static_cast<PlainDrive*>(self)->force.at(t).value};
+                         },
+                         [](void* self, double t) {
+                           return std::min(static_cast<PlainDrive*>(self)->motor.next(t),
+                                           static_cast<PlainDrive*>(self)->force.next(t));
+                         }};
+    const auto samples = static_cast<std::size_t>((1.0 + 1e-12) * duration / interval) + 1;
+    DriveResult result;
+    modules::loaded<ResponseModule>().integrate({drive, functions, duration, interval, samples, tolerance, 0.0},
+                                                result);
+    EXPECT_EQ(result.status, DriveStatus::converged);
+    return result;
+  }
+
+  PrsDrive drive{};
+  BoundSignal motor, force;
+
+ private:
+  void set_branch(std::vector<double> at, std::vector<double> value, std::vector<double> slope, bool root,
+                  double play) {
+    at_ = std::move(at), value_ = std::move(value), slope_ = std::move(slope);
+    drive.curves.tension = {play, root ? 1 : 0, at_.size(), at_.data(), value_.data(), slope_.data()};
+    drive.curves.compression = drive.curves.tension;
+  }
+  std::vector<double> at_, value_, slope_;
+};
+
+BoundSignal constant(double value) {
+  Signal signal;
+  signal.one.constant = value;
+  return BoundSignal(signal.terms());
+}
+
+BoundSignal ramp(std::vector<SignalTerm::Point> points) {
+  Signal signal;
+  signal.one.points = std::move(points);
+  return BoundSignal(signal.terms());
+}
+
+double residual(const DriveResult& r) {
+  const double lost =
+      r.screw_friction + r.motor_friction + r.load_friction + r.coupling + r.contact + r.end_stop + r.viscous;
+  return std::abs(r.motor + r.load - (r.stored_end - r.stored_start) - lost) / r.turnover;
+}
+
+TEST(Drive, MassOnAHeldScrewVibratesAsTheClosedForm) {
+  PlainDrive d;
+  d.drive.material_damping = 30e-6;
+  d.drive.start_deflection = 10e-6;
+  const DriveResult r = d.run(0.02, 1e-4);
+  const double w = std::sqrt(2e8 / 40.0), zeta = 0.5 * 30e-6 * w, damped = w * std::sqrt(1.0 - zeta * zeta);
+  for (std::size_t k = 0; k < r.time.size(); ++k) {
+    const double t = r.time[k];
+    const double expected =
+        10e-6 * std::exp(-zeta * w * t) * (std::cos(damped * t) + zeta * w / damped * std::sin(damped * t));
+    EXPECT_NEAR(r.delta[k], expected, 1e-6 * 10e-6) << t;
+  }
+  EXPECT_LT(residual(r), 1e-6);
+}
+
+TEST(Drive, ThreeInertiasFollowTheMatrixExponential) {
+  PlainDrive d;
+  d.drive.by = PRS_BY_TORQUE;
+  d.drive.coupled = 1;
+  d.drive.motor_inertia = 4e-4, d.drive.screw_inertia = 3e-4;
+  d.drive.coupling_stiffness = 2000.0, d.drive.coupling_damping = 0.05;
+  d.drive.load_damping = 300.0, d.drive.motor_damping = 0.002;
+  d.motor = constant(3.0);
+  const DriveResult r = d.run(0.02, 1e-3);
+  // States v, delta, omega, theta, omega_M and a constant.
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(6, 6);
+  const double k = 2e8, m = 40.0;
+  a(0, 1) = k / m, a(0, 0) = -300.0 / m;
+  a(1, 2) = kReach, a(1, 0) = -1.0;
+  a(2, 3) = 2000.0 / 3e-4, a(2, 4) = 0.05 / 3e-4, a(2, 2) = -0.05 / 3e-4, a(2, 1) = -kReach * k / 3e-4;
+  a(3, 4) = 1.0, a(3, 2) = -1.0;
+  a(4, 3) = -2000.0 / 4e-4, a(4, 4) = -(0.05 + 0.002) / 4e-4, a(4, 2) = 0.05 / 4e-4, a(4, 5) = 3.0 / 4e-4;
+  const Eigen::EigenSolver<Eigen::MatrixXd> modes(a);
+  Eigen::VectorXcd start = Eigen::VectorXcd::Zero(6);
+  start(5) = 1.0;
+  const Eigen::VectorXcd weights = modes.eigenvectors().partialPivLu().solve(start);
+  for (const std::size_t i : {5, 12, 20}) {
+    const Eigen::VectorXcd y =
+        modes.eigenvectors() * ((modes.eigenvalues() * r.time[i]).array().exp() * weights.array()).matrix();
+    EXPECT_NEAR(r.v[i], y(0).real(), 1e-6 * 0.1);
+    EXPECT_NEAR(r.delta[i], y(1).real(), 1e-6 * 3e-5);
+    EXPECT_NEAR(r.omega_m[i], y(4).real(), 1e-6 * 100.0);
+  }
+  EXPECT_LT(residual(r), 1e-6);
+}
+
+TEST(Drive, PlayIsCrossedBackAndForth) {
+  PlainDrive d;
+  const double a = 20e-6, v = 0.01, k = 2e8, m = 40.0;
+  d.set_stiffness(k, a);
+  d.drive.start_speed = v;
+  d.drive.start_deflection = 0.0;
+  d.motor = constant(0.0);
+  const double half = 2.0 * a / v + std::numbers::pi * std::sqrt(m / k);
+  const DriveResult r = d.run(16.0 * half, half / 10.0);
+  ASSERT_GE(r.impacts.size(), 15U);
+  for (std::size_t i = 0; i < 15; ++i) {
+    EXPECT_NEAR(r.impacts[i].time, a / v + static_cast<double>(i) * half, 1e-6 * half);
+    EXPECT_EQ(r.impacts[i].flank, i % 2 == 0 ? -1 : 1);  // The load runs ahead of the held screw.
+    EXPECT_NEAR(r.impacts[i].speed, v, 1e-5 * v);
+    EXPECT_NEAR(r.impacts[i].energy, 0.5 * m * v * v, 2e-5 * m * v * v);
+  }
+  EXPECT_NEAR(r.impacts[3].force.value, v * std::sqrt(k * m), 1e-5 * v * std::sqrt(k * m));
+  EXPECT_LT(residual(r), 1e-6);
+}
+
+TEST(Drive, HertzianFlanksStopAMass) {
+  PlainDrive d;
+  const double c = 5e10, m = 40.0, v = 0.02;
+  d.set_hertz(c, 5e-6);
+  d.drive.start_speed = -v;
+  d.drive.start_deflection = 0.0;
+  const DriveResult r = d.run(0.005, 1e-4);
+  ASSERT_FALSE(r.impacts.empty());
+  const double expected = c * std::pow(5.0 * m * v * v / (4.0 * c), 0.6);
+  EXPECT_NEAR(r.impacts[0].force.value, expected, 1e-5 * expected);
+  EXPECT_NEAR(r.tension.value, expected, 1e-5 * expected);
+}
+
+TEST(Drive, AStopTakesTheWholeSpeed) {
+  PlainDrive d;
+  d.set_stiffness(2e8, 0.1);  // The load is free.
+  d.drive.start_deflection = 0.0;
+  d.drive.start_speed = 0.1;
+  d.drive.stop[PRS_UPPER] = {1, 1e-3, 2e7, 0.0};
+  const DriveResult r = d.run(0.03, 1e-3);
+  EXPECT_NEAR(r.stop.value, 0.1 * std::sqrt(2e7 * 40.0), 1e-5 * r.stop.value);
+  EXPECT_NEAR(r.v.back(), -0.1, 1e-6);
+}
+
+TEST(Drive, AScrewDraggedThroughASoftCouplingLetsGoWhereItsFrictionEnds) {
+  PlainDrive d;
+  const double speed = 10.0, k = 50.0, drag = 0.2;
+  d.set_stiffness(2e8, 0.1);  // The load takes no part.
+  d.drive.start_deflection = 0.0;
+  d.drive.coupled = 1;
+  d.drive.coupling_stiffness = k;
+  d.drive.screw_inertia = 3e-4;
+  d.drive.drag = drag;
+  // The load's start has the motor's speed, which is 0.
+  d.motor = ramp({{0.0, 0.0}, {1e-9, speed}});
+  const DriveResult r = d.run(4e-3, 1e-5);
+  const double lets_go = drag / (k * speed) + 0.5e-9;
+  for (std::size_t i = 0; i < r.time.size(); ++i) {
+    if (r.time[i] < lets_go) {
+      EXPECT_EQ(r.omega[i], 0.0);
+    }
+    EXPECT_LE(r.omega[i], 2.0 * speed * (1.0 + 1e-6));
+  }
+  const auto first = std::ranges::find_if(r.omega, [](double w) { return w != 0.0; });
+  EXPECT_NEAR(r.time[static_cast<std::size_t>(first - r.omega.begin())], lets_go, 2e-5);
+  // Then W (1 - cos): no peak of friction above that of sliding.
+  const double w = std::sqrt(k / 3e-4), t = 3e-3 - lets_go;
+  EXPECT_NEAR(r.omega[300], speed * (1.0 - std::cos(w * t)), 1e-5 * speed);
+}
+
+TEST(Drive, ATorqueBelowBreakAwayMovesNothing) {
+  PlainDrive d;
+  d.drive.by = PRS_BY_TORQUE;
+  d.drive.motor_inertia = 4e-4, d.drive.screw_inertia = 3e-4;
+  d.drive.drag = 0.3, d.drive.motor_friction = 0.2;
+  d.motor = constant(0.499);
+  const DriveResult r = d.run(0.1, 1e-3);
+  for (std::size_t i = 0; i < r.time.size(); ++i) {
+    EXPECT_EQ(r.omega[i], 0.0);
+    EXPECT_EQ(r.x[i], 0.0);
+  }
+  d.motor = constant(0.501);
+  EXPECT_GT(d.run(0.1, 1e-3).omega.back(), 0.0);
+}
+
+TEST(Drive, TheCurrentLoopLagsAsAFirstOrder) {
+  PlainDrive d;
+  const double lag = 3e-4;
+  d.drive.by = PRS_BY_TORQUE;
+  d.drive.motor_inertia = 4e-4;
+  d.drive.time_constant = lag;
+  d.drive.cut_at = 5e-3;
+  Signal step;
+  step.one.steps = std::vector<SignalTerm::Point>{{1e-3, 2.0}};
+  d.motor = BoundSignal(step.terms());
+  const DriveResult r = d.run(8e-3, 1e-4);
+  for (std::size_t i = 0; i < r.time.size(); ++i) {
+    const double t = r.time[i];
+    const auto risen = [&](double at) { return 2.0 * (1.0 - std::exp(-(at - 1e-3) / lag)); };
+    const double expected = t < 1e-3 ? 0.0 : t < 5e-3 ? risen(t) : risen(5e-3) * std::exp(-(t - 5e-3) / lag);
+    EXPECT_NEAR(r.motor_torque[i], expected, 1e-6) << t;
+  }
+  const double slow = r.x.back();
+  d.drive.time_constant = 1e-6;
+  const DriveResult fast = d.run(8e-3, 1e-4);
+  d.drive.time_constant = 0.0;
+  EXPECT_NEAR(fast.x.back(), d.run(8e-3, 1e-4).x.back(), 1e-3 * slow);
+}
+
+TEST(Drive, APositionLoopOnTheLoadHoldsItUnderALoad) {
+  PlainDrive d;
+  d.drive.by = PRS_POSITION_LOOP;
+  d.drive.coupled = 1;
+  d.drive.coupling_stiffness = 1500.0, d.drive.coupling_damping = 0.2;
+  d.drive.motor_inertia = 4e-4, d.drive.screw_inertia = 3.5e-4;
+  d.drive.material_damping = 5e-5, d.drive.motor_damping = 0.001;
+  d.drive.position_gain = 60.0, d.drive.speed_gain = 0.5, d.drive.integral_time = 0.02;
+  d.drive.feedback_of_load = 1;
+  d.motor = constant(1e-3);
+  d.force = constant(2000.0);
+  const DriveResult on_load = d.run(0.8, 1e-3);
+  EXPECT_NEAR(on_load.x.back(), 1e-3, 1e-4 * on_load.lost_motion);
+  d.drive.feedback_of_load = 0;
+  const DriveResult on_motor = d.run(0.8, 1e-3);
+  const double twist = kReach * kReach * 2000.0 / 1500.0;
+  EXPECT_NEAR(on_motor.x.back(), 1e-3 - 2000.0 / 2e8 - twist, 1e-4 * on_motor.lost_motion);
+}
+
+TEST(Drive, OnARampTheLoadFollowsBehindUnlessTheSpeedIsFedForward) {
+  PlainDrive d;
+  d.drive.by = PRS_POSITION_LOOP;
+  d.drive.motor_inertia = 4e-4, d.drive.screw_inertia = 3.5e-4, d.drive.material_damping = 5e-5;
+  d.drive.position_gain = 60.0, d.drive.speed_gain = 0.5, d.drive.integral_time = 0.02;
+  d.drive.feedback_of_load = 1;
+  d.motor = ramp({{0.0, 0.0}, {2.0, 0.1}});
+  const double speed = 0.05;
+  EXPECT_NEAR(0.05 * 0.8 - d.run(0.8, 1e-3).x.back(), speed / 60.0, 1e-6 * speed / 60.0);
+  d.drive.feeds_speed_forward = 1;
+  EXPECT_NEAR(d.run(0.8, 1e-3).x.back(), 0.05 * 0.8, 1e-8);
+}
+
+TEST(Drive, ATorqueThatStaysAtItsBoundEnds) {
+  PlainDrive d;
+  d.drive.by = PRS_SPEED_LOOP;
+  d.drive.motor_inertia = 4e-4, d.drive.screw_inertia = 3.5e-4;
+  d.drive.speed_gain = 0.5, d.drive.integral_time = 0.02, d.drive.largest_torque = 2.0;
+  d.motor = ramp({{0.0, 0.0}, {0.1, 280.0}});  // A little more than 2 N m accelerate.
+  const DriveResult r = d.run(0.15, 1e-3);
+  EXPECT_EQ(r.torque.value, 2.0);
+  EXPECT_LT(residual(r), 1e-6);
+  EXPECT_NEAR(r.omega_m.back(), 280.0, 5.0);
+}
+
+TEST(Drive, PositionOfTheStartDoesNotMatter) {
+  PlainDrive d;
+  d.set_stiffness(2e8, 10e-6);
+  d.drive.by = PRS_BY_TORQUE;
+  d.drive.motor_inertia = 4e-4, d.drive.screw_inertia = 3e-4, d.drive.load_friction = 50.0, d.drive.drag = 0.1;
+  d.drive.stop[PRS_UPPER] = {1, 2e-3, 2e7, 0.3};
+  d.motor = constant(2.0);
+  const DriveResult here = d.run(0.1, 1e-3);
+  d.drive.start_position = 0.75;
+  d.drive.stop[PRS_UPPER].at += 0.75;
+  const DriveResult there = d.run(0.1, 1e-3);
+  EXPECT_GT(here.stop.value, 100.0);
+  EXPECT_NEAR(there.tension.value, here.tension.value, 1e-5 * here.tension.value);
+  for (std::size_t i = 0; i < here.time.size(); ++i) EXPECT_NEAR(there.x[i] - 0.75, here.x[i], 1e-5 * 2e-3);
+}
+
+TEST(Drive, FlanksThatTouchAtRestBeginToCarryWithoutAnImpact) {
+  PlainDrive d;
+  d.set_hertz(5e10, 0.0);
+  d.drive.by = PRS_BY_TORQUE;
+  d.drive.motor_inertia = 4e-4;
+  d.motor = constant(1.0);
+  const DriveResult r = d.run(2e-3, 1e-4);
+  EXPECT_GT(r.force[5], 0.0);
+  EXPECT_TRUE(r.impacts.empty() || r.impacts[0].time > 1e-4);
+}
+
+TEST(Drive, ABrakeHoldsWhatRunsAway) {
+  PlainDrive d;
+  d.drive.by = PRS_BY_TORQUE;
+  d.drive.motor_inertia = 4e-4, d.drive.screw_inertia = 3e-4, d.drive.motor_friction = 0.1;
+  d.force = constant(3000.0);
+  d.motor = constant(0.0);
+  EXPECT_LT(d.run(0.1, 1e-3).x.back(), -1e-3);
+  d.drive.brake_torque = 5.0, d.drive.brake_at = 0.0;
+  const DriveResult held = d.run(0.1, 1e-3);
+  EXPECT_EQ(held.omega_m.back(), 0.0);
+  EXPECT_EQ(held.x.back(), 0.0);
+}
+
+}  // namespace
+}  // namespace prs

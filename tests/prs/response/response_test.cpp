@@ -1,0 +1,193 @@
+#include "prs/response/response.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "prs/export/robot.h"
+#include "prs/response/response_analysis.h"
+#include "prs/run/commands.h"
+
+namespace prs {
+namespace {
+
+const Json& solved() {
+  static const Json all = Json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/response/response_cases.json"));
+  return all;
+}
+
+input::Source source_of(const Json& given, std::vector<std::string> overrides = {}) {
+  return {"case.yaml", given["input"].dump(), std::move(overrides)};
+}
+
+Json response_of(const input::Source& source) {
+  return run(analysis_of(Command::response), source).document({})["response"];
+}
+
+/// 5e-4 of extremes and scalars, 3e-4 of the range of a series, more of small parts, `slack` times.
+void expect_near(const Json& found, const Json& expected, const std::string& path, double slack) {
+  if (expected.is_object()) {
+    for (const auto& [key, value] : expected.items()) {
+      ASSERT_TRUE(found.contains(key)) << path << '.' << key;
+      if (key == "residual" || key == "residual_relative") continue;
+      expect_near(found[key], value, path + '.' + key, slack);
+    }
+  } else if (expected.is_array() && !expected.empty() && expected[0].is_number()) {
+    ASSERT_EQ(found.size(), expected.size()) << path;
+    const std::vector<double> values = expected;
+    const auto [least, most] = std::ranges::minmax(values);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      EXPECT_NEAR(
+          found[k].get<double>(), values[k],
+          slack * (path.find("frequency") == path.npos ? 3e-4 * (most - least) : 2e-3 * std::abs(values[k])) + 1e-12)
+          << path << ' ' << k;
+  } else if (expected.is_array()) {
+    ASSERT_EQ(found.size(), expected.size()) << path;
+    for (std::size_t k = 0; k < expected.size(); ++k) expect_near(found[k], expected[k], path, slack);
+  } else if (expected.is_number_float()) {
+    EXPECT_NEAR(found.get<double>(), expected.get<double>(), slack * 1e-3 * std::abs(expected.get<double>()) + 1e-9)
+        << path;
+  } else {
+    EXPECT_EQ(found, expected) << path;
+  }
+}
+
+TEST(Response, SolvedCasesComeOut) {
+  for (const Json& given : solved()["cases"]) {
+    SCOPED_TRACE(given["name"]);
+    const Json found = response_of(source_of(given));
+    const double slack = given.value("slack", 1.0);
+    expect_near(found, given["result"], "response", slack);
+    EXPECT_LT(found["energy_J"]["residual_relative"], 1e-6);
+  }
+}
+
+TEST(Response, ATenthOfTheToleranceChangesNothing) {
+  for (const Json& given : solved()["cases"]) {
+    SCOPED_TRACE(given["name"]);
+    const Json one = response_of(source_of(given));
+    const Json tenth = response_of(source_of(given, {"response.tolerance=1e-9"}));
+    for (const char* key : {"position_mm", "speed_mm_per_s", "force_N", "motor_torque_Nm", "deflection_um"}) {
+      const std::vector<double> a = one[key], b = tenth[key];
+      const auto [least, most] = std::ranges::minmax(a);
+      for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-5 * (most - least)) << key << ' ' << k;
+    }
+  }
+}
+
+TEST(Response, SamplesDoNotMoveScalars) {
+  const Json& given = solved()["cases"][0];
+  const Json one = response_of(source_of(given)),
+             other = response_of(source_of(given, {"response.sample_interval=7 ms"}));
+  EXPECT_EQ(one["energy_J"], other["energy_J"]);
+  EXPECT_EQ(one["largest"], other["largest"]);
+  EXPECT_EQ(one["impacts"], other["impacts"]);
+}
+
+TEST(Response, WrongInputNamesItsKey) {
+  for (const Json& given : solved()["errors"]) {
+    SCOPED_TRACE(given["name"]);
+    try {
+      response_of(source_of(given));
+      ADD_FAILURE();
+    } catch (const input::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(given["error"].get<std::string>()), std::string::npos) << error.what();
+      EXPECT_TRUE(std::string_view(error.what()).starts_with("case.yaml:1:")) << error.what();
+    }
+  }
+}
+
+TEST(Response, EachWrongValueIsRefused) {
+  const Json &torque = solved()["cases"][0], &servo = solved()["cases"][4], &shaker = solved()["cases"][3];
+  struct Wrong {
+    const Json& given;
+    const char* override;
+    const char* names;
+  };
+  const Wrong all[] = {
+      {torque, "response.duration=0 s", "response.duration"},
+      {torque, "response.load.mass=40", "response.load.mass"},
+      {torque, "response.load.mass=0 kg", "response.load.mass"},
+      {torque, "response.tolerance=1e-2", "response.tolerance"},
+      {torque, "response.sample_interval=1e-9 s", "response.sample_interval"},
+      {torque, "response.coupling.stiffness=0 N m/rad", "response.coupling.stiffness"},
+      {torque, "response.screw.inertia=0 kg m^2", "response.screw.inertia"},
+      {torque, "response.motor.inertia=0 kg m^2", "response.motor.inertia"},
+      {torque, "response.brake={torque: -1 N m, at: 1 ms}", "response.brake.torque"},
+      {torque, "response.load.force=[]", "response.load.force"},
+      {torque, "response.load.force={steps: []}", "response.load.force.steps"},
+      {torque, "response.load.force={square: 3 N}", "response.load.force.square"},
+      {torque, "response.load.force={points: [{at: 0 s, value: 1 N}], sine: {amplitude: 1 N, frequency: 2 Hz}}",
+       "response.load.force.sine"},
+      {torque, "response.settling={after: 1 s, band: 1 um}", "response.settling.after"},
+      {torque, "response.end_stops={upper: {at: 0 mm, stiffness: 1 N/um}, lower: {at: 1 mm, stiffness: 1 N/um}}",
+       "response.end_stops"},
+      {torque, "response.shaft={length: 1 m, ends: fixed_fixed}", "response.shaft.span"},
+      {torque, "response.shaft={length: 1 m, span: 2 m}", "response.shaft.span"},
+      {torque, "response.material_damping={time: 1 us, loss_factor: 3 %}", "response.material_damping"},
+      {servo, "response.motor.controller.feedback=nut", "response.motor.controller.feedback"},
+      {servo, "response.motor.controller.largest_speed=0 rpm", "response.motor.controller.largest_speed"},
+      {servo, "response.motor.controller.speed=3 rpm", "response.motor.controller"},
+      {servo, "response.motor.current_loop={}", "response.motor.current_loop"},
+      {servo, "response.frequency_response.speed=0 rpm", "response.frequency_response.speed"},
+      {servo, "response.frequency_response.to=1 Hz", "response.frequency_response"},
+      {servo, "response.frequency_response.points=1", "response.frequency_response"},
+      {shaker, "response.motor.cut_at=10 ms", "response.motor.cut_at"},
+      {shaker, "response.motor.speed={steps: [{at: 0 s, value: -240 rpm}, {at: 1 ms, value: 0 rpm}]}",
+       "response.motor.speed"},
+      {shaker, "response.frequency_response.speed=3 rpm", "response.frequency_response.speed"},
+      {shaker, "response.frequency_response.spacing=even", "response.frequency_response.spacing"},
+  };
+  for (const Wrong& wrong : all) {
+    try {
+      response_of(source_of(wrong.given, {wrong.override}));
+      ADD_FAILURE() << wrong.override;
+    } catch (const input::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(wrong.names), std::string::npos) << wrong.override << error.what();
+    }
+  }
+}
+
+TEST(Response, ASumOfSignalsIsWhatItsTermsAre) {
+  const Json& given = solved()["cases"][2];
+  const Json sum = response_of(source_of(given));
+  const std::string sine =
+      "response.load.force=[{steps: [{at: 60 ms, value: 1500 N}]}, {sine: {amplitude: 75 N, "
+      "frequency: 90 Hz}}, {sine: {amplitude: 75 N, frequency: 90 Hz}}]";
+  const std::vector<double> one = sum["external_force_N"],
+                            two = response_of(source_of(given, {sine}))["external_force_N"];
+  for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(one[k], two[k], 1e-9);
+}
+
+TEST(Response, ALeftHandedScrewTurnsTheOtherWay) {
+  const Json& given = solved()["cases"][0];
+  const Json right = response_of(source_of(given));
+  const Json left = response_of(
+      source_of(given, {"mechanism.lead=-5 mm",
+                        "response.motor.torque={points: [{at: 0 ms, value: -4 N m}, {at: 15 ms, value: -4 N m}, "
+                        "{at: 25 ms, value: 5 N m}, {at: 50 ms, value: 5 N m}]}"}));
+  for (std::size_t k = 0; k < right["time_s"].size(); k += 10) {
+    EXPECT_NEAR(left["position_mm"][k], right["position_mm"][k].get<double>(), 1e-4);
+    EXPECT_NEAR(left["screw_speed_rpm"][k], -right["screw_speed_rpm"][k].get<double>(), 0.05);
+  }
+}
+
+TEST(Response, ResonancesAreWhereTheComplianceIsLargest) {
+  const Json response =
+      response_of(source_of(solved()["cases"][3], {"response.frequency_response.points=2000"}))["frequency_response"];
+  const std::vector<double> compliance = response["compliance_um_per_N"];
+  const auto most = static_cast<std::size_t>(std::ranges::max_element(compliance) - compliance.begin());
+  const double resonance = response["resonances"][0]["frequency_Hz"],
+               zeta = response["resonances"][0]["damping_percent"];
+  EXPECT_NEAR(response["frequency_Hz"][most], resonance * std::sqrt(1.0 - 2e-4 * zeta * zeta), 0.5);
+}
+
+TEST(Response, RobotConstantsComeOut) {
+  const Json& given = solved()["robot"][0];
+  const SystemModel model = system_model(source_of(given), {}, WithDrive::needed);
+  const Json robot = robot_json(robot_constants(*model.case_with_drive, model.curves, 6000.0));
+  expect_near(robot, given["result"], "robot", 1.0);
+}
+
+}  // namespace
+}  // namespace prs
