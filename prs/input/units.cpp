@@ -112,6 +112,8 @@ constexpr Unit kSpeed[] = {{{"mm/min"}, 1.0, 60e3},    {{"m/min"}, 1.0, 60.0}, {
 
 constexpr Unit kDistance[] = {{{"km"}, 1e3}, {{"m"}}};
 
+constexpr Unit kPower[] = {{{"W"}}, {{"kW"}, 1e3}, {{"mW"}, 1.0, 1e3}};
+
 constexpr Unit kInertia[] = {{{"kg m^2", "kg*m^2"}},
                              {{"kg cm^2", "kg*cm^2"}, 1.0, 1e4},
                              {{"kg mm^2", "kg*mm^2"}, 1.0, 1e6},
@@ -143,6 +145,7 @@ const Dimension mass{"a mass", "12 kg", "kg", kMass};
 const Dimension speed{"a speed", "150000 mm/min", "mm/min", kSpeed};
 const Dimension distance{"a distance", "500 km", "km", kDistance};
 const Dimension inertia{"a moment of inertia", "5 kg cm^2", "kg cm^2", kInertia};
+const Dimension power{"a power", "50 W", "W", kPower};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
 const Dimension thermal_conductivity{"a thermal conductivity", "45 W/(m K)", "W/(m K)", kThermalConductivity};
@@ -180,7 +183,8 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::mass,
                                             &unit::speed,
                                             &unit::distance,
-                                            &unit::inertia};
+                                            &unit::inertia,
+                                            &unit::power};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)

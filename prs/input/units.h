@@ -84,6 +84,7 @@ extern const Dimension mass;
 extern const Dimension speed;
 extern const Dimension distance;
 extern const Dimension inertia;
+extern const Dimension power;
 }  // namespace unit
 
 /// All dimensions, in the order in which they are shown.

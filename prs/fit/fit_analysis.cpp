@@ -1,0 +1,506 @@
+#include "prs/fit/fit_analysis.h"
+
+#include "prs/loads/case_table.h"
+#include "prs/record/record_table.h"
+#include "prs/text.h"
+
+namespace prs {
+
+namespace estimation = modules::fit;
+
+// What a document shows, by its place in the result.
+struct FittedUnknown {
+  const FitResult* r = nullptr;
+  std::size_t j = 0;
+
+  const FitParameter* parameter() const { return r->parameter(j); }
+  const estimation::UnknownResult& found() const { return r->found.unknowns[j]; }
+  std::optional<double> shown(std::optional<double> u) const {
+    return u ? std::optional(r->shown(j, *u)) : std::nullopt;
+  }
+  double bound(double sense) const {
+    if (const FitParameter* p = parameter()) return sense < 0.0 ? p->from : p->to;
+    const auto [least, greatest] = std::ranges::minmax(r->curve_of_offset(j).measured);
+    return sense * (greatest - least);
+  }
+};
+struct FittedCurve {
+  const FitResult* r = nullptr;
+  std::size_t c = 0;
+
+  const FitCurve& curve() const { return r->input.curves[c]; }
+  const estimation::CurveResult& found() const {
+    static const estimation::CurveResult none;
+    return c < r->found.curves.size() ? r->found.curves[c] : none;
+  }
+};
+struct FitDirection {
+  const FitResult* r = nullptr;
+  std::size_t k = 0;
+
+  const estimation::Unidentified& found() const { return r->found.unidentified[k]; }
+  bool is_log() const {
+    const FitParameter* p = r->parameter(found().unknowns[0]);
+    return p && p->is_log;
+  }
+  double shown(double w) const { return is_log() ? std::exp(w) : w; }
+};
+struct FitMatrix {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> matrix;
+};
+
+namespace {
+
+std::vector<std::string> names_of(const FitResult& r, const std::vector<std::size_t>& unknowns) {
+  return each(unknowns, [&](std::size_t j) { return r.name(j); });
+}
+
+/// Of the values, or without their deviations.
+FitMatrix matrix_of(const FitResult& r, bool correlation) {
+  FitMatrix m{names_of(r, r.found.with_deviation), r.found.covariance};
+  for (std::size_t a = 0; a < m.names.size(); ++a)
+    for (std::size_t b = 0; b < m.names.size(); ++b) {
+      const std::size_t i = r.found.with_deviation[a], k = r.found.with_deviation[b];
+      const double deviations = std::sqrt(r.found.covariance[a][a] * r.found.covariance[b][b]);
+      m.matrix[a][b] = correlation ? (a == b ? 1.0 : m.matrix[a][b] / deviations)
+                                   : m.matrix[a][b] * r.slope(i, *r.found.unknowns[i].u) *
+                                         r.slope(k, *r.found.unknowns[k].u);
+    }
+  return m;
+}
+
+constexpr auto has_estimate = [](const FittedUnknown& p) { return p.found().estimate.has_value(); };
+
+constexpr auto has_profile = [](const FittedUnknown& p) {
+  return p.found().estimate && std::ranges::find(p.r->input.profile, p.j) != p.r->input.profile.end();
+};
+
+constexpr Quantity<FitParameter::Prior> kPrior[] = {
+    {"mean", always<&FitParameter::Prior::mean>},
+    {"deviation", always<&FitParameter::Prior::deviation>},
+};
+
+constexpr Quantity<FittedUnknown> kProfile[] = {
+    {"low", of<[](auto& p) { return p.shown(p.found().profile_low); }>},
+    {"high", of<[](auto& p) { return p.shown(p.found().profile_high); }>},
+};
+
+constexpr Quantity<FittedUnknown> kUnknown[] = {
+    {"name", always<[](auto& p) { return p.r->name(p.j); }>, "path, or `offset of CURVE`"},
+    {"label", of<[](auto& p) { return p.parameter() ? std::optional(p.parameter()->label) : std::nullopt; }>},
+    {"unit", always<[](auto& p) { return p.r->unit(p.j); }>, "that of `from`; of an offset that of the response"},
+    {"scale", always<[](auto& p) { return p.parameter() && p.parameter()->is_log ? "log" : "linear"; }>, "linear | log"},
+    {"start", always<[](auto& p) { return p.parameter() ? p.parameter()->start : 0.0; }>},
+    {"from", always<[](auto& p) { return p.bound(-1.0); }>},
+    {"to", always<[](auto& p) { return p.bound(1.0); }>},
+    {"prior", of_table<kPrior, [](auto& p) {
+       return p.parameter() ? p.parameter()->prior : std::optional<FitParameter::Prior>();
+     }>},
+    {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data tell it"},
+    {"value", of<[](auto& p) { return p.shown(p.found().u); }>},
+    {"standard_deviation", of<[](auto& p) {
+       const auto& e = p.found().estimate;
+       return e ? std::optional(e->deviation * p.r->slope(p.j, *p.found().u)) : std::nullopt;
+     }>, "with `log` that of the logarithm times the value"},
+    {"low", of<[](auto& p) { return p.r->shown(p.j, p.found().estimate->low); }, has_estimate>, "end of the interval"},
+    {"high", of<[](auto& p) { return p.r->shown(p.j, p.found().estimate->high); }, has_estimate>, "end of the interval"},
+    {"degrees_of_freedom", of<[](auto& p) { return p.found().estimate->degrees_of_freedom; }, has_estimate>,
+     "of Student's quantile; absent: the normal one", "Satterthwaite 1946"},
+    {"at_bound", of<[](auto& p) { return p.found().at_bound < 0 ? "from" : "to"; },
+                    [](auto& p) { return p.found().at_bound != 0; }>, "from | to"},
+    {"profile", of_table<kProfile, [](auto& p) { return p; },
+                         has_profile>, "interval of the profile likelihood"},
+    {"set", of<[](auto& p) { return fmt::format("{}={}", p.r->name(p.j), fit_text(*p.shown(p.found().u), p.r->unit(p.j))); },
+               [](auto& p) { return p.parameter() && p.found().u; }>, "what `--set` takes for it"},
+};
+
+constexpr Quantity<FitMatrix> kMatrix[] = {
+    {"names", always<&FitMatrix::names>},
+    {"matrix", always<&FitMatrix::matrix>},
+};
+
+constexpr auto combination = [](const FitDirection& d) { return d.found().combination.has_value(); };
+constexpr auto has_spread = [](const FitDirection& d) {
+  return d.found().combination && d.found().combination->deviation > 0.0;
+};
+
+constexpr Quantity<FitDirection> kCombination[] = {
+    {"kind", always<[](auto& d) { return d.is_log() ? "product" : "sum"; }>, "sum | product"},
+    {"names", always<[](auto& d) { return names_of(*d.r, d.found().unknowns); }>},
+    {"factor", always<[](auto& d) { return d.found().factor; }>, "a + factor b, or a b^factor"},
+    {"value", always<[](auto& d) { return d.shown(d.found().combination->value); }>},
+    {"standard_deviation",
+     of<[](auto& d) {
+       const estimation::Estimate& e = *d.found().combination;
+       return e.deviation * (d.is_log() ? d.shown(e.value) : 1.0);
+     }, has_spread>},
+    {"low", of<[](auto& d) { return d.shown(d.found().combination->low); }, has_spread>},
+    {"high", of<[](auto& d) { return d.shown(d.found().combination->high); }, has_spread>},
+    {"text", always<[](auto& d) {
+       const std::vector<std::string> names = names_of(*d.r, d.found().unknowns);
+       return fmt::format("{} {} = {:.6g}",
+                          names[0], d.is_log() ? fmt::format("x ({})^{:.4g}", names[1], d.found().factor)
+                                               : fmt::format("+ {:.4g} x {}", d.found().factor, names[1]),
+                          d.shown(d.found().combination->value));
+     }>},
+};
+
+constexpr Quantity<FitDirection> kDirection[] = {
+    {"names", always<[](auto& d) { return names_of(*d.r, d.found().unknowns); }>},
+    {"direction", always<[](auto& d) { return d.found().direction; }>, "of the scaled parameters"},
+    {"ratio", always<[](auto& d) { return d.found().ratio; }>, "singular value over the largest"},
+    {"combination", of_table<kCombination, [](auto& d) { return d; }, combination>, "what counts of two"},
+};
+
+constexpr Quantity<estimation::Runs> kRuns[] = {
+    {"count", always<&estimation::Runs::count>},
+    {"expected", always<&estimation::Runs::expected>},
+    {"p_value", always<&estimation::Runs::p_value>, "of so few", "Wald and Wolfowitz 1940"},
+};
+
+constexpr auto is_fitted = [](const FittedCurve& c) { return c.curve().use == FitCurve::Use::fit; };
+constexpr auto is_computed = [](const FittedCurve& c) { return !c.found().residual.empty(); };
+template <auto member>
+constexpr auto rows_of = of<[](const FittedCurve& c) -> const std::vector<double>& { return c.found().*member; }>;
+
+constexpr std::string_view kLossNames[] = {"squares", "huber", "cauchy"};
+
+constexpr Quantity<FittedCurve> kCurve[] = {
+    {"name", always<[](auto& c) { return c.curve().name; }>},
+    {"file", always<[](auto& c) { return c.curve().file; }>},
+    {"response", always<[](auto& c) { return c.curve().response; }>},
+    {"unit", always<[](auto& c) { return c.curve().unit; }>, "of the response, in which all of these are"},
+    {"command", always<[](auto& c) { return name(c.curve().command); }>},
+    {"rows", always<[](auto& c) { return c.curve().rows; }>},
+    {"use", always<[](auto& c) { return is_fitted(c) ? "fit" : "compare"; }>, "fit | compare"},
+    {"loss", always<[](auto& c) { return kLossNames[static_cast<std::size_t>(c.curve().loss.kind)]; }>,
+     "squares | huber | cauchy"},
+    {"estimated", always<[](auto& c) { return is_fitted(c) && c.curve().deviation.empty(); }>,
+     "whether the deviation of its readings was"},
+    {"redundancy", of<[](auto& c) { return c.found().redundancy; }>, "rows less what they determine"},
+    {"rms", of<[](auto& c) { return c.found().rms; }, is_computed>},
+    {"r_squared", of<[](auto& c) { return c.found().r_squared; }>},
+    {"chi_square", of<[](auto& c) { return c.found().chi_square; }>, "sum of the squares over the deviations"},
+    {"runs", of_table<kRuns, [](auto& c) { return c.found().runs; }>, "of sign of the residuals"},
+    {"line", always<[](auto& c) { return c.curve().lines; }>, "of the file"},
+    {"measured", always<[](auto& c) { return c.curve().measured; }>},
+    {"fitted", rows_of<&estimation::CurveResult::fitted>, "with the offset"},
+    {"residual", rows_of<&estimation::CurveResult::residual>, "measured less fitted"},
+    {"standard_deviation", rows_of<&estimation::CurveResult::deviation>, "of a reading"},
+    {"weight", rows_of<&estimation::CurveResult::weight>, "of a reading under the loss"},
+    {"low", rows_of<&estimation::CurveResult::low>, "band of the response"},
+    {"high", rows_of<&estimation::CurveResult::high>, "band of the response"},
+};
+
+constexpr Quantity<FitCondition> kBandCondition[] = {
+    {"path", always<&FitCondition::path>},
+    {"values", always<&FitCondition::texts>, "one for each row, or one for all"},
+};
+
+constexpr Quantity<FittedCurve> kBand[] = {
+    {"name", always<[](auto& c) { return c.curve().name; }>},
+    {"response", always<[](auto& c) { return c.curve().response; }>},
+    {"unit", always<[](auto& c) { return c.curve().unit; }>},
+    {"command", always<[](auto& c) { return name(c.curve().command); }>},
+    {"conditions", always_table<kBandCondition, [](auto& c) {
+       std::vector<FitCondition> all = c.curve().conditions;
+       for (const auto& [path, value] : c.curve().constants) all.push_back({path, "", {value}});
+       return all;
+     }>},
+    {"value", rows_of<&estimation::CurveResult::fitted>},
+    {"standard_deviation", rows_of<&estimation::CurveResult::band_deviation>},
+    {"low", rows_of<&estimation::CurveResult::low>},
+    {"high", rows_of<&estimation::CurveResult::high>},
+};
+
+constexpr Quantity<estimation::StartResult> kStart[] = {
+    {"objective", of<&estimation::StartResult::objective>, "S + 2 sum of rows x ln(estimated deviation)"},
+    {"status", always<[](auto& s) { return name(s.status); }>},
+    {"best", always<&estimation::StartResult::is_best>},
+};
+
+std::vector<FittedUnknown> unknowns_of(const FitResult& r) {
+  std::vector<FittedUnknown> all;
+  for (std::size_t j = 0; j < r.found.unknowns.size(); ++j) all.push_back({&r, j});
+  return all;
+}
+
+std::vector<FittedCurve> curves_of(const FitResult& r, bool bands) {
+  std::vector<FittedCurve> all;
+  for (std::size_t c = 0; c < r.input.curves.size(); ++c) {
+    const bool is_band = r.input.curves[c].use == FitCurve::Use::band;
+    if (is_band == bands && (!is_band || !FittedCurve{&r, c}.found().low.empty())) all.push_back({&r, c});
+  }
+  return all;
+}
+
+constexpr Quantity<FitResult> kFit[] = {
+    {"converged", always<&FitResult::converged>},
+    {"status", always<[](auto& r) { return name(r.found.status); }>,
+     "converged | not_identifiable | no_redundancy | iteration_limit | no_equilibrium"},
+    {"objective", of<[](auto& r) { return r.found.objective; }, [](auto& r) { return !r.found.unknowns.empty(); }>, "S"},
+    {"level_percent", always<[](auto& r) { return r.input.level; }>, "of all intervals"},
+    {"degrees_of_freedom", always<[](auto& r) { return r.found.degrees_of_freedom; }>, "sum of the redundancies"},
+    {"chi_square", of<[](auto& r) { return r.found.chi_square; }>, "of the curves with stated deviations and squares"},
+    {"reduced_chi_square", of<[](auto& r) { return r.found.reduced_chi_square; }>},
+    {"p_value", of<[](auto& r) { return r.found.p_value; }>, "probability of more"},
+    {"evaluations", always<&FitResult::evaluations>, "rows that were computed"},
+    {"iterations", always<[](auto& r) { return r.found.iterations; }>},
+    {"parameters", always_table<kUnknown, unknowns_of>},
+    {"correlation", always_table<kMatrix, [](auto& r) { return matrix_of(r, true); }>},
+    {"covariance", always_table<kMatrix, [](auto& r) { return matrix_of(r, false); }>, "in the units of the values"},
+    {"singular_value_ratios", always<[](auto& r) { return r.found.singular_value_ratios; }>, "falling"},
+    {"unidentified", always_table<kDirection,
+                                  [](auto& r) {
+                                    std::vector<FitDirection> all;
+                                    for (std::size_t k = 0; k < r.found.unidentified.size(); ++k) all.push_back({&r, k});
+                                    return all;
+                                  }>, "what the data cannot tell apart"},
+    {"curves", always_table<kCurve, [](auto& r) { return curves_of(r, false); }>},
+    {"bands", always_table<kBand, [](auto& r) { return curves_of(r, true); }>},
+    {"starts", always_table<kStart, [](auto& r) { return r.found.starts; }>},
+};
+
+// Files.
+
+std::string conditions_text(const FitCurve& c, std::size_t row) {
+  std::vector<std::string> texts;
+  if (!c.series.empty()) texts.push_back(fmt::format("{}={:.10g}", c.series, c.places[row]));
+  for (const FitCondition& condition : c.conditions)
+    texts.push_back(fmt::format("{}={}{}{}", condition.path, condition.texts[row], condition.unit.empty() ? "" : " ", condition.unit));
+  for (const auto& [path, value] : c.constants) texts.push_back(fmt::format("{}={}", path, value));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::optional<double> at(const std::vector<double>& values, std::size_t row) {
+  return row < values.size() ? std::optional(values[row]) : std::nullopt;
+}
+
+std::string parameters_csv(const FitResult& r, const CsvStyle& style) {
+  CsvWriter csv(style);
+  const auto each_scalar = [](const auto& use) {
+    for (const Quantity<FittedUnknown>& q : kUnknown)
+      if (is_scalar(q)) use(q);
+  };
+  each_scalar([&](const auto& q) { csv.text(q.key); });
+  csv.row("profile_low", "profile_high");
+  for (const FittedUnknown& p : unknowns_of(r)) {
+    each_scalar([&](const auto& q) {
+      if (q.value.number) return csv.number(q.value.number(p));
+      const Json json = q.value.json(p, kNoUnit);
+      csv.text(json.is_null() ? std::string() : json.is_string() ? json.get<std::string>() : json.dump());
+    });
+    csv.row(p.shown(p.found().profile_low), p.shown(p.found().profile_high));
+  }
+  return csv.take();
+}
+
+std::string residuals_csv(const FitResult& r, const CsvStyle& style) {
+  CsvWriter csv(style);
+  csv.row("curve", "line", "conditions", "unit", "measured", "fitted", "residual", "standard_deviation", "weight", "low",
+          "high");
+  for (const FittedCurve& c : curves_of(r, false))
+    for (std::size_t i = 0; i < c.curve().rows; ++i) {
+      const estimation::CurveResult& f = c.found();
+      csv.row(c.curve().name, c.curve().lines[i], conditions_text(c.curve(), i), c.curve().unit, c.curve().measured[i],
+              at(f.fitted, i), at(f.residual, i), at(f.deviation, i), at(f.weight, i), at(f.low, i), at(f.high, i));
+    }
+  return csv.take();
+}
+
+std::string bands_csv(const FitResult& r, const CsvStyle& style) {
+  CsvWriter csv(style);
+  csv.row("band", "row", "conditions", "unit", "value", "standard_deviation", "low", "high");
+  for (const FittedCurve& c : curves_of(r, true))
+    for (std::size_t i = 0; i < c.curve().rows; ++i) {
+      const estimation::CurveResult& f = c.found();
+      csv.row(c.curve().name, i + 1, conditions_text(c.curve(), i), c.curve().unit, at(f.fitted, i),
+              at(f.band_deviation, i), at(f.low, i), at(f.high, i));
+    }
+  return csv.take();
+}
+
+std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
+  std::vector<OutputFile> files{{"fit_parameters.csv", parameters_csv(r, style)}, {"residuals.csv", residuals_csv(r, style)}};
+  if (!curves_of(r, true).empty()) files.push_back({"fit_bands.csv", bands_csv(r, style)});
+  if (r.converged()) files.push_back({"fitted.yaml", fitted_case(r)});
+  return files;
+}
+
+// For people.
+
+std::string fit_table(const FitResult& r) {
+  std::string text = fmt::format("{} of {} unknowns, {} rows computed\n", words_of_text(name(r.found.status)),
+                                 r.found.unknowns.size(), r.evaluations);
+  if (r.found.unknowns.empty()) return text + warning_section(r.warnings);
+  constexpr TableRows rows{44, 13};
+  text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, "unit");
+  const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
+  for (const FittedUnknown& p : unknowns_of(r)) {
+    const auto& e = p.found().estimate;
+    const auto end = [&](double estimation::Estimate::*which) {
+      return e ? std::optional(r.shown(p.j, (*e).*which)) : std::nullopt;
+    };
+    const std::string label = p.parameter() ? p.parameter()->label : r.name(p.j);
+    const std::string bound = p.found().at_bound == 0 ? "" : p.found().at_bound < 0 ? ", at `from`" : ", at `to`";
+    text += rows(fitted(printable(label), 44, true),
+                 {p.found().u ? cell(p.shown(p.found().u)) : "not told",
+                  e ? cell(e->deviation * r.slope(p.j, *p.found().u)) : std::string(kAbsent),
+                  cell(end(&estimation::Estimate::low)), cell(end(&estimation::Estimate::high))},
+                 r.unit(p.j) + bound);
+  }
+  for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
+    if (const FitDirection d{&r, k}; combination(d)) {
+      const Json c = detail::json_by<kCombination>(d, kNoUnit);
+      text += wrapped(fmt::format("told: {}{}", c["text"].get<std::string>(),
+                                  has_spread(d) ? fmt::format(", {:.6g} to {:.6g}", c["low"].get<double>(), c["high"].get<double>()) : ""),
+                      "  ", kTableWidth);
+    }
+  std::vector<std::pair<double, std::string>> strong;
+  const FitMatrix m = matrix_of(r, true);
+  for (std::size_t a = 0; a < m.names.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (std::abs(m.matrix[a][b]) > 0.9)
+        strong.emplace_back(-std::abs(m.matrix[a][b]), fmt::format("correlation {:+.3f} of {} and {}", m.matrix[a][b], m.names[b], m.names[a]));
+  std::ranges::sort(strong);
+  for (const auto& [size, line] : std::span(strong).first(std::min<std::size_t>(3, strong.size())))
+    text += wrapped(line, "  ", kTableWidth);
+  constexpr TableRows curves{44, 13};
+  text += "\n" + curves("curve", {"rows", "rms", "R²", "runs p, %"}, "unit");
+  for (const FittedCurve& c : curves_of(r, false)) {
+    const estimation::CurveResult& f = c.found();
+    text += curves(fitted(printable(c.curve().name) + (is_fitted(c) ? "" : " (compared)"), 44, true),
+                   {std::to_string(c.curve().rows), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
+                    f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
+                    f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent)},
+                   c.curve().unit);
+  }
+  for (const FittedCurve& c : curves_of(r, true)) {
+    const estimation::CurveResult& f = c.found();
+    text += "\n" + rows(fitted(printable(c.curve().name), 44, true), {"value", "deviation", "from", "to"}, c.curve().unit);
+    for (std::size_t i = 0; i < std::min<std::size_t>(f.low.size(), 12); ++i)
+      text += rows(fitted("  " + conditions_text(c.curve(), i), 44, true),
+                   {cell(f.fitted[i]), cell(f.band_deviation[i]), cell(f.low[i]), cell(f.high[i])});
+  }
+  if (r.found.p_value)
+    text += fmt::format("\nchi-square {:.4g}, reduced {:.4g}, probability of more {:.3g} %\n", *r.found.chi_square,
+                        *r.found.reduced_chi_square, 100.0 * *r.found.p_value);
+  return text + warning_section(r.warnings);
+}
+
+// Pictures.
+
+/// Along what the rows of a curve stand: a column of numbers, else their order.
+std::pair<Axis, std::vector<double>> course_of(const FitCurve& c) {
+  if (!c.series.empty()) {
+    const bool force = c.series.ends_with("_N");
+    return {{force ? "Axial force" : "Time", force ? "N" : "s"}, c.places};
+  }
+  for (const FitCondition& condition : c.conditions) {
+    std::vector<double> x;
+    for (const std::string& text : condition.texts)
+      if (const auto number = input::split_unit(text)) x.push_back(number->number);
+    if (x.size() == c.rows && std::ranges::max(x) > std::ranges::min(x)) {
+      const std::string unit = condition.unit.empty() ? std::string(input::split_unit(condition.texts[0])->unit) : condition.unit;
+      return {{condition.path.substr(condition.path.rfind('.') + 1), unit}, x};
+    }
+  }
+  std::vector<double> x;
+  for (std::size_t i = 0; i < c.rows; ++i) x.push_back(static_cast<double>(i + 1));
+  return {{"Row", ""}, x};
+}
+
+Figures curve_figures(const FitResult& r) {
+  Figure figure{"fit", "Readings and fit"};
+  const std::size_t band = figure.add("band", line_of(Colour::sky, Dash::dashed, Weight::thin));
+  const std::size_t line = figure.add("fit", line_of(Colour::blue));
+  const std::size_t points = figure.add("readings", points_of(Colour::vermillion, Mark::circle));
+  for (const bool bands : {false, true})
+    for (const FittedCurve& c : curves_of(r, bands)) {
+      const estimation::CurveResult& f = c.found();
+      if (f.fitted.empty()) continue;
+      auto [axis, x] = course_of(c.curve());
+      std::vector<std::size_t> order(x.size());
+      for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+      std::ranges::stable_sort(order, {}, [&](std::size_t i) { return x[i]; });
+      Panel panel{shown_name(c.curve().name)};
+      const auto add = [&](std::size_t style, const std::vector<double>& y) {
+        if (y.empty()) return;
+        Series series{style};
+        for (const std::size_t i : order) series.add(x[i], y[i]);
+        panel.series.push_back(std::move(series));
+      };
+      add(band, f.low);
+      add(band, f.high);
+      add(line, f.fitted);
+      add(points, c.curve().measured);
+      panel.x = axis;
+      panel.y = fitted({response_title(c.curve().response).name, c.curve().unit}, range_of_y(panel.series));
+      figure.panels.push_back(std::move(panel));
+    }
+  figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));
+  return {std::move(figure)};
+}
+
+Figures residual_figures(const FitResult& r) {
+  Figure figure{"residuals", "Residuals over the rows"};
+  const std::size_t zero = figure.add(kZeroStyle), points = figure.add(points_of(Colour::blue, Mark::circle));
+  figure.x = {"Row"};
+  for (const FittedCurve& c : curves_of(r, false)) {
+    Panel panel{shown_name(c.curve().name)};
+    Series series{points};
+    for (std::size_t i = 0; i < c.found().residual.size(); ++i) series.add(static_cast<double>(i + 1), c.found().residual[i]);
+    panel.series.push_back(std::move(series));
+    panel.references.push_back({zero, 0.0});
+    panel.y = fitted({"Measured less fitted", c.curve().unit}, range_of_y(panel.series));
+    figure.panels.push_back(std::move(panel));
+  }
+  figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));
+  return {std::move(figure)};
+}
+
+Figures correlation_figures(const FitResult& r) {
+  const FitMatrix m = matrix_of(r, true);
+  if (m.names.size() < 2) return {};
+  Figure figure{"correlation", "Correlation of the values"};
+  Panel panel;
+  for (std::size_t a = 0; a < m.names.size(); ++a) {
+    panel.map.grid.x.push_back(static_cast<double>(a + 1));
+    figure.x.ticks.push_back({static_cast<double>(a + 1), std::to_string(a + 1)});
+    figure.y.ticks.push_back({static_cast<double>(a + 1), fmt::format("{} {}", shown_name(m.names[a]), a + 1)});
+    panel.map.grid.values.insert(panel.map.grid.values.end(), m.matrix[a].begin(), m.matrix[a].end());
+  }
+  panel.map.grid.y = panel.map.grid.x;
+  panel.map.cells = true;
+  figure.colours = ColourScale{.label = "Correlation", .from = -1.0, .to = 1.0};
+  figure.panels.push_back(std::move(panel));
+  return {std::move(figure)};
+}
+
+}  // namespace
+
+Record<FitResult> record_of(Type<FitResult>) { return {"Fit", "Unknown inputs from measured curves.", kFit}; }
+
+const Analysis<FitResult>& fit_analysis() {
+  static const Place places[] = {{"fit", describe<FitResult>}};
+  static const Analysis<FitResult> analysis{
+      .command = Command::fit,
+      .help = "Unknown inputs from measured curves, with their uncertainty",
+      .file = "fit.json",
+      .run = [](const input::Source& source, const input::CaseInput&) { return fit_case(source); },
+      .places = places,
+      .put = [](Json& document, const FitResult& r) { document["fit"] = object_of(r); },
+      .table = fit_table,
+      .files = fit_files,
+      .pictures = [](const FitResult& r, const Case&) -> Pictures {
+        return {{"fit", "values of the parameters", of_result(r, curve_figures)},
+                {"residuals", "values of the parameters", of_result(r, residual_figures)},
+                {"correlation", "two parameters with deviations", of_result(r, correlation_figures)}};
+      },
+      .converged = [](const FitResult& r) { return r.converged(); },
+      .place = {"Fit", 12}};
+  return analysis;
+}
+
+}  // namespace prs
