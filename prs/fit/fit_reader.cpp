@@ -199,6 +199,16 @@ class FitReader : input::VariedInput {
     path_ = fmt::format("fit.parameters[{}]", k);
     FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
     if (!check_outside("path", item.path)) return p;
+    if (const auto problem = wrong(p.path, item.from); problem && problem->find("unknown key") != std::string::npos) {
+      std::vector<std::string_view> known;
+      for (const input::EchoEntry& entry : fields_)
+        if (entry.number) known.push_back(entry.path);
+      const std::vector<std::string_view> near = input::near_words(p.path, known);
+      refuse_at("path", fmt::format("got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
+                                    near.empty() ? "write for example `path: friction.coulomb`"
+                                                 : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"))));
+      return p;
+    }
     for (const char* end : {".from", ".to"})
       if (!check_in_place(p.path, *find_path(root_, path_ + end))) return p;
     const input::Slot slot = find_slot(file_, p.path);
@@ -234,9 +244,10 @@ class FitReader : input::VariedInput {
                                     shown(item.from)));
       return p;
     }
-    if (!(p.start >= p.from && p.start <= p.to))
+    if (p.from < p.to && !(p.start >= p.from && p.start <= p.to))
       refuse_at(item.start ? "start" : "path",
-                fmt::format("start: got {} of {}; expected {} to {}; {}", with_unit(p.start, p.unit), shown(item.path),
+                fmt::format("got {}{} of {}; expected {} to {}; {}", item.start ? "" : "the start ",
+                            with_unit(p.start, p.unit), shown(item.path),
                             item.from, item.to,
                             item.start ? "write one between them" : "widen the bounds, or add `start`"));
     if (item.prior) read_prior(p, *item.prior, slot);
@@ -255,9 +266,9 @@ class FitReader : input::VariedInput {
     if (written && written->unit.empty() != p.unit.empty() && written->unit != "%") deviation.reset();
     if (!deviation || !(*deviation > 0.0))
       refuse_at("prior.deviation",
-                fmt::format("got {}; expected more than 0, a share of the mean or a value in {}; write for example "
+                fmt::format("got {}; expected more than 0, a share of the mean or {}; write for example "
                             "`deviation: 3 %`", shown(item.deviation),
-                            slot.dimension ? input::unit_list(*slot.dimension) : "no unit"));
+                            slot.dimension ? "a value in " + input::unit_list(*slot.dimension) : "a number"));
     if (p.is_log && !(prior.mean > 0.0))
       refuse_at("prior.mean", fmt::format("got {} with `scale: log`; expected more than 0; write `scale: linear`",
                                           shown(item.mean)));

@@ -1178,7 +1178,7 @@ void fields(const Fields& io, FitBandItem& b) {
 void fields(const Fields& io, FitItem& f) {
   io("parameters", f.parameters, List{Block{}, 1, 50}, required, "Inputs that nobody can look up");
   io("curves", f.curves, List{Block{}, 1, 100}, required, "What was measured");
-  io("level", f.level, Quantity{unit::share, Bounds{0.5, 0.999}, "90 %"}, "Of all intervals");
+  io("level", f.level, Quantity{unit::share, Bounds{0.5, 99.9 / 100.0}, "90 %"}, "Of all intervals");
   io("starts", f.starts, Whole{1, 1000}, "Searches: from the file's values, then from points spread over the bounds");
   io("profile", f.profile, Verbatim{"[roughness]"},
      "Paths whose intervals are searched for, too, or `true` for all of them");
