@@ -48,5 +48,4 @@ Minimum minimise(const Residuals& residuals, std::size_t count, const std::vecto
 
 }  // namespace modules::fit
 
-extern "C" __attribute__((visibility("default")))
-const modules::fit::FitModule prs_module{{}, modules::fit::solve};
+extern "C" __attribute__((visibility("default"))) const modules::fit::FitModule prs_module{{}, modules::fit::solve};

@@ -107,7 +107,7 @@ struct Unidentified {
   std::vector<std::size_t> unknowns;
   std::vector<double> direction;
   double ratio = 0.0;
-  double factor = 0.0;                        ///< u_a + factor u_b
+  double factor = 0.0;                       ///< u_a + factor u_b
   std::optional<Estimate> combination = {};  ///< Of two unknowns of one scale.
 };
 
@@ -122,7 +122,7 @@ struct Result {
   Status status = Status::no_equilibrium;
   std::optional<Failure> failure = {};
   bool failed_at_start = false;
-  std::optional<std::size_t> without_influence = {};  ///< An unknown that no curve depends on.
+  std::optional<std::size_t> without_influence = {};   ///< An unknown that no curve depends on.
   std::optional<std::size_t> without_redundancy = {};  ///< Curve.
   double objective = 0.0;
   double degrees_of_freedom = 0.0;

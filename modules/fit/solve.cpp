@@ -20,8 +20,8 @@ constexpr double kLeastSlope = 0.05;     // Of a loss, as a mean over its curve.
 /// What is known at one place of the unknowns.
 struct State {
   VectorXd z;
-  std::vector<VectorXd> values;       ///< Of each fitted curve, with its offset.
-  std::vector<MatrixXd> slopes = {};  ///< By z, once they are asked for.
+  std::vector<VectorXd> values;            ///< Of each fitted curve, with its offset.
+  std::vector<MatrixXd> slopes = {};       ///< By z, once they are asked for.
   std::vector<MatrixXd> information = {};  ///< J'J over the squares of stated deviations.
 };
 using StatePtr = std::shared_ptr<State>;
@@ -29,8 +29,8 @@ using StatePtr = std::shared_ptr<State>;
 /// The normal equations at a state.
 struct Normal {
   std::vector<Weighed> curves;
-  MatrixXd matrix;      ///< A
-  VectorXd gradient;    ///< dS/dz over 2
+  MatrixXd matrix;    ///< A
+  VectorXd gradient;  ///< dS/dz over 2
   double objective = 0.0;
   std::vector<Index> free = {};
   MatrixXd inverse = {};
@@ -42,7 +42,8 @@ class Search {
     for (std::size_t c = 0; c < problem.curves.size(); ++c) {
       const Curve& curve = problem.curves[c];
       losses_.push_back(curve.loss);
-      measured_.emplace_back(Eigen::Map<const VectorXd>(curve.measured.data(), static_cast<Index>(curve.measured.size())));
+      measured_.emplace_back(
+          Eigen::Map<const VectorXd>(curve.measured.data(), static_cast<Index>(curve.measured.size())));
       const auto n = static_cast<double>(std::max<std::size_t>(curve.rows, 1));
       const VectorXd& y = measured_.back();
       const bool estimated = is_estimated(c);
@@ -56,7 +57,8 @@ class Search {
         weight_.emplace_back(VectorXd::Ones(y.size()));
       else
         weight_.emplace_back(
-            Eigen::Map<const VectorXd>(curve.deviation.data(), static_cast<Index>(curve.deviation.size())).cwiseInverse());
+            Eigen::Map<const VectorXd>(curve.deviation.data(), static_cast<Index>(curve.deviation.size()))
+                .cwiseInverse());
       reached_.emplace_back(problem.unknowns.size(), true);
       fitted_.push_back(curve.use == Curve::Use::fit);
     }
@@ -227,8 +229,9 @@ class Search {
         if (one.failure || two.failure) {
           failure_ = one.failure ? one.failure : two.failure;
           // A difference to both sides tries the side without the failure, one to a side the other.
-          const Side other = side == Side::both ? (one.failure ? Side::ahead : Side::behind)
-                             : side == Side::ahead ? Side::behind : Side::ahead;
+          const Side other = side == Side::both    ? (one.failure ? Side::ahead : Side::behind)
+                             : side == Side::ahead ? Side::behind
+                                                   : Side::ahead;
           const double last = z[j] + (other == Side::ahead ? 2.0 : -2.0) * kStep;
           if (round == 2 || (unknown(j).is_bounded && !(last >= 0.0 && last <= 1.0))) return std::nullopt;
           ask(again, j, other);
@@ -297,8 +300,7 @@ class Search {
     for (std::size_t c = 0; c < fitted_.size(); ++c) {
       Weighed& w = n.curves[c];
       if (!fitted_[c]) continue;
-      w.redundancy =
-          static_cast<double>(s.values[c].size()) - w.a * (n.inverse.array() * w.information.array()).sum();
+      w.redundancy = static_cast<double>(s.values[c].size()) - w.a * (n.inverse.array() * w.information.array()).sum();
     }
     return n;
   }
@@ -378,7 +380,8 @@ class Search {
           r[row] = root;
           if (derivatives != nullptr)
             for (Index k = 0; k < width; ++k)
-              derivative(row, k) = -by_r * s->slopes[c](i, moving[static_cast<std::size_t>(k)]) * weight_[c][i] / spread_[c];
+              derivative(row, k) =
+                  -by_r * s->slopes[c](i, moving[static_cast<std::size_t>(k)]) * weight_[c][i] / spread_[c];
         }
       for (const Index j : priors) {
         const auto& p = *unknown(j).prior;
@@ -680,7 +683,8 @@ void Search::conclude(Status status, Result& result, bool whole) {
     const Eigen::Map<const VectorXd> residual(curve.residual.data(), static_cast<Index>(curve.residual.size()));
     curve.rms = std::sqrt(residual.squaredNorm() / static_cast<double>(residual.size()));
     const double whole_spread = (measured_[c].array() - measured_[c].mean()).square().sum();
-    if (measured_[c].maxCoeff() > measured_[c].minCoeff()) curve.r_squared = 1.0 - residual.squaredNorm() / whole_spread;
+    if (measured_[c].maxCoeff() > measured_[c].minCoeff())
+      curve.r_squared = 1.0 - residual.squaredNorm() / whole_spread;
     curve.runs = runs_of(curve.residual);
     if (!fitted_[c]) continue;
     curve.redundancy = n.curves[c].redundancy;

@@ -20,8 +20,8 @@ Robust robust(const Loss& loss, double r);
 /// Mean of psi(r) r over normal errors of deviation 1.
 double consistency(const Loss& loss);
 
-double normal_probability(double x);                        ///< Below x.
-double chi_square_beyond(double x, double degrees);         ///< Probability beyond x.
+double normal_probability(double x);                 ///< Below x.
+double chi_square_beyond(double x, double degrees);  ///< Probability beyond x.
 /// That of Student's distribution, or the normal one.
 double quantile(double level, std::optional<double> degrees);
 
@@ -54,9 +54,9 @@ MatrixXd inverse(const MatrixXd& normal, const std::vector<Index>& free);
 
 /// A curve as statistics see it.
 struct Weighed {
-  MatrixXd information;    ///< J'J over sigma^2.
-  double a = 1.0, b = 1.0;  ///< Mean of psi', and sum of psi^2 over q.
-  double redundancy = 0.0;  ///< q
+  MatrixXd information;         ///< J'J over sigma^2.
+  double a = 1.0, b = 1.0;      ///< Mean of psi', and sum of psi^2 over q.
+  double redundancy = 0.0;      ///< q
   bool has_own_spread = false;  ///< An estimated sigma or a robust loss.
   bool is_estimated = false;
 };

@@ -264,8 +264,7 @@ int fit(const Options& options) {
   const auto run_fit = [&](const input::Source& s, const input::CaseInput&) {
     return fit_case(s, {.threads = options.threads});
   };
-  const Delivery found =
-      delivered(source, input::read_case_input(source, Command::fit), fit_analysis(), run_fit);
+  const Delivery found = delivered(source, input::read_case_input(source, Command::fit), fit_analysis(), run_fit);
   return deliver(found, document_info(source, Command::fit), options);
 }
 

@@ -23,7 +23,8 @@ Problem problem_of(const FitInput& input, FitEvaluation& evaluation) {
     if (c.has_offset && c.use == FitCurve::Use::fit) {
       const auto [least, greatest] = std::ranges::minmax(c.measured);
       curve.offset = problem.unknowns.size();
-      problem.unknowns.push_back({.from = least - greatest, .to = greatest - least, .is_bounded = false, .is_offset = true});
+      problem.unknowns.push_back(
+          {.from = least - greatest, .to = greatest - least, .is_bounded = false, .is_offset = true});
     }
     curve.has_free_mean = c.has_offset && c.use == FitCurve::Use::compare;
     problem.curves.push_back(std::move(curve));
@@ -69,15 +70,20 @@ void add_warnings(FitResult& r) {
     const modules::fit::UnknownResult& u = found.unknowns[j];
     const std::string& path = r.input.parameters[j].path;
     if (u.at_bound != 0)
-      warn(path, "at_bound", format("at its bound `{}`", u.at_bound < 0 ? "from" : "to"), "widen the bounds where it may be");
-    if (u.prior_decides) warn(path, "prior_decides", "its prior decides: the data hardly add to it", "measure what depends on it");
+      warn(path, "at_bound", format("at its bound `{}`", u.at_bound < 0 ? "from" : "to"),
+           "widen the bounds where it may be");
+    if (u.prior_decides)
+      warn(path, "prior_decides", "its prior decides: the data hardly add to it", "measure what depends on it");
     if (u.estimate && r.shown(j, u.estimate->low) <= r.input.parameters[j].from &&
         r.shown(j, u.estimate->high) >= r.input.parameters[j].to)
-      warn(path, "hardly_told", "the data hardly tell it: its interval covers all from `from` to `to`", "measure what depends on it");
+      warn(path, "hardly_told", "the data hardly tell it: its interval covers all from `from` to `to`",
+           "measure what depends on it");
   }
   const auto systematic = [&](const std::string& at, const std::string& code, const std::string& which, double p) {
-    warn(at, code, format("{} has a probability of {:.2g} %: the model leaves something systematic, or deviations are too "
-                          "small; intervals are too narrow then", which, 100.0 * p),
+    warn(at, code,
+         format("{} has a probability of {:.2g} %: the model leaves something systematic, or deviations are too "
+                "small; intervals are too narrow then",
+                which, 100.0 * p),
          "look at the residuals");
   };
   if (found.p_value && *found.p_value < 0.01) systematic("fit", "chi_square", "chi-square", *found.p_value);
@@ -86,19 +92,25 @@ void add_warnings(FitResult& r) {
     const FitCurve& its = r.input.curves[c];
     if (curve.runs && curve.runs->p_value < 0.01)
       systematic(its.at, "runs", format("so few runs of sign of {}", its.name), curve.runs->p_value);
-    const auto outliers = static_cast<std::size_t>(std::ranges::count_if(curve.weight, [](double w) { return w < 0.5; }));
+    const auto outliers =
+        static_cast<std::size_t>(std::ranges::count_if(curve.weight, [](double w) { return w < 0.5; }));
     if (its.loss.is_robust() && 4 * outliers > curve.weight.size())
-      warn(its.at, "outliers", format("{} of {} rows of {} count less than half: its deviation is too small, or the model "
-                                      "leaves something", outliers, curve.weight.size(), its.name), "look at the residuals");
+      warn(its.at, "outliers",
+           format("{} of {} rows of {} count less than half: its deviation is too small, or the model "
+                  "leaves something",
+                  outliers, curve.weight.size(), its.name),
+           "look at the residuals");
   }
   if (std::ranges::any_of(found.starts, &modules::fit::StartResult::is_another_minimum))
-    warn("fit.starts", "another_minimum", "another start ended at another minimum that is nearly as good", "compare `starts`");
+    warn("fit.starts", "another_minimum", "another start ended at another minimum that is nearly as good",
+         "compare `starts`");
 }
 
 }  // namespace
 
 std::string_view name(Status status) {
-  constexpr std::string_view kNames[] = {"no_equilibrium", "not_identifiable", "no_redundancy", "iteration_limit", "converged"};
+  constexpr std::string_view kNames[] = {"no_equilibrium", "not_identifiable", "no_redundancy", "iteration_limit",
+                                         "converged"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
@@ -146,10 +158,11 @@ std::string fitted_case(const FitResult& r) {
     std::string remark = u.at_bound != 0 ? "fitted, at its bound" : "fitted";
     if (u.estimate) {
       const auto text = [&](double x) { return fmt::format("{:.5g}", x); };
-      remark = fmt::format("fitted: standard deviation {}, {:g} % interval {} to {}",
-                           fmt::format("{:.3g}{}{}", u.estimate->deviation * r.slope(j, *u.u), p.unit.empty() ? "" : " ", p.unit),
-                           100.0 * r.input.level, text(r.shown(j, u.estimate->low)),
-                           fmt::format("{}{}{}", text(r.shown(j, u.estimate->high)), p.unit.empty() ? "" : " ", p.unit));
+      remark = fmt::format(
+          "fitted: standard deviation {}, {:g} % interval {} to {}",
+          fmt::format("{:.3g}{}{}", u.estimate->deviation * r.slope(j, *u.u), p.unit.empty() ? "" : " ", p.unit),
+          100.0 * r.input.level, text(r.shown(j, u.estimate->low)),
+          fmt::format("{}{}{}", text(r.shown(j, u.estimate->high)), p.unit.empty() ? "" : " ", p.unit));
     }
     remarks.emplace_back(p.path, remark + (p.stood.empty() ? "; the file said nothing" : "; was " + p.stood));
   }
@@ -189,10 +202,12 @@ FitResult fit_case(const input::Source& source, const FitOptions& options) {
   if (found.without_influence)
     input::fail_at(source, fmt::format("fit.parameters[{}].path", *found.without_influence),
                    "got {}, on which no curve depends at the start; expected one that moves a response; measure "
-                   "what depends on it, or delete it", result.name(*found.without_influence));
+                   "what depends on it, or delete it",
+                   result.name(*found.without_influence));
   if (found.failed_at_start && found.failure && found.failure->is_refused)
-    input::fail_at(source, result.input.curves[found.failure->curve].at, "got a case that its command refuses at {}: {}",
-                   place_of(result.input, *found.failure), found.failure->reason);
+    input::fail_at(source, result.input.curves[found.failure->curve].at,
+                   "got a case that its command refuses at {}: {}", place_of(result.input, *found.failure),
+                   found.failure->reason);
   add_warnings(result);
   return result;
 }

@@ -14,7 +14,7 @@ struct FitParameter {
     double mean = 0.0, deviation = 0.0;
   };
   std::optional<Prior> prior = {};
-  bool has_start = false;   ///< Whether `start` is stated.
+  bool has_start = false;  ///< Whether `start` is stated.
   std::string stood = {};  ///< What the file said; empty: nothing.
 };
 
@@ -35,8 +35,8 @@ struct FitCurve {
   bool has_offset = false;
   std::vector<FitCondition> conditions;  ///< Of rows; those that are the same in all stand in `base`.
   std::vector<std::pair<std::string, std::string>> constants = {};  ///< The others, for a band's document.
-  std::string series;                    ///< What `places` are of; empty: rows on their own.
-  std::vector<double> places;            ///< SI
+  std::string series;                                               ///< What `places` are of; empty: rows on their own.
+  std::vector<double> places;                                       ///< SI
   std::vector<double> measured, deviation;
   std::vector<std::size_t> lines;  ///< Of the file.
   std::size_t rows = 0;

@@ -63,9 +63,9 @@ FitMatrix matrix_of(const FitResult& r, bool correlation) {
     for (std::size_t b = 0; b < m.names.size(); ++b) {
       const std::size_t i = r.found.with_deviation[a], k = r.found.with_deviation[b];
       const double deviations = std::sqrt(r.found.covariance[a][a] * r.found.covariance[b][b]);
-      m.matrix[a][b] = correlation ? (a == b ? 1.0 : m.matrix[a][b] / deviations)
-                                   : m.matrix[a][b] * r.slope(i, *r.found.unknowns[i].u) *
-                                         r.slope(k, *r.found.unknowns[k].u);
+      m.matrix[a][b] = correlation
+                           ? (a == b ? 1.0 : m.matrix[a][b] / deviations)
+                           : m.matrix[a][b] * r.slope(i, *r.found.unknowns[i].u) * r.slope(k, *r.found.unknowns[k].u);
     }
   return m;
 }
@@ -90,29 +90,35 @@ constexpr Quantity<FittedUnknown> kUnknown[] = {
     {"name", always<[](auto& p) { return p.r->name(p.j); }>, "path, or `offset of CURVE`"},
     {"label", of<[](auto& p) { return p.parameter() ? std::optional(p.parameter()->label) : std::nullopt; }>},
     {"unit", always<[](auto& p) { return p.r->unit(p.j); }>, "that of `from`; of an offset that of the response"},
-    {"scale", always<[](auto& p) { return p.parameter() && p.parameter()->is_log ? "log" : "linear"; }>, "linear | log"},
+    {"scale", always<[](auto& p) { return p.parameter() && p.parameter()->is_log ? "log" : "linear"; }>,
+     "linear | log"},
     {"start", always<[](auto& p) { return p.parameter() ? p.parameter()->start : 0.0; }>},
     {"from", always<[](auto& p) { return p.bound(-1.0); }>},
     {"to", always<[](auto& p) { return p.bound(1.0); }>},
-    {"prior", of_table<kPrior, [](auto& p) {
-       return p.parameter() ? p.parameter()->prior : std::optional<FitParameter::Prior>();
-     }>},
+    {"prior",
+     of_table<kPrior,
+              [](auto& p) { return p.parameter() ? p.parameter()->prior : std::optional<FitParameter::Prior>(); }>},
     {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data tell it"},
     {"value", of<[](auto& p) { return p.shown(p.found().u); }>},
     {"standard_deviation", of<[](auto& p) {
        const auto& e = p.found().estimate;
        return e ? std::optional(e->deviation * p.r->slope(p.j, *p.found().u)) : std::nullopt;
-     }>, "with `log` that of the logarithm times the value"},
+     }>,
+     "with `log` that of the logarithm times the value"},
     {"low", of<[](auto& p) { return p.r->shown(p.j, p.found().estimate->low); }, has_estimate>, "end of the interval"},
-    {"high", of<[](auto& p) { return p.r->shown(p.j, p.found().estimate->high); }, has_estimate>, "end of the interval"},
+    {"high", of<[](auto& p) { return p.r->shown(p.j, p.found().estimate->high); }, has_estimate>,
+     "end of the interval"},
     {"degrees_of_freedom", of<[](auto& p) { return p.found().estimate->degrees_of_freedom; }, has_estimate>,
      "of Student's quantile; absent: the normal one", "Satterthwaite 1946"},
-    {"at_bound", of<[](auto& p) { return p.found().at_bound < 0 ? "from" : "to"; },
-                    [](auto& p) { return p.found().at_bound != 0; }>, "from | to"},
-    {"profile", of_table<kProfile, [](auto& p) { return p; },
-                         has_profile>, "interval of the profile likelihood"},
-    {"set", of<[](auto& p) { return fmt::format("{}={}", p.r->name(p.j), fit_text(*p.shown(p.found().u), p.r->unit(p.j))); },
-               [](auto& p) { return p.parameter() && p.found().u; }>, "what `--set` takes for it"},
+    {"at_bound",
+     of<[](auto& p) { return p.found().at_bound < 0 ? "from" : "to"; },
+        [](auto& p) { return p.found().at_bound != 0; }>,
+     "from | to"},
+    {"profile", of_table<kProfile, [](auto& p) { return p; }, has_profile>, "interval of the profile likelihood"},
+    {"set",
+     of<[](auto& p) { return fmt::format("{}={}", p.r->name(p.j), fit_text(*p.shown(p.found().u), p.r->unit(p.j))); },
+        [](auto& p) { return p.parameter() && p.found().u; }>,
+     "what `--set` takes for it"},
 };
 
 constexpr Quantity<FitMatrix> kMatrix[] = {
@@ -130,18 +136,18 @@ constexpr Quantity<FitDirection> kCombination[] = {
     {"names", always<[](auto& d) { return names_of(*d.r, d.found().unknowns); }>},
     {"factor", always<[](auto& d) { return d.found().factor; }>, "a + factor b, or a b^factor"},
     {"value", always<[](auto& d) { return d.shown(d.found().combination->value); }>},
-    {"standard_deviation",
-     of<[](auto& d) {
+    {"standard_deviation", of<[](auto& d) {
        const estimation::Estimate& e = *d.found().combination;
        return e.deviation * (d.is_log() ? d.shown(e.value) : 1.0);
-     }, has_spread>},
+     },
+                              has_spread>},
     {"low", of<[](auto& d) { return d.shown(d.found().combination->low); }, has_spread>},
     {"high", of<[](auto& d) { return d.shown(d.found().combination->high); }, has_spread>},
     {"text", always<[](auto& d) {
        const std::vector<std::string> names = names_of(*d.r, d.found().unknowns);
-       return fmt::format("{} {} = {:.6g}",
-                          names[0], d.is_log() ? fmt::format("x ({})^{:.4g}", names[1], d.found().factor)
-                                               : fmt::format("+ {:.4g} x {}", d.found().factor, names[1]),
+       return fmt::format("{} {} = {:.6g}", names[0],
+                          d.is_log() ? fmt::format("x ({})^{:.4g}", names[1], d.found().factor)
+                                     : fmt::format("+ {:.4g} x {}", d.found().factor, names[1]),
                           d.shown(d.found().combination->value));
      }>},
 };
@@ -203,11 +209,13 @@ constexpr Quantity<FittedCurve> kBand[] = {
     {"response", always<[](auto& c) { return c.curve().response; }>},
     {"unit", always<[](auto& c) { return c.curve().unit; }>},
     {"command", always<[](auto& c) { return name(c.curve().command); }>},
-    {"conditions", always_table<kBandCondition, [](auto& c) {
-       std::vector<FitCondition> all = c.curve().conditions;
-       for (const auto& [path, value] : c.curve().constants) all.push_back({path, "", {value}});
-       return all;
-     }>},
+    {"conditions", always_table<kBandCondition,
+                                [](auto& c) {
+                                  std::vector<FitCondition> all = c.curve().conditions;
+                                  for (const auto& [path, value] : c.curve().constants)
+                                    all.push_back({path, "", {value}});
+                                  return all;
+                                }>},
     {"value", rows_of<&estimation::CurveResult::fitted>},
     {"standard_deviation", rows_of<&estimation::CurveResult::band_deviation>},
     {"low", rows_of<&estimation::CurveResult::low>},
@@ -239,7 +247,8 @@ constexpr Quantity<FitResult> kFit[] = {
     {"converged", always<&FitResult::converged>},
     {"status", always<[](auto& r) { return name(r.found.status); }>,
      "converged | not_identifiable | no_redundancy | iteration_limit | no_equilibrium"},
-    {"objective", of<[](auto& r) { return r.found.objective; }, [](auto& r) { return !r.found.unknowns.empty(); }>, "S"},
+    {"objective", of<[](auto& r) { return r.found.objective; }, [](auto& r) { return !r.found.unknowns.empty(); }>,
+     "S"},
     {"level_percent", always<[](auto& r) { return r.input.level; }>, "of all intervals"},
     {"degrees_of_freedom", always<[](auto& r) { return r.found.degrees_of_freedom; }>, "sum of the redundancies"},
     {"chi_square", of<[](auto& r) { return r.found.chi_square; }>, "of the curves with stated deviations and squares"},
@@ -251,12 +260,14 @@ constexpr Quantity<FitResult> kFit[] = {
     {"correlation", always_table<kMatrix, [](auto& r) { return matrix_of(r, true); }>},
     {"covariance", always_table<kMatrix, [](auto& r) { return matrix_of(r, false); }>, "in the units of the values"},
     {"singular_value_ratios", always<[](auto& r) { return r.found.singular_value_ratios; }>, "falling"},
-    {"unidentified", always_table<kDirection,
-                                  [](auto& r) {
-                                    std::vector<FitDirection> all;
-                                    for (std::size_t k = 0; k < r.found.unidentified.size(); ++k) all.push_back({&r, k});
-                                    return all;
-                                  }>, "what the data cannot tell apart"},
+    {"unidentified",
+     always_table<kDirection,
+                  [](auto& r) {
+                    std::vector<FitDirection> all;
+                    for (std::size_t k = 0; k < r.found.unidentified.size(); ++k) all.push_back({&r, k});
+                    return all;
+                  }>,
+     "what the data cannot tell apart"},
     {"curves", always_table<kCurve, [](auto& r) { return curves_of(r, false); }>},
     {"bands", always_table<kBand, [](auto& r) { return curves_of(r, true); }>},
     {"starts", always_table<kStart, [](auto& r) { return r.found.starts; }>},
@@ -268,7 +279,8 @@ std::string conditions_text(const FitCurve& c, std::size_t row) {
   std::vector<std::string> texts;
   if (!c.series.empty()) texts.push_back(fmt::format("{}={:.10g}", c.series, c.places[row]));
   for (const FitCondition& condition : c.conditions)
-    texts.push_back(fmt::format("{}={}{}{}", condition.path, condition.texts[row], condition.unit.empty() ? "" : " ", condition.unit));
+    texts.push_back(fmt::format("{}={}{}{}", condition.path, condition.texts[row], condition.unit.empty() ? "" : " ",
+                                condition.unit));
   for (const auto& [path, value] : c.constants) texts.push_back(fmt::format("{}={}", path, value));
   return fmt::format("{}", fmt::join(texts, "; "));
 }
@@ -298,8 +310,8 @@ std::string parameters_csv(const FitResult& r, const CsvStyle& style) {
 
 std::string residuals_csv(const FitResult& r, const CsvStyle& style) {
   CsvWriter csv(style);
-  csv.row("curve", "line", "conditions", "unit", "measured", "fitted", "residual", "standard_deviation", "weight", "low",
-          "high");
+  csv.row("curve", "line", "conditions", "unit", "measured", "fitted", "residual", "standard_deviation", "weight",
+          "low", "high");
   for (const FittedCurve& c : curves_of(r, false))
     for (std::size_t i = 0; i < c.curve().rows; ++i) {
       const estimation::CurveResult& f = c.found();
@@ -322,7 +334,8 @@ std::string bands_csv(const FitResult& r, const CsvStyle& style) {
 }
 
 std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
-  std::vector<OutputFile> files{{"fit_parameters.csv", parameters_csv(r, style)}, {"residuals.csv", residuals_csv(r, style)}};
+  std::vector<OutputFile> files{{"fit_parameters.csv", parameters_csv(r, style)},
+                                {"residuals.csv", residuals_csv(r, style)}};
   if (!curves_of(r, true).empty()) files.push_back({"fit_bands.csv", bands_csv(r, style)});
   if (r.converged()) files.push_back({"fitted.yaml", fitted_case(r)});
   return files;
@@ -330,12 +343,20 @@ std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
 
 // For people.
 
+/// What tells a row of a band from the others.
+std::string row_text(const FitCurve& c, std::size_t row) {
+  std::string text = " ";
+  for (const FitCondition& condition : c.conditions)
+    text += fmt::format(" {} {}", condition.path.substr(condition.path.rfind('.') + 1), condition.texts[row]);
+  return text;
+}
+
 std::string fit_table(const FitResult& r) {
   std::string text = fmt::format("{} of {} unknowns, {} rows computed\n", words_of_text(name(r.found.status)),
                                  r.found.unknowns.size(), r.evaluations);
   if (r.found.unknowns.empty()) return text + warning_section(r.warnings);
   constexpr TableRows rows{44, 13};
-  text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, "unit");
+  text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, " unit");
   const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
   for (const FittedUnknown& p : unknowns_of(r)) {
     const auto& e = p.found().estimate;
@@ -348,39 +369,43 @@ std::string fit_table(const FitResult& r) {
                  {p.found().u ? cell(p.shown(p.found().u)) : "not told",
                   e ? cell(e->deviation * r.slope(p.j, *p.found().u)) : std::string(kAbsent),
                   cell(end(&estimation::Estimate::low)), cell(end(&estimation::Estimate::high))},
-                 r.unit(p.j) + bound);
+                 " " + r.unit(p.j) + bound);
   }
   for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
     if (const FitDirection d{&r, k}; combination(d)) {
       const Json c = detail::json_by<kCombination>(d, kNoUnit);
-      text += wrapped(fmt::format("told: {}{}", c["text"].get<std::string>(),
-                                  has_spread(d) ? fmt::format(", {:.6g} to {:.6g}", c["low"].get<double>(), c["high"].get<double>()) : ""),
-                      "  ", kTableWidth);
+      text += wrapped(
+          fmt::format(
+              "told: {}{}", c["text"].get<std::string>(),
+              has_spread(d) ? fmt::format(", {:.6g} to {:.6g}", c["low"].get<double>(), c["high"].get<double>()) : ""),
+          "  ", kTableWidth);
     }
   std::vector<std::pair<double, std::string>> strong;
   const FitMatrix m = matrix_of(r, true);
   for (std::size_t a = 0; a < m.names.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       if (std::abs(m.matrix[a][b]) > 0.9)
-        strong.emplace_back(-std::abs(m.matrix[a][b]), fmt::format("correlation {:+.3f} of {} and {}", m.matrix[a][b], m.names[b], m.names[a]));
+        strong.emplace_back(-std::abs(m.matrix[a][b]),
+                            fmt::format("correlation {:+.3f} of {} and {}", m.matrix[a][b], m.names[b], m.names[a]));
   std::ranges::sort(strong);
   for (const auto& [size, line] : std::span(strong).first(std::min<std::size_t>(3, strong.size())))
     text += wrapped(line, "  ", kTableWidth);
   constexpr TableRows curves{44, 13};
-  text += "\n" + curves("curve", {"rows", "rms", "R²", "runs p, %"}, "unit");
+  text += "\n" + curves("curve", {"rows", "rms", "R²", "runs p, %"}, " unit");
   for (const FittedCurve& c : curves_of(r, false)) {
     const estimation::CurveResult& f = c.found();
     text += curves(fitted(printable(c.curve().name) + (is_fitted(c) ? "" : " (compared)"), 44, true),
                    {std::to_string(c.curve().rows), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
                     f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
                     f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent)},
-                   c.curve().unit);
+                   " " + c.curve().unit);
   }
   for (const FittedCurve& c : curves_of(r, true)) {
     const estimation::CurveResult& f = c.found();
-    text += "\n" + rows(fitted(printable(c.curve().name), 44, true), {"value", "deviation", "from", "to"}, c.curve().unit);
+    text += "\n" + rows(fitted(printable(c.curve().name), 44, true), {"value", "deviation", "from", "to"},
+                        " " + c.curve().unit);
     for (std::size_t i = 0; i < std::min<std::size_t>(f.low.size(), 12); ++i)
-      text += rows(fitted("  " + conditions_text(c.curve(), i), 44, true),
+      text += rows(fitted(row_text(c.curve(), i), 44, true),
                    {cell(f.fitted[i]), cell(f.band_deviation[i]), cell(f.low[i]), cell(f.high[i])});
   }
   if (r.found.p_value)
@@ -402,7 +427,8 @@ std::pair<Axis, std::vector<double>> course_of(const FitCurve& c) {
     for (const std::string& text : condition.texts)
       if (const auto number = input::split_unit(text)) x.push_back(number->number);
     if (x.size() == c.rows && std::ranges::max(x) > std::ranges::min(x)) {
-      const std::string unit = condition.unit.empty() ? std::string(input::split_unit(condition.texts[0])->unit) : condition.unit;
+      const std::string unit =
+          condition.unit.empty() ? std::string(input::split_unit(condition.texts[0])->unit) : condition.unit;
       return {{condition.path.substr(condition.path.rfind('.') + 1), unit}, x};
     }
   }
@@ -450,7 +476,8 @@ Figures residual_figures(const FitResult& r) {
   for (const FittedCurve& c : curves_of(r, false)) {
     Panel panel{shown_name(c.curve().name)};
     Series series{points};
-    for (std::size_t i = 0; i < c.found().residual.size(); ++i) series.add(static_cast<double>(i + 1), c.found().residual[i]);
+    for (std::size_t i = 0; i < c.found().residual.size(); ++i)
+      series.add(static_cast<double>(i + 1), c.found().residual[i]);
     panel.series.push_back(std::move(series));
     panel.references.push_back({zero, 0.0});
     panel.y = fitted({"Measured less fitted", c.curve().unit}, range_of_y(panel.series));

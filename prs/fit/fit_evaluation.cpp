@@ -31,9 +31,9 @@ struct Group {
   std::string key;
   std::vector<std::size_t> curves;
   input::StudyInput input;
-  std::vector<std::vector<Draw>> designs;             ///< Draws of the conditions, each once.
-  std::vector<std::vector<std::size_t>> design_of;    ///< Of each curve, row by row.
-  std::vector<double> places = {};                    ///< Of a series, ascending.
+  std::vector<std::vector<Draw>> designs;           ///< Draws of the conditions, each once.
+  std::vector<std::vector<std::size_t>> design_of;  ///< Of each curve, row by row.
+  std::vector<double> places = {};                  ///< Of a series, ascending.
   std::vector<std::vector<std::size_t>> place_of = {};
   std::unique_ptr<DesignEngine> engine = {};
   std::vector<DesignReader> idle = {};
@@ -90,7 +90,9 @@ struct FitEvaluation::Parts {
     for (const FitCondition& condition : curve.conditions) key += condition.path + condition.unit;
     auto group = std::ranges::find(groups, key, &Group::key);
     if (group == groups.end()) {
-      group = groups.insert(groups.end(), Group{.key = key, .curves = {}, .input = {input.source, curve.base, {}}, .designs = {}, .design_of = {}});
+      group = groups.insert(
+          groups.end(),
+          Group{.key = key, .curves = {}, .input = {input.source, curve.base, {}}, .designs = {}, .design_of = {}});
       Study& study = group->input.study;
       study.command = curve.command;
       study.plan = Plan::monte_carlo;
@@ -140,8 +142,8 @@ struct FitEvaluation::Parts {
       auto& place_of = group.place_of.emplace_back();
       for (std::size_t i = 0; i < curve.rows; ++i) {
         if (!curve.series.empty()) {
-          place_of.push_back(static_cast<std::size_t>(std::ranges::lower_bound(group.places, curve.places[i]) -
-                                                      group.places.begin()));
+          place_of.push_back(
+              static_cast<std::size_t>(std::ranges::lower_bound(group.places, curve.places[i]) - group.places.begin()));
         }
         std::vector<std::string> texts;
         for (const FitCondition& condition : curve.conditions) texts.push_back(condition.texts[i]);
@@ -199,10 +201,11 @@ struct FitEvaluation::Parts {
       for (const QuantityInfo& q : record.quantities)
         if (q.kind == Kind::number) keys.push_back(q.key);
       const std::string_view path = group.input.study.responses[k];
-      throw UnknownResponse(k, fmt::format("got {}; expected a number of `prs preload`, of a series one of {}; did you "
-                                           "mean `{}`?",
-                                           path, fmt::join(keys, ", "),
-                                           fmt::join(input::near_words(path.substr(path.rfind('.') + 1), keys), "`, `")));
+      throw UnknownResponse(k,
+                            fmt::format("got {}; expected a number of `prs preload`, of a series one of {}; did you "
+                                        "mean `{}`?",
+                                        path, fmt::join(keys, ", "),
+                                        fmt::join(input::near_words(path.substr(path.rfind('.') + 1), keys), "`, `")));
     }
   }
 
@@ -216,8 +219,8 @@ struct FitEvaluation::Parts {
     std::vector<Draw> draws;
     for (std::size_t j = 0; j < input.parameters.size(); ++j) {
       const FitParameter& p = input.parameters[j];
-      draws.push_back({.kind = Draw::Kind::number,
-                       .number = std::clamp(p.is_log ? std::exp(u[j]) : u[j], p.from, p.to)});
+      draws.push_back(
+          {.kind = Draw::Kind::number, .number = std::clamp(p.is_log ? std::exp(u[j]) : u[j], p.from, p.to)});
     }
     const std::vector<Draw>& conditions = group.designs[design];
     draws.insert(draws.end(), conditions.begin(), conditions.end());
@@ -346,7 +349,7 @@ struct FitEvaluation::Parts {
         if (!requests[r].curves[c]) continue;
         for (std::size_t i = 0; i < input.curves[c].rows; ++i) {
           const RowsOfDesign& rows = all[first + group.design_of[k][i]];
-          const double value = !rows.reason.empty()      ? kNoResponse
+          const double value = !rows.reason.empty()   ? kNoResponse
                                : group.places.empty() ? rows.values[k][0]
                                                       : rows.values[k][group.place_of[k][i]];
           answers[r].values[c].push_back(value);

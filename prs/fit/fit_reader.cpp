@@ -67,12 +67,25 @@ std::string units_like(std::string_view unit) {
   return d ? input::unit_list(*d) : std::string(unit);
 }
 
+/// Paths of the numbers that a document states.
+void add_numbers(const Node& node, const std::string& path, std::vector<std::string>& all) {
+  if (node.kind == Node::Kind::scalar && input::split_unit(node.text)) all.push_back(path);
+  for (std::size_t k = 0; k < node.children.size(); ++k) {
+    const Node& child = node.children[k];
+    const std::string dot = path.empty() ? "" : ".";
+    add_numbers(child, path + (node.kind == Node::Kind::map ? dot + child.key : fmt::format("[{}]", k)), all);
+  }
+}
+
 /// A table of a file, all fields as texts, and where they stand.
 class FitTable {
  public:
   FitTable(const std::string& file, const std::string& at, const input::Source& source)
-      : at_(at), source_(source), text_(input::named_file_text(file, at + ".file", source, false)),
-        name_(input::name_in_messages(file, source)), reader_(text_) {
+      : at_(at),
+        source_(source),
+        text_(input::named_file_text(file, at + ".file", source, false)),
+        name_(input::name_in_messages(file, source)),
+        reader_(text_) {
     if (!next()) refuse_file("which has no heading");
     for (const std::string_view name : reader_.fields()) names_.emplace_back(name);
   }
@@ -126,8 +139,10 @@ class FitTable {
                     field < names_.size() ? names_[field] : "row", got, expected));
   }
   [[noreturn]] void refuse_file(const std::string& what) const {
-    input::fail_at(source_, at_ + ".file", "got {}, {}; expected a line with the names of the columns, then one row per "
-                                           "reading; check the file", name_, what);
+    input::fail_at(source_, at_ + ".file",
+                   "got {}, {}; expected a line with the names of the columns, then one row per "
+                   "reading; check the file",
+                   name_, what);
   }
 
  private:
@@ -140,9 +155,9 @@ class FitTable {
 };
 
 constexpr std::pair<std::string_view, Command> kCommands[] = {
-    {"slip.", Command::slip},           {"heat.", Command::slip},        {"heat_cycle.", Command::slip},
-    {"preload.", Command::preload},     {"life.", Command::life},        {"measures.", Command::measures},
-    {"contact.", Command::contact},     {"threads.", Command::contact},
+    {"slip.", Command::slip},       {"heat.", Command::slip},       {"heat_cycle.", Command::slip},
+    {"preload.", Command::preload}, {"life.", Command::life},       {"measures.", Command::measures},
+    {"contact.", Command::contact}, {"threads.", Command::contact},
 };
 
 /// Of series: what they stand over.
@@ -200,10 +215,11 @@ class FitReader : input::VariedInput {
     FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
     if (!check_outside("path", item.path)) return p;
     if (const auto problem = wrong(p.path, item.from); problem && problem->find("unknown key") != std::string::npos) {
-      std::vector<std::string_view> known;
+      std::vector<std::string> all;
+      add_numbers(base_, "", all);
       for (const input::EchoEntry& entry : fields_)
-        if (entry.number) known.push_back(entry.path);
-      const std::vector<std::string_view> near = input::near_words(p.path, known);
+        if (entry.number) all.push_back(entry.path);
+      const std::vector<std::string_view> near = input::near_words(p.path, {all.begin(), all.end()});
       refuse_at("path", fmt::format("got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
                                     near.empty() ? "write for example `path: friction.coulomb`"
                                                  : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"))));
@@ -215,7 +231,8 @@ class FitReader : input::VariedInput {
     const auto from = input::split_unit(item.from);
     if (slot.kind != input::Slot::Kind::number || !from) {
       refuse_at("path", fmt::format("got {}; expected one number that may vary continuously: no list, word or whole "
-                                    "number; write for example `path: friction.coulomb`", shown(item.path)));
+                                    "number; write for example `path: friction.coulomb`",
+                                    shown(item.path)));
       return p;
     }
     p.unit = from->unit;
@@ -223,13 +240,14 @@ class FitReader : input::VariedInput {
     p.from = from->number;
     p.to = number(item.to, p.unit, "to", "`from`");
     if (!(p.from < p.to))
-      refuse_at("from", fmt::format("got {}; expected less than `to`, {}; swap the two", shown(item.from),
-                                    shown(item.to)));
+      refuse_at("from",
+                fmt::format("got {}; expected less than `to`, {}; swap the two", shown(item.from), shown(item.to)));
     if (p.is_log && slot.dimension && zero_depends_on_unit(*slot.dimension))
       refuse_at("scale", "got log of a temperature, whose zero is a convention; expected linear; delete the key");
     else if (p.is_log && !(p.from > 0.0))
       refuse_at("from", fmt::format("got {} with `scale: log`; expected more than 0; write a larger one, or `scale: "
-                                    "linear`", shown(item.from)));
+                                    "linear`",
+                                    shown(item.from)));
     const std::optional<Node> stands = base_value(p.path, fields_);
     if (stands && find_path(base_, p.path)) p.stood = flow_text(*stands);
     const std::optional<double> there = stands ? input::number_in(flow_text(*stands), p.unit) : std::nullopt;
@@ -240,15 +258,14 @@ class FitReader : input::VariedInput {
       p.start = *there;
     } else {
       refuse_at("path", fmt::format("got {}, of which the file says nothing and which has no default; expected a "
-                                    "value there, or `start`; add for example `start: {}`", shown(item.path),
-                                    shown(item.from)));
+                                    "value there, or `start`; add for example `start: {}`",
+                                    shown(item.path), shown(item.from)));
       return p;
     }
     if (p.from < p.to && !(p.start >= p.from && p.start <= p.to))
       refuse_at(item.start ? "start" : "path",
                 fmt::format("got {}{} of {}; expected {} to {}; {}", item.start ? "" : "the start ",
-                            with_unit(p.start, p.unit), shown(item.path),
-                            item.from, item.to,
+                            with_unit(p.start, p.unit), shown(item.path), item.from, item.to,
                             item.start ? "write one between them" : "widen the bounds, or add `start`"));
     if (item.prior) read_prior(p, *item.prior, slot);
     return p;
@@ -267,11 +284,12 @@ class FitReader : input::VariedInput {
     if (!deviation || !(*deviation > 0.0))
       refuse_at("prior.deviation",
                 fmt::format("got {}; expected more than 0, a share of the mean or {}; write for example "
-                            "`deviation: 3 %`", shown(item.deviation),
+                            "`deviation: 3 %`",
+                            shown(item.deviation),
                             slot.dimension ? "a value in " + input::unit_list(*slot.dimension) : "a number"));
     if (p.is_log && !(prior.mean > 0.0))
-      refuse_at("prior.mean", fmt::format("got {} with `scale: log`; expected more than 0; write `scale: linear`",
-                                          shown(item.mean)));
+      refuse_at("prior.mean",
+                fmt::format("got {} with `scale: log`; expected more than 0; write `scale: linear`", shown(item.mean)));
     prior.deviation = deviation.value_or(1.0);
     p.prior = prior;
   }
@@ -294,8 +312,8 @@ class FitReader : input::VariedInput {
   void check_condition(const std::string& path, const std::vector<FitParameter>& parameters) const {
     for (const FitParameter& p : parameters)
       if (p.path == path || input::is_part_of(p.path, path) || input::is_part_of(path, p.path))
-        fail(path_ + ".path", fmt::format("got {}, which is a parameter too; expected it once; delete one of the two",
-                                          shown(path)));
+        fail(path_ + ".path",
+             fmt::format("got {}, which is a parameter too; expected it once; delete one of the two", shown(path)));
     if (!check_outside("path", path)) errors_.throw_if_any();
   }
 
@@ -307,7 +325,8 @@ class FitReader : input::VariedInput {
     curve.constants.emplace_back(path, flow_text(value));
   }
 
-  Command command_of(const std::string& response, const std::optional<std::string>& written, const std::string& at) const {
+  Command command_of(const std::string& response, const std::optional<std::string>& written,
+                     const std::string& at) const {
     std::string_view rest = response;
     if (rest.starts_with("load_cases["))
       if (const std::size_t dot = rest.find("]."); dot != rest.npos) rest.remove_prefix(dot + 2);
@@ -315,11 +334,12 @@ class FitReader : input::VariedInput {
     for (const auto& [head, its] : kCommands)
       if (rest.starts_with(head)) command = its;
     if (!written) return command;
-    for (const Command one : {Command::contact, Command::solve, Command::slip, Command::preload, Command::life,
-                              Command::measures})
+    for (const Command one :
+         {Command::contact, Command::solve, Command::slip, Command::preload, Command::life, Command::measures})
       if (one.word == *written) return one;
-    fail(at + ".command", fmt::format("got {}; expected contact, solve, slip, preload, life or measures; delete the key",
-                                      shown(*written)));
+    fail(at + ".command",
+         fmt::format("got {}; expected contact, solve, slip, preload, life or measures; delete the key",
+                     shown(*written)));
   }
 
   FitCurve start_curve(const FitCurveItem& item, const std::string& at) {
@@ -357,8 +377,9 @@ class FitReader : input::VariedInput {
       const std::string path = input::with_indices(root_, condition.path);
       check_condition(path, before.parameters);
       if (condition.values || condition.value.has_value() == condition.column.has_value())
-        fail(path_, "got neither or both of `column` and `value`; expected one of them; write `value: ..`, or `column` "
-                    "and `unit`");
+        fail(path_,
+             "got neither or both of `column` and `value`; expected one of them; write `value: ..`, or `column` "
+             "and `unit`");
       if (condition.value) {
         set_constant(c, path, "value");
         continue;
@@ -384,8 +405,8 @@ class FitReader : input::VariedInput {
     std::map<std::pair<std::size_t, std::string>, bool> sound;
     while (table.next()) {
       if (++rows_ > kMostRows)
-        fail(at + ".file", fmt::format("got more than {} rows in all; expected at most as many; leave some out",
-                                       kMostRows));
+        fail(at + ".file",
+             fmt::format("got more than {} rows in all; expected at most as many; leave some out", kMostRows));
       c.lines.push_back(table.line());
       const double reading = to_unit(table.number(measured));
       c.measured.push_back(reading);
@@ -394,7 +415,8 @@ class FitReader : input::VariedInput {
         const double one = spread ? table.number(*spread) : *fixed;
         const double deviation = share ? 0.01 * one * std::abs(reading) : to_spread.factor * one;
         if (!(deviation > 0.0))
-          table.refuse(spread.value_or(measured), share && reading == 0.0 ? "a share of a reading of 0" : fmt::format("{}", one),
+          table.refuse(spread.value_or(measured),
+                       share && reading == 0.0 ? "a share of a reading of 0" : fmt::format("{}", one),
                        "a deviation above 0");
         c.deviation.push_back(deviation);
       }
@@ -446,14 +468,15 @@ class FitReader : input::VariedInput {
         fail(path_ + ".path", problem->substr(problem->find(": ") + 2));
     if (slot.kind != input::Slot::Kind::number) return;
     const input::Dimension* d = slot.dimension;
-    const bool fits = !d ? condition.unit.empty()
-                         : input::find_unit(condition.unit, *d) ||
-                               (d->by_lead && input::find_unit(condition.unit, *d->by_lead));
+    const bool fits =
+        !d ? condition.unit.empty()
+           : input::find_unit(condition.unit, *d) || (d->by_lead && input::find_unit(condition.unit, *d->by_lead));
     if (!fits)
-      fail(path_ + ".unit", fmt::format("got {}; expected {}; write for example `unit: {}`",
-                                        condition.unit.empty() ? "none" : shown(condition.unit),
-                                        d ? "the unit of " + std::string(d->name) + ": " + input::unit_list(*d) : "none",
-                                        d ? d->canonical : "\"\""));
+      fail(path_ + ".unit",
+           fmt::format("got {}; expected {}; write for example `unit: {}`",
+                       condition.unit.empty() ? "none" : shown(condition.unit),
+                       d ? "the unit of " + std::string(d->name) + ": " + input::unit_list(*d) : "none",
+                       d ? d->canonical : "\"\""));
     if (d) unit = input::find_unit(condition.unit, *d);
     // Numbers are set as they are found in this case.
     slot.numbers.clear(), slot.list = nullptr, slot.whole = nullptr;
@@ -462,9 +485,9 @@ class FitReader : input::VariedInput {
   Conversion unit_at(const std::string& written, const std::string& unit, const std::string& at) const {
     const auto found = conversion(written, unit);
     if (!found)
-      fail(at + ".unit", fmt::format("got {}; expected a unit of the response: {}; write for example `unit: {}`",
-                                     written.empty() ? "none" : shown(written), units_like(unit),
-                                     unit.empty() ? "\"%\"" : unit));
+      fail(at + ".unit",
+           fmt::format("got {}; expected a unit of the response: {}; write for example `unit: {}`",
+                       written.empty() ? "none" : shown(written), units_like(unit), unit.empty() ? "\"%\"" : unit));
     return *found;
   }
 
@@ -486,8 +509,8 @@ class FitReader : input::VariedInput {
       const auto written = input::split_unit(*item.deviation);
       if (!written)
         fail(key, fmt::format("got {}; expected a value, a share of the reading, {{column: .., unit: ..}} or "
-                              "estimated; write for example `deviation: {}`", shown(*item.deviation),
-                              with_unit(0.05, c.unit)));
+                              "estimated; write for example `deviation: {}`",
+                              shown(*item.deviation), with_unit(0.05, c.unit)));
       fixed = written->number;
       unit = written->unit;
       if (!(*fixed > 0.0))
@@ -517,7 +540,8 @@ class FitReader : input::VariedInput {
       c.loss = {Kind::cauchy, 2.385};
     else if (inner || node.kind != Node::Kind::scalar || word != "squares")
       fail(key, fmt::format("got {}; expected squares, huber, cauchy, {{huber: 1.345}} or {{cauchy: 2.385}}; write for "
-                            "example `loss: huber`", shown(flow_text(node))));
+                            "example `loss: huber`",
+                            shown(flow_text(node))));
     if (!inner) return;
     const std::optional<double> scale = input::parse_number(inner->text);
     if (!scale || !(*scale > 0.0))
@@ -527,9 +551,7 @@ class FitReader : input::VariedInput {
   }
 
   void check_series(FitCurve& c, const FitCurveItem& item) const {
-    const auto series = std::ranges::find_if(kSeries, [&](const auto& s) {
-      return c.response.starts_with(s.first);
-    });
+    const auto series = std::ranges::find_if(kSeries, [&](const auto& s) { return c.response.starts_with(s.first); });
     const bool is_series = series != std::end(kSeries) || c.response.find("[]") != std::string::npos;
     if (!is_series && !item.along) return;
     if (series == std::end(kSeries))
@@ -538,8 +560,8 @@ class FitReader : input::VariedInput {
                        shown(c.response), is_series ? "no such series" : "which is no series"));
     if (!item.along)
       fail(c.at + ".response", fmt::format("got {}, a series, without `along`; expected where its rows stand; add "
-                                           "`along: {{response: {}, column: .., unit: ..}}`", shown(c.response),
-                                           series->second));
+                                           "`along: {{response: {}, column: .., unit: ..}}`",
+                                           shown(c.response), series->second));
     if (item.along->response != series->second)
       fail(c.at + ".along.response", fmt::format("got {}; expected {}, over which {} stands; write that",
                                                  shown(item.along->response), series->second, shown(c.response)));
@@ -585,8 +607,8 @@ class FitReader : input::VariedInput {
     const std::optional<Ends> ends = read_ends("values.", range.from, range.to, false);
     errors_.throw_if_any();
     if (logarithmic && !(ends->from.number * ends->to.number > 0.0))
-      fail(path_ + ".values.from", fmt::format("got {} with `spacing: logarithmic`; expected two numbers of one sign",
-                                               shown(range.from)));
+      fail(path_ + ".values.from",
+           fmt::format("got {} with `spacing: logarithmic`; expected two numbers of one sign", shown(range.from)));
     std::vector<std::string> texts;
     for (int k = 0; k < range.steps; ++k) {
       const double at = k == range.steps - 1 ? ends->to.number
@@ -617,10 +639,13 @@ class FitReader : input::VariedInput {
       rows += c.rows;
       unknowns += c.has_offset ? 1 : 0;
     }
-    if (!any) fail("fit.curves", "got none with `use: fit`; expected one at least; write `use: fit`, or delete the key");
+    if (!any)
+      fail("fit.curves", "got none with `use: fit`; expected one at least; write `use: fit`, or delete the key");
     if (rows < unknowns)
-      fail("fit.parameters", fmt::format("got {} rows, priors included, for {} parameters, offsets included; expected as "
-                                         "many at least; measure more, or fix some", rows, unknowns));
+      fail("fit.parameters",
+           fmt::format("got {} rows, priors included, for {} parameters, offsets included; expected as "
+                       "many at least; measure more, or fix some",
+                       rows, unknowns));
   }
 
   void read_profile(FitInput& all) const {
@@ -629,13 +654,15 @@ class FitReader : input::VariedInput {
     for (const FitCurve& c : all.curves)
       if (c.use == FitCurve::Use::fit && c.loss.is_robust())
         fail("fit.profile", fmt::format("got it with the robust loss of {}; expected `loss: squares` of all curves; "
-                                        "delete one of the two", shown(c.name)));
+                                        "delete one of the two",
+                                        shown(c.name)));
     for (std::size_t k = 0; k < all.parameters.size(); ++k) {
       if (*item_.profile == "true") all.profile.push_back(k);
     }
     if (*item_.profile == "true") return;
     if (node.kind != Node::Kind::sequence)
-      fail("fit.profile", fmt::format("got {}; expected a list of paths of parameters, or true", shown(*item_.profile)));
+      fail("fit.profile",
+           fmt::format("got {}; expected a list of paths of parameters, or true", shown(*item_.profile)));
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const std::string path = input::with_indices(root_, node.children[i].text);
       const auto found = std::ranges::find(all.parameters, path, &FitParameter::path);

@@ -1131,7 +1131,8 @@ void fields(const Fields& io, FitConditionItem& c) {
   io("path", c.path, kInputPath, required, "What each row sets, as `--set` names it");
   io("value", c.value, Verbatim{}, "The same in all rows");
   io("column", c.column, Text{"speed_rpm"}, "Its name in the heading of the file");
-  io("unit", c.unit, Text{"rpm"}, "Of its numbers; without it words and bare numbers, as they would stand in this file");
+  io("unit", c.unit, Text{"rpm"},
+     "Of its numbers; without it words and bare numbers, as they would stand in this file");
   io("values", c.values, ListOrRange{}, "Of a band: those of all conditions with `values` run together");
 }
 
@@ -1163,7 +1164,8 @@ void fields(const Fields& io, FitCurveItem& c) {
      "Standard deviation of a reading: a value, a share of the reading (`1 %`), `{column: .., unit: ..}`, or "
      "`estimated`, which is the default");
   io("offset", c.offset, Flag{}, "Whether an unknown constant is added: the zero of a probe");
-  io("loss", c.loss, Verbatim{"huber"}, "`squares` (default), `huber`, `cauchy`, `{huber: 1.345}` or `{cauchy: 2.385}`");
+  io("loss", c.loss, Verbatim{"huber"},
+     "`squares` (default), `huber`, `cauchy`, `{huber: 1.345}` or `{cauchy: 2.385}`");
   io("use", c.use, Choice{}, "What the curve is for");
   io("command", c.command, Text{"slip"}, kFitCommand);
 }

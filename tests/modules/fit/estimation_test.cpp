@@ -38,7 +38,8 @@ struct Bench {
     return modules::loaded<FitModule>().solve(problem);
   }
   void add(std::vector<double> places, std::vector<double> measured, std::vector<double> deviation = {}) {
-    problem.curves.push_back({.rows = places.size(), .measured = std::move(measured), .deviation = std::move(deviation)});
+    problem.curves.push_back(
+        {.rows = places.size(), .measured = std::move(measured), .deviation = std::move(deviation)});
     x.push_back(std::move(places));
   }
 };
@@ -179,15 +180,18 @@ TEST(Estimation, RobustLossesSolveTheirOwnEquations) {
     double pull = 0.0, spread = 0.0;
     for (std::size_t i = 0; i < 6; ++i) {
       const double z = r.curves[0].residual[i] / r.curves[0].deviation[i], k = loss.scale;
-      const double weight = loss.kind == Loss::Kind::huber ? std::min(1.0, k / std::abs(z)) : 1.0 / (1.0 + z * z / (k * k));
+      const double weight =
+          loss.kind == Loss::Kind::huber ? std::min(1.0, k / std::abs(z)) : 1.0 / (1.0 + z * z / (k * k));
       EXPECT_NEAR(r.curves[0].weight[i], weight, 1e-12);
       pull += weight * z * kX[i];
       spread += weight * z * z;
     }
     const double k = loss.scale;
-    const double kappa = loss.kind == Loss::Kind::huber
-                             ? std::erf(k / std::sqrt(2.0))
-                             : k * k * (1.0 - k * std::sqrt(std::acos(-1.0) / 2.0) * std::exp(k * k / 2.0) * std::erfc(k / std::sqrt(2.0)));
+    const double kappa =
+        loss.kind == Loss::Kind::huber
+            ? std::erf(k / std::sqrt(2.0))
+            : k * k *
+                  (1.0 - k * std::sqrt(std::acos(-1.0) / 2.0) * std::exp(k * k / 2.0) * std::erfc(k / std::sqrt(2.0)));
     EXPECT_NEAR(pull, 0.0, 1e-5);
     EXPECT_NEAR(spread, kappa * *r.curves[0].redundancy, 1e-6);
     EXPECT_LT(r.curves[0].weight[3], 0.5);

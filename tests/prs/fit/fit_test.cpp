@@ -110,8 +110,10 @@ TEST(FitCase, WrongInputSaysWhereAndWhatIsAllowed) {
       {"/fit/curves/0/response", "slip.torque_srew_Nm", "curves[0].response", "did you mean `slip.torque_screw_Nm`"},
       {"/fit/curves/0/response", "preload.loads[].axial_displacement_um", "curves[0].response", "without `along`"},
       {"/fit/curves/0/command", "solve", "curves[0].response", "prs list responses"},
-      {"/fit/curves/0/along", {{"response", "heat_cycle.time_s"}, {"column", "force_kN"}, {"unit", "s"}},
-       "curves[0].along", "no series"},
+      {"/fit/curves/0/along",
+       {{"response", "heat_cycle.time_s"}, {"column", "force_kN"}, {"unit", "s"}},
+       "curves[0].along",
+       "no series"},
       {"/fit/curves/1/name", "torque", "curves[1].name", "of its own"},
       {"/fit/curves/0/loss", "hubert", "curves[0].loss", "squares, huber, cauchy"},
       {"/fit/curves/0/loss", {{"huber", 0}}, "curves[0].loss", "above 0"},
@@ -120,10 +122,14 @@ TEST(FitCase, WrongInputSaysWhereAndWhatIsAllowed) {
       {"/fit/profile", true, "fit.profile", "robust loss of loss"},
       {"/fit/bands/0/response", "slip.efficency", "bands[0].response", "did you mean `slip.efficiency`"},
       {"/fit/bands/0/conditions/1", {{"path", "operation.speed"}, {"values", {"1 rpm"}}}, "values", "expected 3"},
-      {"/fit/parameters/2", {{"path", "materials.density"}, {"from", "7000 kg/m^3"}, {"to", "8000 kg/m^3"}},
-       "parameters[2].path", "no curve depends"},
-      {"/fit/parameters/2", {{"path", "operation.speed"}, {"from", "10 rpm"}, {"to", "900 rpm"}},
-       "conditions[1].path", "a parameter too"},
+      {"/fit/parameters/2",
+       {{"path", "materials.density"}, {"from", "7000 kg/m^3"}, {"to", "8000 kg/m^3"}},
+       "parameters[2].path",
+       "no curve depends"},
+      {"/fit/parameters/2",
+       {{"path", "operation.speed"}, {"from", "10 rpm"}, {"to", "900 rpm"}},
+       "conditions[1].path",
+       "a parameter too"},
       {"/fit/parameters/2", {{"path", "roughness"}, {"from", "0.1 um"}, {"to", "1 um"}}, "parameters[2].path", "start"},
   };
   for (std::size_t k = 1; k < all.size(); ++k) {
@@ -143,9 +149,11 @@ TEST(FitCase, WrongReadingsStandAtTheirPlaceInTheFile) {
     return refusal(input, {{"x.csv", std::string("force_kN,torque_Nm,s\n1,1.2,1\n") + row + "\n3,3.1,1\n"}});
   };
   for (const char* reading : {"", "nan", "inf", "word"})
-    EXPECT_THAT(refused(fmt::format("2,{},1", reading).c_str()), HasSubstr("x.csv:3:3: error: torque_Nm: got")) << reading;
+    EXPECT_THAT(refused(fmt::format("2,{},1", reading).c_str()), HasSubstr("x.csv:3:3: error: torque_Nm: got"))
+        << reading;
   EXPECT_THAT(refused("much,2,1"), HasSubstr("x.csv:3:1: error: force_kN"));
-  EXPECT_THAT(refused("2,2.1,0", {{"deviation", {{"column", "s"}, {"unit", "N m"}}}}), HasSubstr("x.csv:3:7: error: s"));
+  EXPECT_THAT(refused("2,2.1,0", {{"deviation", {{"column", "s"}, {"unit", "N m"}}}}),
+              HasSubstr("x.csv:3:7: error: s"));
   EXPECT_THAT(refused("2,0,1", {{"deviation", "1 %"}}), HasSubstr("x.csv:3:3"));
 }
 
@@ -190,14 +198,21 @@ TEST(FitCase, TheFittedFileAnswersWhatWasFitted) {
 json warming_up() {
   json input = input_of("friction-on-the-bench");
   input["structure"] = input_of("play-on-the-bench")["structure"];
-  input["heat"] = {{"ambient", "20 degC"},
-                   {"conductance", {{"screw_ambient", "2 W/K"}, {"nut_ambient", "4 W/K"}, {"screw_rollers", "20 W/K"}, {"rollers_nut", "30 W/K"}}},
-                   {"specific_heat", "460 J/(kg K)"},
-                   {"duty", {{{"load_case", "run"}, {"duration", "60 min"}}, {{"rest", "12 h"}}}}};
-  input["fit"] = {{"parameters", json::array({{{"path", "heat.conductance.nut_ambient"}, {"from", "1 W/K"}, {"to", "12 W/K"}}})},
-                  {"curves", json::array({{{"name", "nut"}, {"file", "warm.csv"}, {"response", "heat_cycle.temperature_degC.nut"},
-                               {"measured", {{"column", "T"}, {"unit", "degF"}}}, {"deviation", "0.9 degF"},
-                               {"along", {{"response", "heat_cycle.time_s"}, {"column", "minutes"}, {"unit", "min"}}}}})}};
+  input["heat"] = {
+      {"ambient", "20 degC"},
+      {"conductance",
+       {{"screw_ambient", "2 W/K"}, {"nut_ambient", "4 W/K"}, {"screw_rollers", "20 W/K"}, {"rollers_nut", "30 W/K"}}},
+      {"specific_heat", "460 J/(kg K)"},
+      {"duty", {{{"load_case", "run"}, {"duration", "60 min"}}, {{"rest", "12 h"}}}}};
+  input["fit"] = {
+      {"parameters", json::array({{{"path", "heat.conductance.nut_ambient"}, {"from", "1 W/K"}, {"to", "12 W/K"}}})},
+      {"curves",
+       json::array({{{"name", "nut"},
+                     {"file", "warm.csv"},
+                     {"response", "heat_cycle.temperature_degC.nut"},
+                     {"measured", {{"column", "T"}, {"unit", "degF"}}},
+                     {"deviation", "0.9 degF"},
+                     {"along", {{"response", "heat_cycle.time_s"}, {"column", "minutes"}, {"unit", "min"}}}}})}};
   return input;
 }
 
@@ -205,8 +220,10 @@ TEST(FitCase, ASeriesIsTakenAtItsRowsAndTemperaturesShift) {
   json cut = warming_up();
   cut.erase("fit");
   cut["heat"]["conductance"]["nut_ambient"] = "6 W/K";
-  cut["heat"]["duty"] = {{{"load_case", "run"}, {"duration", "7 min"}}, {{"load_case", "run"}, {"duration", "16 min"}},
-                         {{"load_case", "run"}, {"duration", "37 min"}}, {{"rest", "12 h"}}};
+  cut["heat"]["duty"] = {{{"load_case", "run"}, {"duration", "7 min"}},
+                         {{"load_case", "run"}, {"duration", "16 min"}},
+                         {{"load_case", "run"}, {"duration", "37 min"}},
+                         {{"rest", "12 h"}}};
   const input::Source source{.name = "cut", .text = cut.dump(), .overrides = {}};
   const Json warm = analysis_of(Command::slip).run(source, input::read_case_input(source, Command::slip)).document({});
   std::string csv = "minutes,T\n";
@@ -214,7 +231,8 @@ TEST(FitCase, ASeriesIsTakenAtItsRowsAndTemperaturesShift) {
     const Json& times = warm["heat_cycle"]["time_s"];
     for (std::size_t k = 0; k < times.size(); ++k)
       if (std::abs(times[k].get<double>() - 60.0 * minutes) < 1e-6) {
-        csv += fmt::format("{},{}\n", minutes, 32.0 + 1.8 * warm["heat_cycle"]["temperature_degC"]["nut"][k].get<double>());
+        csv += fmt::format("{},{}\n", minutes,
+                           32.0 + 1.8 * warm["heat_cycle"]["temperature_degC"]["nut"][k].get<double>());
         break;
       }
   }
@@ -234,12 +252,17 @@ TEST(FitCase, ConditionsMayBeWordsAndCurvesHeldBack) {
   json input = input_of("play-on-the-bench");
   input["fit"]["profile"] = json::array();
   input["fit"]["curves"][0]["offset"] = false;
-  input["fit"]["curves"].push_back({{"name", "stiff"}, {"file", "stiff.csv"}, {"response", "axial_displacement_um"},
-                                    {"use", "compare"}, {"offset", true}, {"measured", {{"column", "u"}, {"unit", "mm"}}},
-                                    {"conditions", {{{"path", "load_cases[0].direction"}, {"column", "sense"}},
-                                                    {{"path", "load_cases[0].axial_force"}, {"column", "F"}, {"unit", "kN"}}}}});
-  const json found =
-      fitted_document(input, {{"stiff.csv", "sense;F;u\n# a comment\ntension;4;0.012\ncompression;4;0.011\ntension;8;0.02\n"}});
+  input["fit"]["curves"].push_back({{"name", "stiff"},
+                                    {"file", "stiff.csv"},
+                                    {"response", "axial_displacement_um"},
+                                    {"use", "compare"},
+                                    {"offset", true},
+                                    {"measured", {{"column", "u"}, {"unit", "mm"}}},
+                                    {"conditions",
+                                     {{{"path", "load_cases[0].direction"}, {"column", "sense"}},
+                                      {{"path", "load_cases[0].axial_force"}, {"column", "F"}, {"unit", "kN"}}}}});
+  const json found = fitted_document(
+      input, {{"stiff.csv", "sense;F;u\n# a comment\ntension;4;0.012\ncompression;4;0.011\ntension;8;0.02\n"}});
   const json& curve = found["curves"][1];
   EXPECT_EQ(curve["use"], "compare");
   EXPECT_EQ(curve["line"], json({3, 4, 5}));
@@ -255,8 +278,10 @@ TEST(FitCase, ConditionsMayBeWordsAndCurvesHeldBack) {
 TEST(FitCase, EveryLoadOfAPreloadSeriesIsThatOfItsRow) {
   json input = input_of("play-on-the-bench");
   input.erase("fit");
-  const input::Source source{.name = "play", .text = input.dump(), .overrides = {"preload.load={from: -3 kN, to: 5 kN, steps: 2}"}};
-  const Json direct = analysis_of(Command::preload).run(source, input::read_case_input(source, Command::preload)).document({});
+  const input::Source source{
+      .name = "play", .text = input.dump(), .overrides = {"preload.load={from: -3 kN, to: 5 kN, steps: 2}"}};
+  const Json direct =
+      analysis_of(Command::preload).run(source, input::read_case_input(source, Command::preload)).document({});
   json with_fit = input_of("play-on-the-bench");
   with_fit["fit"]["profile"] = json::array();
   with_fit["fit"]["parameters"].erase(1);
