@@ -45,10 +45,25 @@ struct FitDirection {
   }
   double shown(double w) const { return is_log() ? std::exp(w) : w; }
 };
+struct FitProfile : FittedUnknown {};
+struct FitCombination : FitDirection {};
+struct FittedBand : FittedCurve {};
 struct FitMatrix {
   std::vector<std::string> names;
   std::vector<std::vector<double>> matrix;
 };
+
+Record<FitParameter::Prior> record_of(Type<FitParameter::Prior>);
+Record<FitProfile> record_of(Type<FitProfile>);
+Record<FittedUnknown> record_of(Type<FittedUnknown>);
+Record<FitMatrix> record_of(Type<FitMatrix>);
+Record<FitCombination> record_of(Type<FitCombination>);
+Record<FitDirection> record_of(Type<FitDirection>);
+Record<estimation::Runs> record_of(Type<estimation::Runs>);
+Record<FittedCurve> record_of(Type<FittedCurve>);
+Record<FitCondition> record_of(Type<FitCondition>);
+Record<FittedBand> record_of(Type<FittedBand>);
+Record<estimation::StartResult> record_of(Type<estimation::StartResult>);
 
 namespace {
 
@@ -81,7 +96,7 @@ constexpr Quantity<FitParameter::Prior> kPrior[] = {
     {"deviation", always<&FitParameter::Prior::deviation>},
 };
 
-constexpr Quantity<FittedUnknown> kProfile[] = {
+constexpr Quantity<FitProfile> kProfile[] = {
     {"low", of<[](auto& p) { return p.shown(p.found().profile_low); }>},
     {"high", of<[](auto& p) { return p.shown(p.found().profile_high); }>},
 };
@@ -95,9 +110,7 @@ constexpr Quantity<FittedUnknown> kUnknown[] = {
     {"start", always<[](auto& p) { return p.parameter() ? p.parameter()->start : 0.0; }>},
     {"from", always<[](auto& p) { return p.bound(-1.0); }>},
     {"to", always<[](auto& p) { return p.bound(1.0); }>},
-    {"prior",
-     of_table<kPrior,
-              [](auto& p) { return p.parameter() ? p.parameter()->prior : std::optional<FitParameter::Prior>(); }>},
+    {"prior", of<[](auto& p) { return p.parameter() ? p.parameter()->prior : std::optional<FitParameter::Prior>(); }>},
     {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data tell it"},
     {"value", of<[](auto& p) { return p.shown(p.found().u); }>},
     {"standard_deviation", of<[](auto& p) {
@@ -114,7 +127,7 @@ constexpr Quantity<FittedUnknown> kUnknown[] = {
      of<[](auto& p) { return p.found().at_bound < 0 ? "from" : "to"; },
         [](auto& p) { return p.found().at_bound != 0; }>,
      "from | to"},
-    {"profile", of_table<kProfile, [](auto& p) { return p; }, has_profile>, "interval of the profile likelihood"},
+    {"profile", of<[](auto& p) { return FitProfile{p}; }, has_profile>, "interval of the profile likelihood"},
     {"set",
      of<[](auto& p) { return fmt::format("{}={}", p.r->name(p.j), fit_text(*p.shown(p.found().u), p.r->unit(p.j))); },
         [](auto& p) { return p.parameter() && p.found().u; }>,
@@ -131,7 +144,7 @@ constexpr auto has_spread = [](const FitDirection& d) {
   return d.found().combination && d.found().combination->deviation > 0.0;
 };
 
-constexpr Quantity<FitDirection> kCombination[] = {
+constexpr Quantity<FitCombination> kCombination[] = {
     {"kind", always<[](auto& d) { return d.is_log() ? "product" : "sum"; }>, "sum | product"},
     {"names", always<[](auto& d) { return names_of(*d.r, d.found().unknowns); }>},
     {"factor", always<[](auto& d) { return d.found().factor; }>, "a + factor b, or a b^factor"},
@@ -156,7 +169,7 @@ constexpr Quantity<FitDirection> kDirection[] = {
     {"names", always<[](auto& d) { return names_of(*d.r, d.found().unknowns); }>},
     {"direction", always<[](auto& d) { return d.found().direction; }>, "of the scaled parameters"},
     {"ratio", always<[](auto& d) { return d.found().ratio; }>, "singular value over the largest"},
-    {"combination", of_table<kCombination, [](auto& d) { return d; }, combination>, "what counts of two"},
+    {"combination", of<[](auto& d) { return FitCombination{d}; }, combination>, "what counts of two"},
 };
 
 constexpr Quantity<estimation::Runs> kRuns[] = {
@@ -188,7 +201,7 @@ constexpr Quantity<FittedCurve> kCurve[] = {
     {"rms", of<[](auto& c) { return c.found().rms; }, is_computed>},
     {"r_squared", of<[](auto& c) { return c.found().r_squared; }>},
     {"chi_square", of<[](auto& c) { return c.found().chi_square; }>, "sum of the squares over the deviations"},
-    {"runs", of_table<kRuns, [](auto& c) { return c.found().runs; }>, "of sign of the residuals"},
+    {"runs", of<[](auto& c) { return c.found().runs; }>, "of sign of the residuals"},
     {"line", always<[](auto& c) { return c.curve().lines; }>, "of the file"},
     {"measured", always<[](auto& c) { return c.curve().measured; }>},
     {"fitted", rows_of<&estimation::CurveResult::fitted>, "with the offset"},
@@ -204,18 +217,16 @@ constexpr Quantity<FitCondition> kBandCondition[] = {
     {"values", always<&FitCondition::texts>, "one for each row, or one for all"},
 };
 
-constexpr Quantity<FittedCurve> kBand[] = {
+constexpr Quantity<FittedBand> kBand[] = {
     {"name", always<[](auto& c) { return c.curve().name; }>},
     {"response", always<[](auto& c) { return c.curve().response; }>},
     {"unit", always<[](auto& c) { return c.curve().unit; }>},
     {"command", always<[](auto& c) { return name(c.curve().command); }>},
-    {"conditions", always_table<kBandCondition,
-                                [](auto& c) {
-                                  std::vector<FitCondition> all = c.curve().conditions;
-                                  for (const auto& [path, value] : c.curve().constants)
-                                    all.push_back({path, "", {value}});
-                                  return all;
-                                }>},
+    {"conditions", always<[](auto& c) {
+       std::vector<FitCondition> all = c.curve().conditions;
+       for (const auto& [path, value] : c.curve().constants) all.push_back({path, "", {value}});
+       return all;
+     }>},
     {"value", rows_of<&estimation::CurveResult::fitted>},
     {"standard_deviation", rows_of<&estimation::CurveResult::band_deviation>},
     {"low", rows_of<&estimation::CurveResult::low>},
@@ -243,6 +254,10 @@ std::vector<FittedCurve> curves_of(const FitResult& r, bool bands) {
   return all;
 }
 
+std::vector<FittedBand> bands_of(const FitResult& r) {
+  return each(curves_of(r, true), [](const FittedCurve& c) { return FittedBand{c}; });
+}
+
 constexpr Quantity<FitResult> kFit[] = {
     {"converged", always<&FitResult::converged>},
     {"status", always<[](auto& r) { return name(r.found.status); }>,
@@ -256,21 +271,19 @@ constexpr Quantity<FitResult> kFit[] = {
     {"p_value", of<[](auto& r) { return r.found.p_value; }>, "probability of more"},
     {"evaluations", always<&FitResult::evaluations>, "rows that were computed"},
     {"iterations", always<[](auto& r) { return r.found.iterations; }>},
-    {"parameters", always_table<kUnknown, unknowns_of>},
-    {"correlation", always_table<kMatrix, [](auto& r) { return matrix_of(r, true); }>},
-    {"covariance", always_table<kMatrix, [](auto& r) { return matrix_of(r, false); }>, "in the units of the values"},
+    {"parameters", always<unknowns_of>},
+    {"correlation", always<[](auto& r) { return matrix_of(r, true); }>},
+    {"covariance", always<[](auto& r) { return matrix_of(r, false); }>, "in the units of the values"},
     {"singular_value_ratios", always<[](auto& r) { return r.found.singular_value_ratios; }>, "falling"},
-    {"unidentified",
-     always_table<kDirection,
-                  [](auto& r) {
-                    std::vector<FitDirection> all;
-                    for (std::size_t k = 0; k < r.found.unidentified.size(); ++k) all.push_back({&r, k});
-                    return all;
-                  }>,
+    {"unidentified", always<[](auto& r) {
+       std::vector<FitDirection> all;
+       for (std::size_t k = 0; k < r.found.unidentified.size(); ++k) all.push_back({&r, k});
+       return all;
+     }>,
      "what the data cannot tell apart"},
-    {"curves", always_table<kCurve, [](auto& r) { return curves_of(r, false); }>},
-    {"bands", always_table<kBand, [](auto& r) { return curves_of(r, true); }>},
-    {"starts", always_table<kStart, [](auto& r) { return r.found.starts; }>},
+    {"curves", always<[](auto& r) { return curves_of(r, false); }>},
+    {"bands", always<[](auto& r) { return bands_of(r); }>},
+    {"starts", always<[](auto& r) { return r.found.starts; }>},
 };
 
 // Files.
@@ -373,7 +386,7 @@ std::string fit_table(const FitResult& r) {
   }
   for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
     if (const FitDirection d{&r, k}; combination(d)) {
-      const Json c = detail::json_by<kCombination>(d, kNoUnit);
+      const Json c = object_of(FitCombination{d});
       text += wrapped(
           fmt::format(
               "told: {}{}", c["text"].get<std::string>(),
@@ -507,7 +520,19 @@ Figures correlation_figures(const FitResult& r) {
 
 }  // namespace
 
-Record<FitResult> record_of(Type<FitResult>) { return {"Fit", "Unknown inputs from measured curves.", kFit}; }
+PRS_RECORD(FitParameter::Prior, "FitPrior", "What was known before.", kPrior);
+PRS_RECORD(FitProfile, "FitProfile", "Interval of the profile likelihood.", kProfile);
+PRS_RECORD(FittedUnknown, "FittedParameter", "An input that was fitted, or the offset of a curve.", kUnknown);
+PRS_RECORD(FitMatrix, "FitMatrix", "Of the values with a deviation.", kMatrix);
+PRS_RECORD(FitCombination, "FitCombination", "What the data tell of two parameters that they cannot tell apart.",
+           kCombination);
+PRS_RECORD(FitDirection, "FitDirection", "Parameters that the data cannot tell apart.", kDirection);
+PRS_RECORD(estimation::Runs, "FitRuns", "Runs of sign of the residuals.", kRuns);
+PRS_RECORD(FittedCurve, "FittedCurve", "A curve with its fit.", kCurve);
+PRS_RECORD(FitCondition, "FitCondition", "What a band sets.", kBandCondition);
+PRS_RECORD(FittedBand, "FitBand", "A response with its uncertainty.", kBand);
+PRS_RECORD(estimation::StartResult, "FitStart", "A search.", kStart);
+PRS_RECORD(FitResult, "Fit", "Unknown inputs from measured curves.", kFit);
 
 const Analysis<FitResult>& fit_analysis() {
   static const Place places[] = {{"fit", describe<FitResult>}};
