@@ -364,9 +364,10 @@ class Case(Analyses):
 
     def _with_curves(self, data: Mapping[str, Any]) -> Self:
         name, text, overrides, folder, files = self._parts()
-        curves = self["fit"]["curves"]
-        names = [curve.get("name", f"curve-{k + 1}") for k, curve in enumerate(curves)]
         given = dict(files or {})
+        # Where texts of files are given, a check opens no curves.
+        curves = self._from_source(_source(name, text, overrides, folder, given))["fit"]["curves"]
+        names = [curve.get("name", f"curve-{k + 1}") for k, curve in enumerate(curves)]
         changed = [*overrides]
         for curve, columns in data.items():
             if curve not in names:

@@ -2035,7 +2035,6 @@ class FittedParameter(Record):
     unit: str
     scale: str
     start: float
-    from: float
     to: float
     prior: FitPrior | None
     identified: bool
