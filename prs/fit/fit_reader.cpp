@@ -8,7 +8,7 @@
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/input/varied_input.h"
-#include "prs/record/record.h"
+#include "prs/record/record_table.h"
 
 namespace prs {
 namespace {
@@ -20,6 +20,11 @@ constexpr std::size_t kMostRows = 1'000'000;
 
 std::string with_unit(double number, std::string_view unit) {
   return unit.empty() ? fmt::format("{}", number) : fmt::format("{} {}", number, unit);
+}
+
+/// As it was written: `460 J/(kg K)` of a value with brackets, which stands in quotes.
+std::string unquoted(const std::string& text) {
+  return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
 /// The dimension that has a unit, or null.
@@ -210,7 +215,10 @@ class FitReader : input::VariedInput {
   }
 
   FitParameter parameter(std::size_t k) {
-    const FitParameterItem& item = item_.parameters[k];
+    FitParameterItem item = item_.parameters[k];
+    for (std::string* text : {&item.from, &item.to, item.start ? &*item.start : nullptr,
+                              item.prior ? &item.prior->mean : nullptr, item.prior ? &item.prior->deviation : nullptr})
+      if (text) *text = unquoted(*text);
     path_ = fmt::format("fit.parameters[{}]", k);
     FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
     if (!check_outside("path", item.path)) return p;
@@ -250,7 +258,7 @@ class FitReader : input::VariedInput {
                                     shown(item.from)));
     const std::optional<Node> stands = base_value(p.path, fields_);
     if (stands && find_path(base_, p.path)) p.stood = flow_text(*stands);
-    const std::optional<double> there = stands ? input::number_in(flow_text(*stands), p.unit) : std::nullopt;
+    const std::optional<double> there = stands ? input::number_in(unquoted(flow_text(*stands)), p.unit) : std::nullopt;
     p.has_start = item.start.has_value();
     if (item.start) {
       p.start = number(*item.start, p.unit, "start", "`from`");
@@ -506,7 +514,7 @@ class FitReader : input::VariedInput {
       column = table.column(its->text, key + ".column");
       unit = in ? in->text : "";
     } else {
-      const auto written = input::split_unit(*item.deviation);
+      const auto written = input::split_unit(unquoted(*item.deviation));
       if (!written)
         fail(key, fmt::format("got {}; expected a value, a share of the reading, {{column: .., unit: ..}} or "
                               "estimated; write for example `deviation: {}`",
@@ -601,10 +609,11 @@ class FitReader : input::VariedInput {
   }
 
   std::vector<std::string> texts_of(const input::WrittenValues& values) const {
-    if (!values.range) return values.list;
+    if (!values.range) return each(values.list, unquoted);
     const input::WrittenRange& range = *values.range;
     const bool logarithmic = range.spacing == input::WrittenRange::Spacing::logarithmic;
-    const std::optional<Ends> ends = read_ends("values.", range.from, range.to, false);
+    const std::string from = unquoted(range.from), to = unquoted(range.to);
+    const std::optional<Ends> ends = read_ends("values.", from, to, false);
     errors_.throw_if_any();
     if (logarithmic && !(ends->from.number * ends->to.number > 0.0))
       fail(path_ + ".values.from",
