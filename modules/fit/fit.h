@@ -11,7 +11,9 @@
 /// vectors in and out; what the function computes is the caller's.
 namespace modules::fit {
 
-/// u, which is linear in z from 0 at `from` to 1 at `to`.
+/// Its value, or with `is_log` the value's logarithm, is linear in z from 0 at `from` to 1 at `to`.
+/// All numbers here and in results are those of the value; intervals of logarithms are exponentials,
+/// deviations those of the logarithm times the value.
 struct Unknown {
   double from = 0.0, to = 1.0, start = 0.0;
   bool is_bounded = true;  ///< 0 <= z <= 1
@@ -20,7 +22,7 @@ struct Unknown {
   };
   std::optional<Prior> prior = {};
   bool is_offset = false;  ///< Adds to the curve that names it: no input of the function.
-  int scale = 0;           ///< Only unknowns of one scale have a combination.
+  bool is_log = false;
 };
 
 /// rho(s), s = r^2: squares s; huber s up to k^2, then 2 k sqrt(s) - k^2; cauchy k^2 ln(1 + s/k^2).
@@ -51,7 +53,7 @@ struct Failure {
 
 /// What is asked for: values of the unknowns, and of which curves.
 struct Request {
-  std::vector<double> u;
+  std::vector<double> values;
   std::vector<bool> curves;
 };
 struct Answer {
@@ -73,7 +75,7 @@ struct Problem {
 /// The worst comes first.
 enum class Status { no_equilibrium, not_identifiable, no_redundancy, iteration_limit, converged };
 
-/// Of u, or of a response.
+/// Of an unknown, or of a response.
 struct Estimate {
   double value = 0.0, deviation = 0.0, low = 0.0, high = 0.0;
   std::optional<double> degrees_of_freedom = {};  ///< Of Student's quantile; absent: the normal one.
@@ -81,7 +83,7 @@ struct Estimate {
 
 struct UnknownResult {
   bool is_identified = true;
-  std::optional<double> u = {};
+  std::optional<double> value = {};
   std::optional<Estimate> estimate = {};
   int at_bound = 0;  ///< -1: `from`, 1: `to`.
   std::optional<double> profile_low = {}, profile_high = {};
@@ -107,7 +109,7 @@ struct Unidentified {
   std::vector<std::size_t> unknowns;
   std::vector<double> direction;
   double ratio = 0.0;
-  double factor = 0.0;                       ///< u_a + factor u_b
+  double factor = 0.0;                       ///< a + factor b; of logarithms a b^factor.
   std::optional<Estimate> combination = {};  ///< Of two unknowns of one scale.
 };
 
@@ -129,8 +131,8 @@ struct Result {
   std::optional<double> chi_square = {}, reduced_chi_square = {}, p_value = {};
   std::size_t iterations = 0;
   std::vector<UnknownResult> unknowns;
-  std::vector<std::size_t> with_deviation;  ///< Whose covariance follows, in u.
-  std::vector<std::vector<double>> covariance;
+  std::vector<std::size_t> with_deviation;  ///< Whose covariance follows.
+  std::vector<std::vector<double>> covariance, correlation;
   std::vector<double> singular_value_ratios;
   std::vector<Unidentified> unidentified;
   std::vector<CurveResult> curves;

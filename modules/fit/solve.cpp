@@ -36,9 +36,24 @@ struct Normal {
   MatrixXd inverse = {};
 };
 
+/// In the unknown's own unit.
+double shown(const Unknown& unknown, double u) { return unknown.is_log ? std::exp(u) : u; }
+Estimate shown(const Unknown& unknown, Estimate e) {
+  if (!unknown.is_log) return e;
+  e.value = std::exp(e.value);
+  return {e.value, e.deviation * e.value, std::exp(e.low), std::exp(e.high), e.degrees_of_freedom};
+}
+
 class Search {
  public:
-  explicit Search(const Problem& problem) : problem_(problem), count_(static_cast<Index>(problem.unknowns.size())) {
+  explicit Search(const Problem& problem)
+      : problem_(problem), unknowns_(problem.unknowns), count_(static_cast<Index>(problem.unknowns.size())) {
+    for (Unknown& unknown : unknowns_) {
+      if (!unknown.is_log) continue;
+      for (double* const value : {&unknown.from, &unknown.to, &unknown.start}) *value = std::log(*value);
+      if (unknown.prior)
+        unknown.prior = {std::log(unknown.prior->mean), unknown.prior->deviation / unknown.prior->mean};
+    }
     for (std::size_t c = 0; c < problem.curves.size(); ++c) {
       const Curve& curve = problem.curves[c];
       losses_.push_back(curve.loss);
@@ -134,7 +149,7 @@ class Search {
   void conclude(Status status, Result& result, bool whole);
 
  private:
-  const Unknown& unknown(Index j) const { return problem_.unknowns[static_cast<std::size_t>(j)]; }
+  const Unknown& unknown(Index j) const { return unknowns_[static_cast<std::size_t>(j)]; }
   double range(Index j) const { return unknown(j).to - unknown(j).from; }
   bool is_estimated(std::size_t c) const {
     return problem_.curves[c].use == Curve::Use::fit && problem_.curves[c].deviation.empty();
@@ -148,8 +163,8 @@ class Search {
   double u(Index j, double z) const { return unknown(j).from + z * range(j); }
 
   Request request(const VectorXd& z, std::vector<bool> curves) const {
-    Request r{.u = {}, .curves = std::move(curves)};
-    for (Index j = 0; j < count_; ++j) r.u.push_back(u(j, z[j]));
+    Request r{.values = {}, .curves = std::move(curves)};
+    for (Index j = 0; j < count_; ++j) r.values.push_back(shown(unknown(j), u(j, z[j])));
     return r;
   }
   VectorXd values_of(const std::vector<double>& v) const {
@@ -463,6 +478,7 @@ class Search {
   void set_profile(Index j, const Normal& n, const Covariance& covariance, double level, UnknownResult& result);
 
   const Problem& problem_;
+  std::vector<Unknown> unknowns_;  ///< In u: the value, or its logarithm.
   Index count_;
   std::vector<Loss> losses_;
   std::vector<VectorXd> measured_, weight_;
@@ -522,7 +538,7 @@ void Search::set_profile(Index j, const Normal& n, const Covariance& covariance,
       }
       x = next;
     }
-    if (end) (sense < 0.0 ? result.profile_low : result.profile_high) = u(j, *end);
+    if (end) (sense < 0.0 ? result.profile_low : result.profile_high) = shown(unknown(j), u(j, *end));
   }
 }
 
@@ -587,7 +603,7 @@ void Search::conclude(Status status, Result& result, bool whole) {
       n.free.push_back(j);
     else
       one.at_bound = pushed_out(state->z, n.gradient, j);
-    if (one.is_identified) one.u = u(j, state->z[j]);
+    if (one.is_identified) one.value = shown(unknown(j), u(j, state->z[j]));
   }
   n.inverse = inverse(n.matrix, n.free);
 
@@ -630,26 +646,31 @@ void Search::conclude(Status status, Result& result, bool whole) {
     UnknownResult& one = result.unknowns[static_cast<std::size_t>(j)];
     if (!one.is_identified || !has_deviations) continue;
     result.with_deviation.push_back(static_cast<std::size_t>(j));
-    one.estimate = covariance.of(VectorXd::Unit(count_, j) * range(j), *one.u, level);
-    one.prior_decides = unknown(j).prior && one.estimate->deviation > 0.9 * unknown(j).prior->deviation;
+    const Estimate e = covariance.of(VectorXd::Unit(count_, j) * range(j), u(j, state->z[j]), level);
+    one.prior_decides = unknown(j).prior && e.deviation > 0.9 * unknown(j).prior->deviation;
+    one.estimate = shown(unknown(j), e);
   }
   for (const std::size_t i : result.with_deviation) {
-    std::vector<double>& row = result.covariance.emplace_back();
+    std::vector<double>&row = result.covariance.emplace_back(), &correlations = result.correlation.emplace_back();
     const auto a = static_cast<Index>(i);
+    const auto by_u = [&](std::size_t k) { return problem_.unknowns[k].is_log ? *result.unknowns[k].value : 1.0; };
     for (const std::size_t k : result.with_deviation) {
       const auto b = static_cast<Index>(k);
-      row.push_back(covariance.full(a, b) * range(a) * range(b));
+      const double c = covariance.full(a, b);
+      row.push_back(c * range(a) * range(b) * by_u(i) * by_u(k));
+      correlations.push_back(i == k ? 1.0 : c / std::sqrt(covariance.full(a, a) * covariance.full(b, b)));
     }
   }
   for (Unidentified& direction : result.unidentified) {
     if (direction.unknowns.size() != 2) continue;
     const auto a = static_cast<Index>(direction.unknowns[0]), b = static_cast<Index>(direction.unknowns[1]);
-    if (unknown(a).scale != unknown(b).scale) continue;
+    if (unknown(a).is_log != unknown(b).is_log) continue;
     direction.factor = -(direction.direction[0] * range(a) / spectrum.length[a]) /
                        (direction.direction[1] * range(b) / spectrum.length[b]);
     const VectorXd g = VectorXd::Unit(count_, a) * range(a) + direction.factor * VectorXd::Unit(count_, b) * range(b);
     const double value = u(a, state->z[a]) + direction.factor * u(b, state->z[b]);
-    direction.combination = has_deviations ? covariance.of(g, value, level) : Estimate{.value = value};
+    direction.combination =
+        shown(unknown(a), has_deviations ? covariance.of(g, value, level) : Estimate{.value = value});
   }
 
   // The other curves.
@@ -678,7 +699,7 @@ void Search::conclude(Status status, Result& result, bool whole) {
     }
   }
   for (std::size_t c = 0; c < fitted_.size(); ++c) {
-    CurveResult& curve = result.curves.emplace_back();
+    CurveResult& curve = result.curves[c];
     const bool banded = has_deviations && (fitted_[c] || everywhere);
     double mean_offset = 0.0;
     if (problem_.curves[c].has_free_mean && values[c].size() > 0) mean_offset = (measured_[c] - values[c]).mean();
@@ -721,6 +742,7 @@ Result solve(const Problem& problem) {
   Search search(problem);
   Result result;
   result.status = Status::converged;
+  result.curves.resize(problem.curves.size());
   const VectorXd first = search.start(0);
   if (!search.look_at_start(first, result)) {
     result.status = Status::no_equilibrium;

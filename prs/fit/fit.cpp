@@ -12,11 +12,8 @@ using modules::fit::Curve, modules::fit::Problem, modules::fit::Status, modules:
 Problem problem_of(const FitInput& input, FitEvaluation& evaluation) {
   Problem problem;
   for (const FitParameter& p : input.parameters) {
-    const auto u = [&](double value) { return p.is_log ? std::log(value) : value; };
-    Unknown unknown{.from = u(p.from), .to = u(p.to), .start = u(p.start)};
-    if (p.prior) unknown.prior = {u(p.prior->mean), p.is_log ? p.prior->deviation / p.prior->mean : p.prior->deviation};
-    unknown.scale = p.is_log ? 1 : 0;
-    problem.unknowns.push_back(unknown);
+    problem.unknowns.push_back({.from = p.from, .to = p.to, .start = p.start, .is_log = p.is_log});
+    if (p.prior) problem.unknowns.back().prior = {p.prior->mean, p.prior->deviation};
   }
   for (const FitCurve& c : input.curves) {
     Curve curve{.use = c.use, .rows = c.rows, .measured = c.measured, .deviation = c.deviation, .loss = c.loss};
@@ -74,15 +71,14 @@ void add_warnings(FitResult& r) {
            "widen the bounds where it may be");
     if (u.prior_decides)
       warn(path, "prior_decides", "its prior decides: the data hardly add to it", "measure what depends on it");
-    if (u.estimate && r.shown(j, u.estimate->low) <= r.input.parameters[j].from &&
-        r.shown(j, u.estimate->high) >= r.input.parameters[j].to)
+    if (u.estimate && u.estimate->low <= r.input.parameters[j].from && u.estimate->high >= r.input.parameters[j].to)
       warn(path, "hardly_told", "the data hardly tell it: its interval covers all from `from` to `to`",
            "measure what depends on it");
   }
   const auto systematic = [&](const std::string& at, const std::string& code, const std::string& which, double p) {
     warn(at, code,
-         format("{} has a probability of {:.2g} %: the model leaves something systematic, or deviations are too "
-                "small; intervals are too narrow then",
+         format("{} has a probability of {:.2g} %: the model leaves something systematic, or deviations are too small; "
+                "intervals are too narrow then",
                 which, 100.0 * p),
          "look at the residuals");
   };
@@ -96,8 +92,7 @@ void add_warnings(FitResult& r) {
         static_cast<std::size_t>(std::ranges::count_if(curve.weight, [](double w) { return w < 0.5; }));
     if (its.loss.is_robust() && 4 * outliers > curve.weight.size())
       warn(its.at, "outliers",
-           format("{} of {} rows of {} count less than half: its deviation is too small, or the model "
-                  "leaves something",
+           format("{} of {} rows of {} count less than half: its deviation is too small, or the model leaves something",
                   outliers, curve.weight.size(), its.name),
            "look at the residuals");
   }
@@ -131,16 +126,6 @@ std::string FitResult::unit(std::size_t unknown) const {
   return p ? p->unit : curve_of_offset(unknown).unit;
 }
 
-double FitResult::shown(std::size_t unknown, double u) const {
-  const FitParameter* p = parameter(unknown);
-  return p && p->is_log ? std::exp(u) : u;
-}
-
-double FitResult::slope(std::size_t unknown, double u) const {
-  const FitParameter* p = parameter(unknown);
-  return p && p->is_log ? std::exp(u) : 1.0;
-}
-
 std::string fit_text(double value, std::string_view unit) {
   return fmt::format("{:.10g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
@@ -151,18 +136,17 @@ std::string fitted_case(const FitResult& r) {
   for (std::size_t j = 0; j < r.input.parameters.size(); ++j) {
     const FitParameter& p = r.input.parameters[j];
     const modules::fit::UnknownResult& u = r.found.unknowns[j];
-    const std::string value = fit_text(r.shown(j, *u.u), p.unit);
+    const std::string value = fit_text(*u.value, p.unit);
     overrides.push_back(fmt::format("{}={}", p.path, value));
     // Fitted again it starts where it ended.
     if (p.has_start) overrides.push_back(fmt::format("fit.parameters[{}].start={}", j, value));
     std::string remark = u.at_bound != 0 ? "fitted, at its bound" : "fitted";
     if (u.estimate) {
       const auto text = [&](double x) { return fmt::format("{:.5g}", x); };
-      remark = fmt::format(
-          "fitted: standard deviation {}, {:g} % interval {} to {}",
-          fmt::format("{:.3g}{}{}", u.estimate->deviation * r.slope(j, *u.u), p.unit.empty() ? "" : " ", p.unit),
-          100.0 * r.input.level, text(r.shown(j, u.estimate->low)),
-          fmt::format("{}{}{}", text(r.shown(j, u.estimate->high)), p.unit.empty() ? "" : " ", p.unit));
+      remark = fmt::format("fitted: standard deviation {}, {:g} % interval {} to {}",
+                           fmt::format("{:.3g}{}{}", u.estimate->deviation, p.unit.empty() ? "" : " ", p.unit),
+                           100.0 * r.input.level, text(u.estimate->low),
+                           fmt::format("{}{}{}", text(u.estimate->high), p.unit.empty() ? "" : " ", p.unit));
     }
     remarks.emplace_back(p.path, remark + (p.stood.empty() ? "; the file said nothing" : "; was " + p.stood));
   }
@@ -201,8 +185,8 @@ FitResult fit_case(const input::Source& source, const FitOptions& options) {
   const modules::fit::Result& found = result.found;
   if (found.without_influence)
     input::fail_at(source, fmt::format("fit.parameters[{}].path", *found.without_influence),
-                   "got {}, on which no curve depends at the start; expected one that moves a response; measure "
-                   "what depends on it, or delete it",
+                   "got {}, on which no curve depends at the start; expected one that moves a response; measure what "
+                   "depends on it, or delete it",
                    result.name(*found.without_influence));
   if (found.failed_at_start && found.failure && found.failure->is_refused)
     input::fail_at(source, result.input.curves[found.failure->curve].at,

@@ -86,10 +86,6 @@ struct FitResult {
     return unknown < input.parameters.size() ? &input.parameters[unknown] : nullptr;
   }
   std::string unit(std::size_t unknown) const;
-  /// A value of u in the unit.
-  double shown(std::size_t unknown, double u) const;
-  /// dv/du there: deviations of u in the unit.
-  double slope(std::size_t unknown, double u) const;
 };
 
 struct FitOptions {

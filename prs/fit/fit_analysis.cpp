@@ -15,42 +15,47 @@ struct FittedUnknown {
 
   const FitParameter* parameter() const { return r->parameter(j); }
   const estimation::UnknownResult& found() const { return r->found.unknowns[j]; }
-  std::optional<double> shown(std::optional<double> u) const {
-    return u ? std::optional(r->shown(j, *u)) : std::nullopt;
-  }
+  const std::optional<estimation::Estimate>& estimate() const { return found().estimate; }
+  std::string name() const { return r->name(j); }
+  std::string label() const { return parameter() ? parameter()->label : name(); }
+  std::string unit() const { return r->unit(j); }
   double bound(double sense) const {
     if (const FitParameter* p = parameter()) return sense < 0.0 ? p->from : p->to;
     const auto [least, greatest] = std::ranges::minmax(r->curve_of_offset(j).measured);
     return sense * (greatest - least);
   }
+  std::string setting() const { return fmt::format("{}={}", name(), fit_text(*found().value, unit())); }
 };
 struct FittedCurve {
   const FitResult* r = nullptr;
   std::size_t c = 0;
 
   const FitCurve& curve() const { return r->input.curves[c]; }
-  const estimation::CurveResult& found() const {
-    static const estimation::CurveResult none;
-    return c < r->found.curves.size() ? r->found.curves[c] : none;
-  }
+  const estimation::CurveResult& found() const { return r->found.curves[c]; }
+  bool is_fitted() const { return curve().use == FitCurve::Use::fit; }
 };
 struct FitDirection {
   const FitResult* r = nullptr;
   std::size_t k = 0;
 
   const estimation::Unidentified& found() const { return r->found.unidentified[k]; }
-  bool is_log() const {
-    const FitParameter* p = r->parameter(found().unknowns[0]);
-    return p && p->is_log;
+  const std::optional<estimation::Estimate>& combination() const { return found().combination; }
+  bool has_spread() const { return combination() && combination()->deviation > 0.0; }
+  std::vector<std::string> names() const {
+    return each(found().unknowns, [&](std::size_t j) { return r->name(j); });
   }
-  double shown(double w) const { return is_log() ? std::exp(w) : w; }
+  bool is_product() const { return r->parameter(found().unknowns[0]) && r->parameter(found().unknowns[0])->is_log; }
+  std::string text() const {
+    return fmt::format(fmt::runtime(is_product() ? "{} x ({})^{:.4g} = {:.6g}" : "{} + {2:.4g} x {1} = {3:.6g}"),
+                       names()[0], names()[1], found().factor, combination()->value);
+  }
 };
 struct FitProfile : FittedUnknown {};
 struct FitCombination : FitDirection {};
 struct FittedBand : FittedCurve {};
 struct FitMatrix {
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> matrix;
+  const FitResult* r = nullptr;
+  const std::vector<std::vector<double>>* matrix = nullptr;
 };
 
 Record<FitParameter::Prior> record_of(Type<FitParameter::Prior>);
@@ -67,29 +72,16 @@ Record<estimation::StartResult> record_of(Type<estimation::StartResult>);
 
 namespace {
 
-std::vector<std::string> names_of(const FitResult& r, const std::vector<std::size_t>& unknowns) {
-  return each(unknowns, [&](std::size_t j) { return r.name(j); });
+std::vector<std::string> names_with_deviation(const FitResult& r) {
+  return each(r.found.with_deviation, [&](std::size_t j) { return r.name(j); });
 }
 
-/// Of the values, or without their deviations.
-FitMatrix matrix_of(const FitResult& r, bool correlation) {
-  FitMatrix m{names_of(r, r.found.with_deviation), r.found.covariance};
-  for (std::size_t a = 0; a < m.names.size(); ++a)
-    for (std::size_t b = 0; b < m.names.size(); ++b) {
-      const std::size_t i = r.found.with_deviation[a], k = r.found.with_deviation[b];
-      const double deviations = std::sqrt(r.found.covariance[a][a] * r.found.covariance[b][b]);
-      m.matrix[a][b] = correlation
-                           ? (a == b ? 1.0 : m.matrix[a][b] / deviations)
-                           : m.matrix[a][b] * r.slope(i, *r.found.unknowns[i].u) * r.slope(k, *r.found.unknowns[k].u);
-    }
-  return m;
-}
-
-constexpr auto has_estimate = [](const FittedUnknown& p) { return p.found().estimate.has_value(); };
-
+constexpr auto has_estimate = [](const FittedUnknown& p) { return p.estimate().has_value(); };
 constexpr auto has_profile = [](const FittedUnknown& p) {
-  return p.found().estimate && std::ranges::find(p.r->input.profile, p.j) != p.r->input.profile.end();
+  return p.estimate() && std::ranges::find(p.r->input.profile, p.j) != p.r->input.profile.end();
 };
+template <auto member>
+constexpr auto of_estimate = of<[](const FittedUnknown& p) { return (*p.estimate()).*member; }, has_estimate>;
 
 constexpr Quantity<FitParameter::Prior> kPrior[] = {
     {"mean", always<&FitParameter::Prior::mean>},
@@ -97,79 +89,58 @@ constexpr Quantity<FitParameter::Prior> kPrior[] = {
 };
 
 constexpr Quantity<FitProfile> kProfile[] = {
-    {"low", of<[](auto& p) { return p.shown(p.found().profile_low); }>},
-    {"high", of<[](auto& p) { return p.shown(p.found().profile_high); }>},
+    {"low", of<[](auto& p) { return p.found().profile_low; }>},
+    {"high", of<[](auto& p) { return p.found().profile_high; }>},
 };
 
 constexpr Quantity<FittedUnknown> kUnknown[] = {
-    {"name", always<[](auto& p) { return p.r->name(p.j); }>, "path, or `offset of CURVE`"},
-    {"label", of<[](auto& p) { return p.parameter() ? std::optional(p.parameter()->label) : std::nullopt; }>},
-    {"unit", always<[](auto& p) { return p.r->unit(p.j); }>, "that of `from`; of an offset that of the response"},
+    {"name", always<&FittedUnknown::name>, "path, or `offset of CURVE`"},
+    {"label", of<&FittedUnknown::label, &FittedUnknown::parameter>},
+    {"unit", always<&FittedUnknown::unit>, "that of `from`; of an offset that of the response"},
     {"scale", always<[](auto& p) { return p.parameter() && p.parameter()->is_log ? "log" : "linear"; }>,
      "linear | log"},
     {"start", always<[](auto& p) { return p.parameter() ? p.parameter()->start : 0.0; }>},
     {"from", always<[](auto& p) { return p.bound(-1.0); }>},
     {"to", always<[](auto& p) { return p.bound(1.0); }>},
-    {"prior", of<[](auto& p) { return p.parameter() ? p.parameter()->prior : std::optional<FitParameter::Prior>(); }>},
+    {"prior", of<[](auto& p) { return p.parameter()->prior; }, &FittedUnknown::parameter>},
     {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data tell it"},
-    {"value", of<[](auto& p) { return p.shown(p.found().u); }>},
-    {"standard_deviation", of<[](auto& p) {
-       const auto& e = p.found().estimate;
-       return e ? std::optional(e->deviation * p.r->slope(p.j, *p.found().u)) : std::nullopt;
-     }>,
-     "with `log` that of the logarithm times the value"},
-    {"low", of<[](auto& p) { return p.r->shown(p.j, p.found().estimate->low); }, has_estimate>, "end of the interval"},
-    {"high", of<[](auto& p) { return p.r->shown(p.j, p.found().estimate->high); }, has_estimate>,
-     "end of the interval"},
-    {"degrees_of_freedom", of<[](auto& p) { return p.found().estimate->degrees_of_freedom; }, has_estimate>,
+    {"value", of<[](auto& p) { return p.found().value; }>},
+    {"standard_deviation", of_estimate<&estimation::Estimate::deviation>, "with `log` times the value"},
+    {"low", of_estimate<&estimation::Estimate::low>, "end of the interval"},
+    {"high", of_estimate<&estimation::Estimate::high>, "end of the interval"},
+    {"degrees_of_freedom", of_estimate<&estimation::Estimate::degrees_of_freedom>,
      "of Student's quantile; absent: the normal one", "Satterthwaite 1946"},
     {"at_bound",
      of<[](auto& p) { return p.found().at_bound < 0 ? "from" : "to"; },
         [](auto& p) { return p.found().at_bound != 0; }>,
      "from | to"},
     {"profile", of<[](auto& p) { return FitProfile{p}; }, has_profile>, "interval of the profile likelihood"},
-    {"set",
-     of<[](auto& p) { return fmt::format("{}={}", p.r->name(p.j), fit_text(*p.shown(p.found().u), p.r->unit(p.j))); },
-        [](auto& p) { return p.parameter() && p.found().u; }>,
+    {"set", of<&FittedUnknown::setting, [](auto& p) { return p.parameter() && p.found().value; }>,
      "what `--set` takes for it"},
 };
 
 constexpr Quantity<FitMatrix> kMatrix[] = {
-    {"names", always<&FitMatrix::names>},
-    {"matrix", always<&FitMatrix::matrix>},
-};
-
-constexpr auto combination = [](const FitDirection& d) { return d.found().combination.has_value(); };
-constexpr auto has_spread = [](const FitDirection& d) {
-  return d.found().combination && d.found().combination->deviation > 0.0;
+    {"names", always<[](auto& m) { return names_with_deviation(*m.r); }>},
+    {"matrix", always<[](auto& m) { return *m.matrix; }>},
 };
 
 constexpr Quantity<FitCombination> kCombination[] = {
-    {"kind", always<[](auto& d) { return d.is_log() ? "product" : "sum"; }>, "sum | product"},
-    {"names", always<[](auto& d) { return names_of(*d.r, d.found().unknowns); }>},
+    {"kind", always<[](auto& d) { return d.is_product() ? "product" : "sum"; }>, "sum | product"},
+    {"names", always<&FitDirection::names>},
     {"factor", always<[](auto& d) { return d.found().factor; }>, "a + factor b, or a b^factor"},
-    {"value", always<[](auto& d) { return d.shown(d.found().combination->value); }>},
-    {"standard_deviation", of<[](auto& d) {
-       const estimation::Estimate& e = *d.found().combination;
-       return e.deviation * (d.is_log() ? d.shown(e.value) : 1.0);
-     },
-                              has_spread>},
-    {"low", of<[](auto& d) { return d.shown(d.found().combination->low); }, has_spread>},
-    {"high", of<[](auto& d) { return d.shown(d.found().combination->high); }, has_spread>},
-    {"text", always<[](auto& d) {
-       const std::vector<std::string> names = names_of(*d.r, d.found().unknowns);
-       return fmt::format("{} {} = {:.6g}", names[0],
-                          d.is_log() ? fmt::format("x ({})^{:.4g}", names[1], d.found().factor)
-                                     : fmt::format("+ {:.4g} x {}", d.found().factor, names[1]),
-                          d.shown(d.found().combination->value));
-     }>},
+    {"value", always<[](auto& d) { return d.combination()->value; }>},
+    {"standard_deviation", of<[](auto& d) { return d.combination()->deviation; }, &FitDirection::has_spread>},
+    {"low", of<[](auto& d) { return d.combination()->low; }, &FitDirection::has_spread>},
+    {"high", of<[](auto& d) { return d.combination()->high; }, &FitDirection::has_spread>},
+    {"text", always<&FitDirection::text>},
 };
 
 constexpr Quantity<FitDirection> kDirection[] = {
-    {"names", always<[](auto& d) { return names_of(*d.r, d.found().unknowns); }>},
+    {"names", always<&FitDirection::names>},
     {"direction", always<[](auto& d) { return d.found().direction; }>, "of the scaled parameters"},
     {"ratio", always<[](auto& d) { return d.found().ratio; }>, "singular value over the largest"},
-    {"combination", of<[](auto& d) { return FitCombination{d}; }, combination>, "what counts of two"},
+    {"combination", of<[](auto& d) { return FitCombination{d}; }, [](auto& d) { return d.combination().has_value(); }>,
+     "what counts of two"},
 };
 
 constexpr Quantity<estimation::Runs> kRuns[] = {
@@ -178,38 +149,43 @@ constexpr Quantity<estimation::Runs> kRuns[] = {
     {"p_value", always<&estimation::Runs::p_value>, "of so few", "Wald and Wolfowitz 1940"},
 };
 
-constexpr auto is_fitted = [](const FittedCurve& c) { return c.curve().use == FitCurve::Use::fit; };
 constexpr auto is_computed = [](const FittedCurve& c) { return !c.found().residual.empty(); };
 template <auto member>
-constexpr auto rows_of = of<[](const FittedCurve& c) -> const std::vector<double>& { return c.found().*member; }>;
+constexpr auto of_curve = always<[](const FittedCurve& c) { return c.curve().*member; }>;
+template <auto member>
+constexpr auto of_found = of < [](const FittedCurve& c) -> const auto& {
+  return c.found().*member;
+}
+> ;
+constexpr auto command_of_curve = always<[](const FittedCurve& c) { return name(c.curve().command); }>;
 
 constexpr std::string_view kLossNames[] = {"squares", "huber", "cauchy"};
 
 constexpr Quantity<FittedCurve> kCurve[] = {
-    {"name", always<[](auto& c) { return c.curve().name; }>},
-    {"file", always<[](auto& c) { return c.curve().file; }>},
-    {"response", always<[](auto& c) { return c.curve().response; }>},
-    {"unit", always<[](auto& c) { return c.curve().unit; }>, "of the response, in which all of these are"},
-    {"command", always<[](auto& c) { return name(c.curve().command); }>},
-    {"rows", always<[](auto& c) { return c.curve().rows; }>},
-    {"use", always<[](auto& c) { return is_fitted(c) ? "fit" : "compare"; }>, "fit | compare"},
+    {"name", of_curve<&FitCurve::name>},
+    {"file", of_curve<&FitCurve::file>},
+    {"response", of_curve<&FitCurve::response>},
+    {"unit", of_curve<&FitCurve::unit>, "of the response, in which all of these are"},
+    {"command", command_of_curve},
+    {"rows", of_curve<&FitCurve::rows>},
+    {"use", always<[](auto& c) { return c.is_fitted() ? "fit" : "compare"; }>, "fit | compare"},
     {"loss", always<[](auto& c) { return kLossNames[static_cast<std::size_t>(c.curve().loss.kind)]; }>,
      "squares | huber | cauchy"},
-    {"estimated", always<[](auto& c) { return is_fitted(c) && c.curve().deviation.empty(); }>,
+    {"estimated", always<[](auto& c) { return c.is_fitted() && c.curve().deviation.empty(); }>,
      "whether the deviation of its readings was"},
-    {"redundancy", of<[](auto& c) { return c.found().redundancy; }>, "rows less what they determine"},
+    {"redundancy", of_found<&estimation::CurveResult::redundancy>, "rows less what they determine"},
     {"rms", of<[](auto& c) { return c.found().rms; }, is_computed>},
-    {"r_squared", of<[](auto& c) { return c.found().r_squared; }>},
-    {"chi_square", of<[](auto& c) { return c.found().chi_square; }>, "sum of the squares over the deviations"},
-    {"runs", of<[](auto& c) { return c.found().runs; }>, "of sign of the residuals"},
-    {"line", always<[](auto& c) { return c.curve().lines; }>, "of the file"},
-    {"measured", always<[](auto& c) { return c.curve().measured; }>},
-    {"fitted", rows_of<&estimation::CurveResult::fitted>, "with the offset"},
-    {"residual", rows_of<&estimation::CurveResult::residual>, "measured less fitted"},
-    {"standard_deviation", rows_of<&estimation::CurveResult::deviation>, "of a reading"},
-    {"weight", rows_of<&estimation::CurveResult::weight>, "of a reading under the loss"},
-    {"low", rows_of<&estimation::CurveResult::low>, "band of the response"},
-    {"high", rows_of<&estimation::CurveResult::high>, "band of the response"},
+    {"r_squared", of_found<&estimation::CurveResult::r_squared>},
+    {"chi_square", of_found<&estimation::CurveResult::chi_square>, "sum of the squares over the deviations"},
+    {"runs", of_found<&estimation::CurveResult::runs>, "of sign of the residuals"},
+    {"line", of_curve<&FitCurve::lines>, "of the file"},
+    {"measured", of_curve<&FitCurve::measured>},
+    {"fitted", of_found<&estimation::CurveResult::fitted>, "with the offset"},
+    {"residual", of_found<&estimation::CurveResult::residual>, "measured less fitted"},
+    {"standard_deviation", of_found<&estimation::CurveResult::deviation>, "of a reading"},
+    {"weight", of_found<&estimation::CurveResult::weight>, "of a reading under the loss"},
+    {"low", of_found<&estimation::CurveResult::low>, "band of the response"},
+    {"high", of_found<&estimation::CurveResult::high>, "band of the response"},
 };
 
 constexpr Quantity<FitCondition> kBandCondition[] = {
@@ -218,19 +194,19 @@ constexpr Quantity<FitCondition> kBandCondition[] = {
 };
 
 constexpr Quantity<FittedBand> kBand[] = {
-    {"name", always<[](auto& c) { return c.curve().name; }>},
-    {"response", always<[](auto& c) { return c.curve().response; }>},
-    {"unit", always<[](auto& c) { return c.curve().unit; }>},
-    {"command", always<[](auto& c) { return name(c.curve().command); }>},
+    {"name", of_curve<&FitCurve::name>},
+    {"response", of_curve<&FitCurve::response>},
+    {"unit", of_curve<&FitCurve::unit>},
+    {"command", command_of_curve},
     {"conditions", always<[](auto& c) {
        std::vector<FitCondition> all = c.curve().conditions;
        for (const auto& [path, value] : c.curve().constants) all.push_back({path, "", {value}});
        return all;
      }>},
-    {"value", rows_of<&estimation::CurveResult::fitted>},
-    {"standard_deviation", rows_of<&estimation::CurveResult::band_deviation>},
-    {"low", rows_of<&estimation::CurveResult::low>},
-    {"high", rows_of<&estimation::CurveResult::high>},
+    {"value", of_found<&estimation::CurveResult::fitted>},
+    {"standard_deviation", of_found<&estimation::CurveResult::band_deviation>},
+    {"low", of_found<&estimation::CurveResult::low>},
+    {"high", of_found<&estimation::CurveResult::high>},
 };
 
 constexpr Quantity<estimation::StartResult> kStart[] = {
@@ -239,24 +215,28 @@ constexpr Quantity<estimation::StartResult> kStart[] = {
     {"best", always<&estimation::StartResult::is_best>},
 };
 
-std::vector<FittedUnknown> unknowns_of(const FitResult& r) {
-  std::vector<FittedUnknown> all;
-  for (std::size_t j = 0; j < r.found.unknowns.size(); ++j) all.push_back({&r, j});
+/// The n things of a kind, by their places.
+template <class T>
+std::vector<T> all_of(const FitResult& r, std::size_t n) {
+  std::vector<T> all;
+  for (std::size_t k = 0; k < n; ++k) all.push_back({&r, k});
   return all;
 }
-
-std::vector<FittedCurve> curves_of(const FitResult& r, bool bands) {
-  std::vector<FittedCurve> all;
-  for (std::size_t c = 0; c < r.input.curves.size(); ++c) {
-    const bool is_band = r.input.curves[c].use == FitCurve::Use::band;
-    if (is_band == bands && (!is_band || !FittedCurve{&r, c}.found().low.empty())) all.push_back({&r, c});
-  }
+std::vector<FittedUnknown> unknowns_of(const FitResult& r) { return all_of<FittedUnknown>(r, r.found.unknowns.size()); }
+std::vector<FittedCurve> curves_of(const FitResult& r) {
+  std::vector<FittedCurve> all = all_of<FittedCurve>(r, r.input.curves.size());
+  std::erase_if(all, [](const FittedCurve& c) { return c.curve().use == FitCurve::Use::band; });
   return all;
 }
-
 std::vector<FittedBand> bands_of(const FitResult& r) {
-  return each(curves_of(r, true), [](const FittedCurve& c) { return FittedBand{c}; });
+  std::vector<FittedBand> all;
+  for (const FittedCurve& c : all_of<FittedCurve>(r, r.input.curves.size()))
+    if (c.curve().use == FitCurve::Use::band && !c.found().low.empty()) all.push_back({c});
+  return all;
 }
+
+template <auto member>
+constexpr auto of_fit = always<[](const FitResult& r) { return r.found.*member; }>;
 
 constexpr Quantity<FitResult> kFit[] = {
     {"converged", always<&FitResult::converged>},
@@ -265,25 +245,26 @@ constexpr Quantity<FitResult> kFit[] = {
     {"objective", of<[](auto& r) { return r.found.objective; }, [](auto& r) { return !r.found.unknowns.empty(); }>,
      "S"},
     {"level_percent", always<[](auto& r) { return r.input.level; }>, "of all intervals"},
-    {"degrees_of_freedom", always<[](auto& r) { return r.found.degrees_of_freedom; }>, "sum of the redundancies"},
+    {"degrees_of_freedom", of_fit<&estimation::Result::degrees_of_freedom>, "sum of the redundancies"},
     {"chi_square", of<[](auto& r) { return r.found.chi_square; }>, "of the curves with stated deviations and squares"},
     {"reduced_chi_square", of<[](auto& r) { return r.found.reduced_chi_square; }>},
     {"p_value", of<[](auto& r) { return r.found.p_value; }>, "probability of more"},
     {"evaluations", always<&FitResult::evaluations>, "rows that were computed"},
-    {"iterations", always<[](auto& r) { return r.found.iterations; }>},
+    {"iterations", of_fit<&estimation::Result::iterations>},
     {"parameters", always<unknowns_of>},
-    {"correlation", always<[](auto& r) { return matrix_of(r, true); }>},
-    {"covariance", always<[](auto& r) { return matrix_of(r, false); }>, "in the units of the values"},
-    {"singular_value_ratios", always<[](auto& r) { return r.found.singular_value_ratios; }>, "falling"},
-    {"unidentified", always<[](auto& r) {
-       std::vector<FitDirection> all;
-       for (std::size_t k = 0; k < r.found.unidentified.size(); ++k) all.push_back({&r, k});
-       return all;
+    {"correlation", always<[](auto& r) {
+       return FitMatrix{&r, &r.found.correlation};
+     }>},
+    {"covariance", always<[](auto& r) {
+       return FitMatrix{&r, &r.found.covariance};
      }>,
+     "in the units of the values"},
+    {"singular_value_ratios", of_fit<&estimation::Result::singular_value_ratios>, "falling"},
+    {"unidentified", always<[](auto& r) { return all_of<FitDirection>(r, r.found.unidentified.size()); }>,
      "what the data cannot tell apart"},
-    {"curves", always<[](auto& r) { return curves_of(r, false); }>},
-    {"bands", always<[](auto& r) { return bands_of(r); }>},
-    {"starts", always<[](auto& r) { return r.found.starts; }>},
+    {"curves", always<curves_of>},
+    {"bands", always<bands_of>},
+    {"starts", of_fit<&estimation::Result::starts>},
 };
 
 // Files.
@@ -304,19 +285,11 @@ std::optional<double> at(const std::vector<double>& values, std::size_t row) {
 
 std::string parameters_csv(const FitResult& r, const CsvStyle& style) {
   CsvWriter csv(style);
-  const auto each_scalar = [](const auto& use) {
-    for (const Quantity<FittedUnknown>& q : kUnknown)
-      if (is_scalar(q)) use(q);
-  };
-  each_scalar([&](const auto& q) { csv.text(q.key); });
+  scalar_header<FittedUnknown>(csv);
   csv.row("profile_low", "profile_high");
   for (const FittedUnknown& p : unknowns_of(r)) {
-    each_scalar([&](const auto& q) {
-      if (q.value.number) return csv.number(q.value.number(p));
-      const Json json = q.value.json(p, kNoUnit);
-      csv.text(json.is_null() ? std::string() : json.is_string() ? json.get<std::string>() : json.dump());
-    });
-    csv.row(p.shown(p.found().profile_low), p.shown(p.found().profile_high));
+    scalar_fields<FittedUnknown>(csv, &p);
+    csv.row(p.found().profile_low, p.found().profile_high);
   }
   return csv.take();
 }
@@ -325,7 +298,7 @@ std::string residuals_csv(const FitResult& r, const CsvStyle& style) {
   CsvWriter csv(style);
   csv.row("curve", "line", "conditions", "unit", "measured", "fitted", "residual", "standard_deviation", "weight",
           "low", "high");
-  for (const FittedCurve& c : curves_of(r, false))
+  for (const FittedCurve& c : curves_of(r))
     for (std::size_t i = 0; i < c.curve().rows; ++i) {
       const estimation::CurveResult& f = c.found();
       csv.row(c.curve().name, c.curve().lines[i], conditions_text(c.curve(), i), c.curve().unit, c.curve().measured[i],
@@ -337,7 +310,7 @@ std::string residuals_csv(const FitResult& r, const CsvStyle& style) {
 std::string bands_csv(const FitResult& r, const CsvStyle& style) {
   CsvWriter csv(style);
   csv.row("band", "row", "conditions", "unit", "value", "standard_deviation", "low", "high");
-  for (const FittedCurve& c : curves_of(r, true))
+  for (const FittedCurve& c : bands_of(r))
     for (std::size_t i = 0; i < c.curve().rows; ++i) {
       const estimation::CurveResult& f = c.found();
       csv.row(c.curve().name, i + 1, conditions_text(c.curve(), i), c.curve().unit, at(f.fitted, i),
@@ -349,7 +322,7 @@ std::string bands_csv(const FitResult& r, const CsvStyle& style) {
 std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
   std::vector<OutputFile> files{{"fit_parameters.csv", parameters_csv(r, style)},
                                 {"residuals.csv", residuals_csv(r, style)}};
-  if (!curves_of(r, true).empty()) files.push_back({"fit_bands.csv", bands_csv(r, style)});
+  if (!bands_of(r).empty()) files.push_back({"fit_bands.csv", bands_csv(r, style)});
   if (r.converged()) files.push_back({"fitted.yaml", fitted_case(r)});
   return files;
 }
@@ -372,48 +345,43 @@ std::string fit_table(const FitResult& r) {
   text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, " unit");
   const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
   for (const FittedUnknown& p : unknowns_of(r)) {
-    const auto& e = p.found().estimate;
     const auto end = [&](double estimation::Estimate::*which) {
-      return e ? std::optional(r.shown(p.j, (*e).*which)) : std::nullopt;
+      return cell(p.estimate() ? std::optional((*p.estimate()).*which) : std::nullopt);
     };
-    const std::string label = p.parameter() ? p.parameter()->label : r.name(p.j);
     const std::string bound = p.found().at_bound == 0 ? "" : p.found().at_bound < 0 ? ", at `from`" : ", at `to`";
-    text += rows(fitted(printable(label), 44, true),
-                 {p.found().u ? cell(p.shown(p.found().u)) : "not told",
-                  e ? cell(e->deviation * r.slope(p.j, *p.found().u)) : std::string(kAbsent),
-                  cell(end(&estimation::Estimate::low)), cell(end(&estimation::Estimate::high))},
-                 " " + r.unit(p.j) + bound);
+    text += rows(fitted(printable(p.label()), 44, true),
+                 {p.found().value ? cell(p.found().value) : "not told", end(&estimation::Estimate::deviation),
+                  end(&estimation::Estimate::low), end(&estimation::Estimate::high)},
+                 " " + p.unit() + bound);
   }
   for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
-    if (const FitDirection d{&r, k}; combination(d)) {
-      const Json c = object_of(FitCombination{d});
+    if (const FitDirection d{&r, k}; d.combination())
       text += wrapped(
-          fmt::format(
-              "told: {}{}", c["text"].get<std::string>(),
-              has_spread(d) ? fmt::format(", {:.6g} to {:.6g}", c["low"].get<double>(), c["high"].get<double>()) : ""),
+          "told: " + d.text() +
+              (d.has_spread() ? fmt::format(", {:.6g} to {:.6g}", d.combination()->low, d.combination()->high) : ""),
           "  ", kTableWidth);
-    }
   std::vector<std::pair<double, std::string>> strong;
-  const FitMatrix m = matrix_of(r, true);
-  for (std::size_t a = 0; a < m.names.size(); ++a)
+  const std::vector<std::string> names = names_with_deviation(r);
+  const auto& m = r.found.correlation;
+  for (std::size_t a = 0; a < names.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      if (std::abs(m.matrix[a][b]) > 0.9)
-        strong.emplace_back(-std::abs(m.matrix[a][b]),
-                            fmt::format("correlation {:+.3f} of {} and {}", m.matrix[a][b], m.names[b], m.names[a]));
+      if (std::abs(m[a][b]) > 0.9)
+        strong.emplace_back(-std::abs(m[a][b]),
+                            fmt::format("correlation {:+.3f} of {} and {}", m[a][b], names[b], names[a]));
   std::ranges::sort(strong);
   for (const auto& [size, line] : std::span(strong).first(std::min<std::size_t>(3, strong.size())))
     text += wrapped(line, "  ", kTableWidth);
   constexpr TableRows curves{44, 13};
   text += "\n" + curves("curve", {"rows", "rms", "R²", "runs p, %"}, " unit");
-  for (const FittedCurve& c : curves_of(r, false)) {
+  for (const FittedCurve& c : curves_of(r)) {
     const estimation::CurveResult& f = c.found();
-    text += curves(fitted(printable(c.curve().name) + (is_fitted(c) ? "" : " (compared)"), 44, true),
+    text += curves(fitted(printable(c.curve().name) + (c.is_fitted() ? "" : " (compared)"), 44, true),
                    {std::to_string(c.curve().rows), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
                     f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
                     f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent)},
                    " " + c.curve().unit);
   }
-  for (const FittedCurve& c : curves_of(r, true)) {
+  for (const FittedCurve& c : bands_of(r)) {
     const estimation::CurveResult& f = c.found();
     text += "\n" + rows(fitted(printable(c.curve().name), 44, true), {"value", "deviation", "from", "to"},
                         " " + c.curve().unit);
@@ -455,29 +423,28 @@ Figures curve_figures(const FitResult& r) {
   const std::size_t band = figure.add("band", line_of(Colour::sky, Dash::dashed, Weight::thin));
   const std::size_t line = figure.add("fit", line_of(Colour::blue));
   const std::size_t points = figure.add("readings", points_of(Colour::vermillion, Mark::circle));
-  for (const bool bands : {false, true})
-    for (const FittedCurve& c : curves_of(r, bands)) {
-      const estimation::CurveResult& f = c.found();
-      if (f.fitted.empty()) continue;
-      auto [axis, x] = course_of(c.curve());
-      std::vector<std::size_t> order(x.size());
-      for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-      std::ranges::stable_sort(order, {}, [&](std::size_t i) { return x[i]; });
-      Panel panel{shown_name(c.curve().name)};
-      const auto add = [&](std::size_t style, const std::vector<double>& y) {
-        if (y.empty()) return;
-        Series series{style};
-        for (const std::size_t i : order) series.add(x[i], y[i]);
-        panel.series.push_back(std::move(series));
-      };
-      add(band, f.low);
-      add(band, f.high);
-      add(line, f.fitted);
-      add(points, c.curve().measured);
-      panel.x = axis;
-      panel.y = fitted({response_title(c.curve().response).name, c.curve().unit}, range_of_y(panel.series));
-      figure.panels.push_back(std::move(panel));
-    }
+  for (const FittedCurve& c : all_of<FittedCurve>(r, r.input.curves.size())) {
+    const estimation::CurveResult& f = c.found();
+    if (f.fitted.empty()) continue;
+    auto [axis, x] = course_of(c.curve());
+    std::vector<std::size_t> order(x.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return x[i]; });
+    Panel panel{shown_name(c.curve().name)};
+    const auto add = [&](std::size_t style, const std::vector<double>& y) {
+      if (y.empty()) return;
+      Series series{style};
+      for (const std::size_t i : order) series.add(x[i], y[i]);
+      panel.series.push_back(std::move(series));
+    };
+    add(band, f.low);
+    add(band, f.high);
+    add(line, f.fitted);
+    add(points, c.curve().measured);
+    panel.x = axis;
+    panel.y = fitted({response_title(c.curve().response).name, c.curve().unit}, range_of_y(panel.series));
+    figure.panels.push_back(std::move(panel));
+  }
   figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));
   return {std::move(figure)};
 }
@@ -486,7 +453,7 @@ Figures residual_figures(const FitResult& r) {
   Figure figure{"residuals", "Residuals over the rows"};
   const std::size_t zero = figure.add(kZeroStyle), points = figure.add(points_of(Colour::blue, Mark::circle));
   figure.x = {"Row"};
-  for (const FittedCurve& c : curves_of(r, false)) {
+  for (const FittedCurve& c : curves_of(r)) {
     Panel panel{shown_name(c.curve().name)};
     Series series{points};
     for (std::size_t i = 0; i < c.found().residual.size(); ++i)
@@ -501,15 +468,16 @@ Figures residual_figures(const FitResult& r) {
 }
 
 Figures correlation_figures(const FitResult& r) {
-  const FitMatrix m = matrix_of(r, true);
-  if (m.names.size() < 2) return {};
+  const std::vector<std::string> names = names_with_deviation(r);
+  if (names.size() < 2) return {};
   Figure figure{"correlation", "Correlation of the values"};
   Panel panel;
-  for (std::size_t a = 0; a < m.names.size(); ++a) {
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    const std::vector<double>& row = r.found.correlation[a];
     panel.map.grid.x.push_back(static_cast<double>(a + 1));
     figure.x.ticks.push_back({static_cast<double>(a + 1), std::to_string(a + 1)});
-    figure.y.ticks.push_back({static_cast<double>(a + 1), fmt::format("{} {}", shown_name(m.names[a]), a + 1)});
-    panel.map.grid.values.insert(panel.map.grid.values.end(), m.matrix[a].begin(), m.matrix[a].end());
+    figure.y.ticks.push_back({static_cast<double>(a + 1), fmt::format("{} {}", shown_name(names[a]), a + 1)});
+    panel.map.grid.values.insert(panel.map.grid.values.end(), row.begin(), row.end());
   }
   panel.map.grid.y = panel.map.grid.x;
   panel.map.cells = true;

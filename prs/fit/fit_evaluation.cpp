@@ -187,9 +187,10 @@ struct FitEvaluation::Parts {
     if (input.curves[group.curves[0]].series == "heat_cycle.time_s") {
       for (std::size_t k = 0; k < group.curves.size(); ++k)
         if (part_of(group.input.study.responses[k]) == nullptr)
-          throw UnknownResponse(k, fmt::format("got {}; expected `heat_cycle.temperature_degC.screw`, `.rollers` or "
-                                               "`.nut`; write one of them",
-                                               group.input.study.responses[k]));
+          throw UnknownResponse(
+              k, fmt::format(
+                     "got {}; expected `heat_cycle.temperature_degC.screw`, `.rollers` or `.nut`; write one of them",
+                     group.input.study.responses[k]));
       return;
     }
     const RowsOfDesign found = rows_of(group, with_parameters(group, starts(), 0));
@@ -201,26 +202,20 @@ struct FitEvaluation::Parts {
       for (const QuantityInfo& q : record.quantities)
         if (q.kind == Kind::number) keys.push_back(q.key);
       const std::string_view path = group.input.study.responses[k];
-      throw UnknownResponse(k,
-                            fmt::format("got {}; expected a number of `prs preload`, of a series one of {}; did you "
-                                        "mean `{}`?",
-                                        path, fmt::join(keys, ", "),
-                                        fmt::join(input::near_words(path.substr(path.rfind('.') + 1), keys), "`, `")));
+      throw UnknownResponse(
+          k, fmt::format("got {}; expected a number of `prs preload`, of a series one of {}; did you mean `{}`?", path,
+                         fmt::join(keys, ", "),
+                         fmt::join(input::near_words(path.substr(path.rfind('.') + 1), keys), "`, `")));
     }
   }
 
-  std::vector<double> starts() const {
-    std::vector<double> u;
-    for (const FitParameter& p : input.parameters) u.push_back(p.is_log ? std::log(p.start) : p.start);
-    return u;
-  }
+  std::vector<double> starts() const { return each(input.parameters, &FitParameter::start); }
 
   std::vector<Draw> with_parameters(const Group& group, const std::vector<double>& u, std::size_t design) const {
     std::vector<Draw> draws;
     for (std::size_t j = 0; j < input.parameters.size(); ++j) {
       const FitParameter& p = input.parameters[j];
-      draws.push_back(
-          {.kind = Draw::Kind::number, .number = std::clamp(p.is_log ? std::exp(u[j]) : u[j], p.from, p.to)});
+      draws.push_back({.kind = Draw::Kind::number, .number = std::clamp(u[j], p.from, p.to)});
     }
     const std::vector<Draw>& conditions = group.designs[design];
     draws.insert(draws.end(), conditions.begin(), conditions.end());
@@ -339,7 +334,7 @@ struct FitEvaluation::Parts {
       if (std::ranges::none_of(group.curves, [&](std::size_t c) { return requests[r].curves[c]; })) continue;
       wanted.push_back({r, designs.size()});
       for (std::size_t d = 0; d < group.designs.size(); ++d)
-        designs.push_back(with_parameters(group, requests[r].u, d));
+        designs.push_back(with_parameters(group, requests[r].values, d));
     }
     if (wanted.empty()) return;
     const std::vector<RowsOfDesign> all = computed(group, designs);

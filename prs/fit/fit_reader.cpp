@@ -144,10 +144,10 @@ class FitTable {
                     field < names_.size() ? names_[field] : "row", got, expected));
   }
   [[noreturn]] void refuse_file(const std::string& what) const {
-    input::fail_at(source_, at_ + ".file",
-                   "got {}, {}; expected a line with the names of the columns, then one row per "
-                   "reading; check the file",
-                   name_, what);
+    input::fail_at(
+        source_, at_ + ".file",
+        "got {}, {}; expected a line with the names of the columns, then one row per reading; check the file", name_,
+        what);
   }
 
  private:
@@ -199,18 +199,18 @@ class FitReader : input::VariedInput {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& at, const std::string& message) const {
+  template <class... Args>
+  [[noreturn]] void fail(const std::string& at, fmt::format_string<Args...> message, Args&&... args) const {
     errors_.throw_if_any();
-    input::fail_at(source_, at, message);
+    input::fail_at(source_, at, fmt::format(message, std::forward<Args>(args)...));
   }
 
   double number(const std::string& text, const std::string& unit, const char* key, std::string_view of) const {
     const std::optional<double> value = input::number_in(text, unit);
     if (!value)
-      fail(fmt::format("{}.{}", path_, key),
-           fmt::format("got {}; expected {} {}; write for example `{}: {}`", shown(text),
-                       unit.empty() ? "a number without unit, as" : "a number with a unit of", of,
-                       std::string_view(key).substr(std::string_view(key).find('.') + 1), with_unit(1.0, unit)));
+      fail(fmt::format("{}.{}", path_, key), "got {}; expected {} {}; write for example `{}: {}`", shown(text),
+           unit.empty() ? "a number without unit, as" : "a number with a unit of", of,
+           std::string_view(key).substr(std::string_view(key).find('.') + 1), with_unit(1.0, unit));
     return *value;
   }
 
@@ -221,41 +221,37 @@ class FitReader : input::VariedInput {
       if (text) *text = unquoted(*text);
     path_ = fmt::format("fit.parameters[{}]", k);
     FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
-    if (!check_outside("path", item.path)) return p;
+    if (!check_outside("path", item.path)) errors_.throw_if_any();
     if (const auto problem = wrong(p.path, item.from); problem && problem->find("unknown key") != std::string::npos) {
       std::vector<std::string> all;
       add_numbers(base_, "", all);
       for (const input::EchoEntry& entry : fields_)
         if (entry.number) all.push_back(entry.path);
       const std::vector<std::string_view> near = input::near_words(p.path, {all.begin(), all.end()});
-      refuse_at("path", fmt::format("got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
-                                    near.empty() ? "write for example `path: friction.coulomb`"
-                                                 : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"))));
-      return p;
+      fail(path_ + ".path", "got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
+           near.empty() ? "write for example `path: friction.coulomb`"
+                        : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
     }
     for (const char* end : {".from", ".to"})
-      if (!check_in_place(p.path, *find_path(root_, path_ + end))) return p;
+      if (!check_in_place(p.path, *find_path(root_, path_ + end))) errors_.throw_if_any();
     const input::Slot slot = find_slot(file_, p.path);
     const auto from = input::split_unit(item.from);
-    if (slot.kind != input::Slot::Kind::number || !from) {
-      refuse_at("path", fmt::format("got {}; expected one number that may vary continuously: no list, word or whole "
-                                    "number; write for example `path: friction.coulomb`",
-                                    shown(item.path)));
-      return p;
-    }
+    if (slot.kind != input::Slot::Kind::number || !from)
+      fail(path_ + ".path",
+           "got {}; expected one number that may vary continuously: no list, word or whole number; write for example "
+           "`path: friction.coulomb`",
+           shown(item.path));
     p.unit = from->unit;
     p.is_log = item.scale == FitParameterItem::Scale::log;
     p.from = from->number;
     p.to = number(item.to, p.unit, "to", "`from`");
     if (!(p.from < p.to))
-      refuse_at("from",
-                fmt::format("got {}; expected less than `to`, {}; swap the two", shown(item.from), shown(item.to)));
+      fail(path_ + ".from", "got {}; expected less than `to`, {}; swap the two", shown(item.from), shown(item.to));
     if (p.is_log && slot.dimension && zero_depends_on_unit(*slot.dimension))
-      refuse_at("scale", "got log of a temperature, whose zero is a convention; expected linear; delete the key");
+      fail(path_ + ".scale", "got log of a temperature, whose zero is a convention; expected linear; delete the key");
     else if (p.is_log && !(p.from > 0.0))
-      refuse_at("from", fmt::format("got {} with `scale: log`; expected more than 0; write a larger one, or `scale: "
-                                    "linear`",
-                                    shown(item.from)));
+      fail(path_ + ".from", "got {} with `scale: log`; expected more than 0; write a larger one, or `scale: linear`",
+           shown(item.from));
     const std::optional<Node> stands = base_value(p.path, fields_);
     if (stands && find_path(base_, p.path)) p.stood = flow_text(*stands);
     const std::optional<double> there = stands ? input::number_in(unquoted(flow_text(*stands)), p.unit) : std::nullopt;
@@ -265,16 +261,15 @@ class FitReader : input::VariedInput {
     } else if (there) {
       p.start = *there;
     } else {
-      refuse_at("path", fmt::format("got {}, of which the file says nothing and which has no default; expected a "
-                                    "value there, or `start`; add for example `start: {}`",
-                                    shown(item.path), shown(item.from)));
-      return p;
+      fail(path_ + ".path",
+           "got {}, of which the file says nothing and which has no default; expected a value there, or `start`; add "
+           "for example `start: {}`",
+           shown(item.path), shown(item.from));
     }
     if (p.from < p.to && !(p.start >= p.from && p.start <= p.to))
-      refuse_at(item.start ? "start" : "path",
-                fmt::format("got {}{} of {}; expected {} to {}; {}", item.start ? "" : "the start ",
-                            with_unit(p.start, p.unit), shown(item.path), item.from, item.to,
-                            item.start ? "write one between them" : "widen the bounds, or add `start`"));
+      fail(path_ + (item.start ? ".start" : ".path"), "got {}{} of {}; expected {} to {}; {}",
+           item.start ? "" : "the start ", with_unit(p.start, p.unit), shown(item.path), item.from, item.to,
+           item.start ? "write one between them" : "widen the bounds, or add `start`");
     if (item.prior) read_prior(p, *item.prior, slot);
     return p;
   }
@@ -290,14 +285,12 @@ class FitReader : input::VariedInput {
       if (const auto by = conversion(written->unit, p.unit)) deviation = by->factor * written->number;
     if (written && written->unit.empty() != p.unit.empty() && written->unit != "%") deviation.reset();
     if (!deviation || !(*deviation > 0.0))
-      refuse_at("prior.deviation",
-                fmt::format("got {}; expected more than 0, a share of the mean or {}; write for example "
-                            "`deviation: 3 %`",
-                            shown(item.deviation),
-                            slot.dimension ? "a value in " + input::unit_list(*slot.dimension) : "a number"));
+      fail(path_ + ".prior.deviation",
+           "got {}; expected more than 0, a share of the mean or {}; write for example `deviation: 3 %`",
+           shown(item.deviation), slot.dimension ? "a value in " + input::unit_list(*slot.dimension) : "a number");
     if (p.is_log && !(prior.mean > 0.0))
-      refuse_at("prior.mean",
-                fmt::format("got {} with `scale: log`; expected more than 0; write `scale: linear`", shown(item.mean)));
+      fail(path_ + ".prior.mean", "got {} with `scale: log`; expected more than 0; write `scale: linear`",
+           shown(item.mean));
     prior.deviation = deviation.value_or(1.0);
     p.prior = prior;
   }
@@ -320,8 +313,7 @@ class FitReader : input::VariedInput {
   void check_condition(const std::string& path, const std::vector<FitParameter>& parameters) const {
     for (const FitParameter& p : parameters)
       if (p.path == path || input::is_part_of(p.path, path) || input::is_part_of(path, p.path))
-        fail(path_ + ".path",
-             fmt::format("got {}, which is a parameter too; expected it once; delete one of the two", shown(path)));
+        fail(path_ + ".path", "got {}, which is a parameter too; expected it once; delete one of the two", shown(path));
     if (!check_outside("path", path)) errors_.throw_if_any();
   }
 
@@ -345,9 +337,8 @@ class FitReader : input::VariedInput {
     for (const Command one :
          {Command::contact, Command::solve, Command::slip, Command::preload, Command::life, Command::measures})
       if (one.word == *written) return one;
-    fail(at + ".command",
-         fmt::format("got {}; expected contact, solve, slip, preload, life or measures; delete the key",
-                     shown(*written)));
+    fail(at + ".command", "got {}; expected contact, solve, slip, preload, life or measures; delete the key",
+         shown(*written));
   }
 
   FitCurve start_curve(const FitCurveItem& item, const std::string& at) {
@@ -386,8 +377,8 @@ class FitReader : input::VariedInput {
       check_condition(path, before.parameters);
       if (condition.values || condition.value.has_value() == condition.column.has_value())
         fail(path_,
-             "got neither or both of `column` and `value`; expected one of them; write `value: ..`, or `column` "
-             "and `unit`");
+             "got neither or both of `column` and `value`; expected one of them; write `value: ..`, or `column` and "
+             "`unit`");
       if (condition.value) {
         set_constant(c, path, "value");
         continue;
@@ -413,8 +404,7 @@ class FitReader : input::VariedInput {
     std::map<std::pair<std::size_t, std::string>, bool> sound;
     while (table.next()) {
       if (++rows_ > kMostRows)
-        fail(at + ".file",
-             fmt::format("got more than {} rows in all; expected at most as many; leave some out", kMostRows));
+        fail(at + ".file", "got more than {} rows in all; expected at most as many; leave some out", kMostRows);
       c.lines.push_back(table.line());
       const double reading = to_unit(table.number(measured));
       c.measured.push_back(reading);
@@ -473,18 +463,16 @@ class FitReader : input::VariedInput {
     slot = find_slot(file, condition.path);
     if (slot.kind == input::Slot::Kind::none)
       if (const auto problem = wrong(condition.path, joined(first, condition.unit)))
-        fail(path_ + ".path", problem->substr(problem->find(": ") + 2));
+        fail(path_ + ".path", "{}", problem->substr(problem->find(": ") + 2));
     if (slot.kind != input::Slot::Kind::number) return;
     const input::Dimension* d = slot.dimension;
     const bool fits =
         !d ? condition.unit.empty()
            : input::find_unit(condition.unit, *d) || (d->by_lead && input::find_unit(condition.unit, *d->by_lead));
     if (!fits)
-      fail(path_ + ".unit",
-           fmt::format("got {}; expected {}; write for example `unit: {}`",
-                       condition.unit.empty() ? "none" : shown(condition.unit),
-                       d ? "the unit of " + std::string(d->name) + ": " + input::unit_list(*d) : "none",
-                       d ? d->canonical : "\"\""));
+      fail(path_ + ".unit", "got {}; expected {}; write for example `unit: {}`",
+           condition.unit.empty() ? "none" : shown(condition.unit),
+           d ? "the unit of " + std::string(d->name) + ": " + input::unit_list(*d) : "none", d ? d->canonical : "\"\"");
     if (d) unit = input::find_unit(condition.unit, *d);
     // Numbers are set as they are found in this case.
     slot.numbers.clear(), slot.list = nullptr, slot.whole = nullptr;
@@ -493,9 +481,8 @@ class FitReader : input::VariedInput {
   Conversion unit_at(const std::string& written, const std::string& unit, const std::string& at) const {
     const auto found = conversion(written, unit);
     if (!found)
-      fail(at + ".unit",
-           fmt::format("got {}; expected a unit of the response: {}; write for example `unit: {}`",
-                       written.empty() ? "none" : shown(written), units_like(unit), unit.empty() ? "\"%\"" : unit));
+      fail(at + ".unit", "got {}; expected a unit of the response: {}; write for example `unit: {}`",
+           written.empty() ? "none" : shown(written), units_like(unit), unit.empty() ? "\"%\"" : unit);
     return *found;
   }
 
@@ -510,28 +497,28 @@ class FitReader : input::VariedInput {
       const Node *its = find(node, "column"), *in = find(node, "unit");
       const bool known = its && its->kind == Node::Kind::scalar && (!in || in->kind == Node::Kind::scalar);
       if (!known || node.children.size() > (in ? 2U : 1U))
-        fail(key, fmt::format("got {}; expected {{column: .., unit: ..}}", shown(flow_text(node))));
+        fail(key, "got {}; expected {{column: .., unit: ..}}", shown(flow_text(node)));
       column = table.column(its->text, key + ".column");
       unit = in ? in->text : "";
     } else {
       const auto written = input::split_unit(unquoted(*item.deviation));
       if (!written)
-        fail(key, fmt::format("got {}; expected a value, a share of the reading, {{column: .., unit: ..}} or "
-                              "estimated; write for example `deviation: {}`",
-                              shown(*item.deviation), with_unit(0.05, c.unit)));
+        fail(key,
+             "got {}; expected a value, a share of the reading, {{column: .., unit: ..}} or estimated; write for "
+             "example `deviation: {}`",
+             shown(*item.deviation), with_unit(0.05, c.unit));
       fixed = written->number;
       unit = written->unit;
       if (!(*fixed > 0.0))
-        fail(key, fmt::format("got {}; expected more than 0; write for example `deviation: {}`", shown(*item.deviation),
-                              with_unit(0.05, c.unit)));
+        fail(key, "got {}; expected more than 0; write for example `deviation: {}`", shown(*item.deviation),
+             with_unit(0.05, c.unit));
     }
     share = unit == "%";
     if (share) return;
     const auto found = conversion(unit, c.unit);
     if (!found)
-      fail(column ? key + ".unit" : key,
-           fmt::format("got {}; expected a unit of the response: {}; write for example `{}`",
-                       unit.empty() ? "no unit" : shown(unit), units_like(c.unit), with_unit(0.05, c.unit)));
+      fail(column ? key + ".unit" : key, "got {}; expected a unit of the response: {}; write for example `{}`",
+           unit.empty() ? "no unit" : shown(unit), units_like(c.unit), with_unit(0.05, c.unit));
     to_unit = *found;
   }
 
@@ -547,14 +534,15 @@ class FitReader : input::VariedInput {
     else if (word == "cauchy")
       c.loss = {Kind::cauchy, 2.385};
     else if (inner || node.kind != Node::Kind::scalar || word != "squares")
-      fail(key, fmt::format("got {}; expected squares, huber, cauchy, {{huber: 1.345}} or {{cauchy: 2.385}}; write for "
-                            "example `loss: huber`",
-                            shown(flow_text(node))));
+      fail(key,
+           "got {}; expected squares, huber, cauchy, {{huber: 1.345}} or {{cauchy: 2.385}}; write for example `loss: "
+           "huber`",
+           shown(flow_text(node)));
     if (!inner) return;
     const std::optional<double> scale = input::parse_number(inner->text);
     if (!scale || !(*scale > 0.0))
-      fail(key, fmt::format("got {}; expected a scale above 0, in standard deviations; write for example `{{{}: {}}}`",
-                            shown(flow_text(node)), word, c.loss.scale));
+      fail(key, "got {}; expected a scale above 0, in standard deviations; write for example `{{{}: {}}}`",
+           shown(flow_text(node)), word, c.loss.scale);
     c.loss.scale = *scale;
   }
 
@@ -564,15 +552,16 @@ class FitReader : input::VariedInput {
     if (!is_series && !item.along) return;
     if (series == std::end(kSeries))
       fail(is_series ? c.at + ".response" : c.at + ".along",
-           fmt::format("got {}, {}; expected `preload.loads[].KEY` or `heat_cycle.temperature_degC.PART` with `along`",
-                       shown(c.response), is_series ? "no such series" : "which is no series"));
+           "got {}, {}; expected `preload.loads[].KEY` or `heat_cycle.temperature_degC.PART` with `along`",
+           shown(c.response), is_series ? "no such series" : "which is no series");
     if (!item.along)
-      fail(c.at + ".response", fmt::format("got {}, a series, without `along`; expected where its rows stand; add "
-                                           "`along: {{response: {}, column: .., unit: ..}}`",
-                                           shown(c.response), series->second));
+      fail(c.at + ".response",
+           "got {}, a series, without `along`; expected where its rows stand; add `along: {{response: {}, column: .., "
+           "unit: ..}}`",
+           shown(c.response), series->second);
     if (item.along->response != series->second)
-      fail(c.at + ".along.response", fmt::format("got {}; expected {}, over which {} stands; write that",
-                                                 shown(item.along->response), series->second, shown(c.response)));
+      fail(c.at + ".along.response", "got {}; expected {}, over which {} stands; write that",
+           shown(item.along->response), series->second, shown(c.response));
     c.series = series->second;
   }
 
@@ -582,8 +571,8 @@ class FitReader : input::VariedInput {
     c.use = FitCurve::Use::band;
     c.rows = 1;
     if (c.response.find("[]") != std::string::npos || c.response.starts_with(kSeries[1].first))
-      fail(at + ".response", fmt::format("got {}, a series; expected a single number; write for example `{}`",
-                                         shown(c.response), "slip.power_loss_W"));
+      fail(at + ".response", "got {}, a series; expected a single number; write for example `{}`", shown(c.response),
+           "slip.power_loss_W");
     for (std::size_t j = 0; j < item.conditions.size(); ++j) {
       const FitConditionItem& condition = item.conditions[j];
       path_ = fmt::format("{}.conditions[{}]", at, j);
@@ -597,10 +586,10 @@ class FitReader : input::VariedInput {
       }
       FitCondition all{path, "", texts_of(*condition.values)};
       for (const std::string& text : all.texts)
-        if (const auto problem = wrong(path, text)) fail(path_ + ".values", *problem);
+        if (const auto problem = wrong(path, text)) fail(path_ + ".values", "{}", *problem);
       if (!c.conditions.empty() && all.texts.size() != c.rows)
-        fail(path_ + ".values", fmt::format("got {} values; expected {}, as many as those of `{}`; write as many",
-                                            all.texts.size(), c.rows, c.conditions[0].path));
+        fail(path_ + ".values", "got {} values; expected {}, as many as those of `{}`; write as many", all.texts.size(),
+             c.rows, c.conditions[0].path);
       c.rows = all.texts.size();
       set_value(c.base, path, input::scalar(all.texts[0], {}), {}, errors_);
       c.conditions.push_back(std::move(all));
@@ -616,8 +605,8 @@ class FitReader : input::VariedInput {
     const std::optional<Ends> ends = read_ends("values.", from, to, false);
     errors_.throw_if_any();
     if (logarithmic && !(ends->from.number * ends->to.number > 0.0))
-      fail(path_ + ".values.from",
-           fmt::format("got {} with `spacing: logarithmic`; expected two numbers of one sign", shown(range.from)));
+      fail(path_ + ".values.from", "got {} with `spacing: logarithmic`; expected two numbers of one sign",
+           shown(range.from));
     std::vector<std::string> texts;
     for (int k = 0; k < range.steps; ++k) {
       const double at = k == range.steps - 1 ? ends->to.number
@@ -652,9 +641,9 @@ class FitReader : input::VariedInput {
       fail("fit.curves", "got none with `use: fit`; expected one at least; write `use: fit`, or delete the key");
     if (rows < unknowns)
       fail("fit.parameters",
-           fmt::format("got {} rows, priors included, for {} parameters, offsets included; expected as "
-                       "many at least; measure more, or fix some",
-                       rows, unknowns));
+           "got {} rows, priors included, for {} parameters, offsets included; expected as many at least; measure "
+           "more, or fix some",
+           rows, unknowns);
   }
 
   void read_profile(FitInput& all) const {
@@ -662,24 +651,23 @@ class FitReader : input::VariedInput {
     const Node& node = *find_path(root_, "fit.profile");
     for (const FitCurve& c : all.curves)
       if (c.use == FitCurve::Use::fit && c.loss.is_robust())
-        fail("fit.profile", fmt::format("got it with the robust loss of {}; expected `loss: squares` of all curves; "
-                                        "delete one of the two",
-                                        shown(c.name)));
+        fail("fit.profile",
+             "got it with the robust loss of {}; expected `loss: squares` of all curves; delete one of the two",
+             shown(c.name));
     for (std::size_t k = 0; k < all.parameters.size(); ++k) {
       if (*item_.profile == "true") all.profile.push_back(k);
     }
     if (*item_.profile == "true") return;
     if (node.kind != Node::Kind::sequence)
-      fail("fit.profile",
-           fmt::format("got {}; expected a list of paths of parameters, or true", shown(*item_.profile)));
+      fail("fit.profile", "got {}; expected a list of paths of parameters, or true", shown(*item_.profile));
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const std::string path = input::with_indices(root_, node.children[i].text);
       const auto found = std::ranges::find(all.parameters, path, &FitParameter::path);
       std::vector<std::string_view> paths;
       for (const FitParameter& p : all.parameters) paths.push_back(p.path);
       if (found == all.parameters.end())
-        fail(fmt::format("fit.profile[{}]", i),
-             fmt::format("got {}; expected the path of a parameter: {}", shown(path), fmt::join(paths, ", ")));
+        fail(fmt::format("fit.profile[{}]", i), "got {}; expected the path of a parameter: {}", shown(path),
+             fmt::join(paths, ", "));
       all.profile.push_back(static_cast<std::size_t>(found - all.parameters.begin()));
     }
   }

@@ -28,7 +28,7 @@ struct Bench {
         for (std::size_t c = 0; c < x.size(); ++c)
           if (r.curves[c])
             for (std::size_t i = 0; i < x[c].size(); ++i) {
-              const double value = model(r.u, c, x[c][i]);
+              const double value = model(r.values, c, x[c][i]);
               answer.values[c].push_back(value);
               if (std::isnan(value)) answer.failure = Failure{c, i, "no answer"};
             }
@@ -116,8 +116,8 @@ TEST(Estimation, WithoutNoiseItFindsTheTruthFromAnyStart) {
   b.add(kX, y);
   b.problem.starts = 5;
   const Result r = b.solved();
-  EXPECT_NEAR(*r.unknowns[0].u, 2.5, 1e-6);
-  EXPECT_NEAR(*r.unknowns[1].u, 0.7, 1e-6);
+  EXPECT_NEAR(*r.unknowns[0].value, 2.5, 1e-6);
+  EXPECT_NEAR(*r.unknowns[1].value, 0.7, 1e-6);
   EXPECT_EQ(r.starts.size(), 5U);
 }
 
@@ -238,7 +238,7 @@ TEST(Estimation, OfAProductOnlyTheProductIsTold) {
   ASSERT_EQ(r.unidentified.size(), 1U);
   EXPECT_NEAR(r.unidentified[0].factor, 1.0, 1e-5);
   EXPECT_NEAR(r.unidentified[0].combination->value, std::log(slope_of(kX, kY).value), 1e-6);
-  EXPECT_FALSE(r.unknowns[0].u);
+  EXPECT_FALSE(r.unknowns[0].value);
   EXPECT_NEAR(r.degrees_of_freedom, 5.0, 1e-9);
 }
 
@@ -248,7 +248,7 @@ TEST(Estimation, WithoutSpareRowsADeviationIsNotTold) {
   b.add({2.0}, {3.0});
   const Result r = b.solved();
   EXPECT_EQ(r.status, Status::no_redundancy);
-  EXPECT_NEAR(*r.unknowns[0].u, 1.5, 1e-6);
+  EXPECT_NEAR(*r.unknowns[0].value, 1.5, 1e-6);
   EXPECT_FALSE(r.unknowns[0].estimate);
 }
 
@@ -257,7 +257,7 @@ TEST(Estimation, WhereTheFunctionHasNoAnswerStepsAreTakenBack) {
   b.problem.unknowns[0].start = 2.5;
   b.model = [](const auto& u, std::size_t, double x) { return u[0] < 1.9 ? std::nan("") : u[0] * x; };
   const Result r = b.solved();
-  EXPECT_NEAR(*r.unknowns[0].u, slope_of(kX, kY).value, 1e-8);
+  EXPECT_NEAR(*r.unknowns[0].value, slope_of(kX, kY).value, 1e-8);
   b.problem.unknowns[0].start = 1.0;
   const Result none = b.solved();
   EXPECT_EQ(none.status, Status::no_equilibrium);
