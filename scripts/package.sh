@@ -25,7 +25,7 @@ pip wheel . --disable-pip-version-check --no-deps --no-build-isolation \
 # Not bundled: the GPL's CHOLMOD, an MPI that would not be that of the cluster, and librsvg and
 # netCDF with their forty libraries. Their modules use the ones of the system.
 auditwheel repair build/wheel/*.whl -w dist \
-  --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' --exclude 'libnetcdf.so.*' --exclude 'librsvg-2.so.*' \
+  --exclude 'libceres.so.*' --exclude 'libglog.so.*' --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' --exclude 'libnetcdf.so.*' --exclude 'librsvg-2.so.*' \
   --exclude 'libcairo.so.*' --exclude 'libg*-2.0.so.*'
 scripts/wheel_licences.py dist/*.whl
 scripts/sbom.py >dist/prs.cdx.json

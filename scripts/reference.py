@@ -7,6 +7,7 @@ scripts/reference.py PRS --check    says which of them are not current
 
 import ast
 import json
+import keyword
 import subprocess
 import sys
 import textwrap
@@ -344,6 +345,8 @@ Array = npt.NDArray[np.float64]  #: Read-only.
         said = docstring(f"{record['meaning']}\n{said}", " " * 4)
         text += f"\n\nclass {name}(Record):\n{said}\n    __slots__ = ()\n"
         for q in record["quantities"]:
+            if keyword.iskeyword(q["key"]):  # `record["from"]` alone.
+                continue
             kind = KINDS.get(q["kind"], q.get("record", ""))
             kind = f"list[{kind}]" if q["kind"] == "records" else kind
             text += f"    {q['key']}: {kind}{' | None' * q.get('optional', False)}\n"

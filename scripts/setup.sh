@@ -7,7 +7,7 @@ packages=(
   cmake ninja-build g++ pkg-config ccache
   libeigen3-dev libspectra-dev libsuitesparse-dev libyaml-cpp-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libcsv-dev nettle-dev libxsimd-dev
-  libtbb-dev libnetcdf-dev librsvg2-dev zlib1g-dev libopenmpi-dev libpagmo-dev openmpi-bin libsundials-dev
+  libtbb-dev libnetcdf-dev librsvg2-dev zlib1g-dev libopenmpi-dev libpagmo-dev libceres-dev openmpi-bin libsundials-dev
   python3-dev python3-venv
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
   nodejs strace

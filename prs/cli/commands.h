@@ -71,6 +71,8 @@ int merge_study(const Options& options);
 int configurations(const Options& options);
 /// Multi-objective design: writes the Pareto front and the chosen design of the file's `optimize`.
 int optimize(const Options& options);
+/// Finds the unknown inputs of the file's `fit` from its curves.
+int fit(const Options& options);
 /// Writes all that a case asks for as one page.
 int report(const Options& options);
 /// The same page, written to a temporary folder where no file is named, and opened.

@@ -3,6 +3,7 @@
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/interruption.h"
+#include "prs/fit/fit_analysis.h"
 #include "prs/optimize/optimize_files.h"
 #include "prs/run/study.h"
 #include "prs/study/response.h"
@@ -256,6 +257,15 @@ int merge_study(const Options& options) {
       return *engine;
     };
   return deliver_study(rows, in, study, engine_of_study, threads, options);
+}
+
+int fit(const Options& options) {
+  const input::Source source = case_source(options);
+  const auto run_fit = [&](const input::Source& s, const input::CaseInput&) {
+    return fit_case(s, {.threads = options.threads});
+  };
+  const Delivery found = delivered(source, input::read_case_input(source, Command::fit), fit_analysis(), run_fit);
+  return deliver(found, document_info(source, Command::fit), options);
 }
 
 int optimize(const Options& options) {

@@ -1102,6 +1102,91 @@ void fields(const Fields& io, StudyItem& s) {
      "Maps of measures over two factors, made one, and designs read off them");
 }
 
+void alternatives(Choices& io, FitParameterItem::Scale& s) {
+  io("linear", s, FitParameterItem::Scale::linear, "the value itself");
+  io("log", s, FitParameterItem::Scale::log, "its logarithm");
+}
+
+void alternatives(Choices& io, FitCurveItem::Use& u) {
+  io("fit", u, FitCurveItem::Use::fit, "the parameters follow it");
+  io("compare", u, FitCurveItem::Use::compare, "only compared: a curve held back");
+}
+
+void fields(const Fields& io, FitParameterItem::Prior& p) {
+  io("mean", p.mean, Verbatim{"207 GPa"}, required, "What was known before");
+  io("deviation", p.deviation, Verbatim{"3 %"}, required, "Its standard deviation; `%` of the mean");
+}
+
+void fields(const Fields& io, FitParameterItem& p) {
+  io("path", p.path, kInputPath, required, "An unknown number of the case, as `--set` names it");
+  io("from", p.from, Verbatim{}, required, "Least value");
+  io("to", p.to, Verbatim{}, required, "Greatest value");
+  io("start", p.start, Verbatim{}, "Where the search starts; by default what the file says, else the key's default");
+  io("scale", p.scale, Choice{}, "In what the search, priors and intervals are linear");
+  io("prior", p.prior, Block{}, "What is known besides the curves");
+  io("label", p.label, Text{"friction"}, "Its name in tables and figures");
+}
+
+void fields(const Fields& io, FitConditionItem& c) {
+  io("path", c.path, kInputPath, required, "What each row sets, as `--set` names it");
+  io("value", c.value, Verbatim{}, "The same in all rows");
+  io("column", c.column, Text{"speed_rpm"}, "Its name in the heading of the file");
+  io("unit", c.unit, Text{"rpm"},
+     "Of its numbers; without it words and bare numbers, as they would stand in this file");
+  io("values", c.values, ListOrRange{}, "Of a band: those of all conditions with `values` run together");
+}
+
+void fields(const Fields& io, FitCurveItem::Column& c) {
+  io("column", c.column, Text{"torque_Nm"}, "Its name in the heading of the file; `measured` by default");
+  io("unit", c.unit, Text{"N m"}, "Of its numbers");
+}
+
+void fields(const Fields& io, FitCurveItem::Along& a) {
+  io("response", a.response, Text{"heat_cycle.time_s"}, required,
+     "What the rows stand over: `preload.loads[].axial_force_N`, `heat_cycle.time_s` or `response.time_s`");
+  io("column", a.column, Text{"time_s"}, required, "Its name in the heading of the file");
+  io("unit", a.unit, Text{"s"}, required, "Of its numbers");
+}
+
+constexpr std::string_view kFitCommand = "`contact`, `solve`, `slip`, `preload`, `life` or `measures`; by the response";
+
+void fields(const Fields& io, FitCurveItem& c) {
+  io("name", c.name, Text{"torque"}, "`curve-K` by default");
+  io("file", c.file, Text{"torque.csv"}, required,
+     "Comma-separated values with a heading, one row per reading; relative to this file");
+  io("response", c.response, Text{"slip.torque_screw_Nm"}, required,
+     "What was measured: a response of `prs list responses`, or of a series as "
+     "`preload.loads[].axial_displacement_um`");
+  io("measured", c.measured, Block{}, required, "The readings");
+  io("conditions", c.conditions, List{Block{}}, "What each row sets, in this order");
+  io("along", c.along, Block{}, "Of a series: where the rows stand");
+  io("deviation", c.deviation, Verbatim{"0.05 N m"},
+     "Standard deviation of a reading: a value, a share of the reading (`1 %`), `{column: .., unit: ..}`, or "
+     "`estimated`, which is the default");
+  io("offset", c.offset, Flag{}, "Whether an unknown constant is added: the zero of a probe");
+  io("loss", c.loss, Verbatim{"huber"},
+     "`squares` (default), `huber`, `cauchy`, `{huber: 1.345}` or `{cauchy: 2.385}`");
+  io("use", c.use, Choice{}, "What the curve is for");
+  io("command", c.command, Text{"slip"}, kFitCommand);
+}
+
+void fields(const Fields& io, FitBandItem& b) {
+  io("name", b.name, Text{"loss"}, required, "Of the band");
+  io("response", b.response, Text{"slip.power_loss_W"}, required, "A response of any command");
+  io("conditions", b.conditions, List{Block{}}, "Where it is computed");
+  io("command", b.command, Text{"slip"}, kFitCommand);
+}
+
+void fields(const Fields& io, FitItem& f) {
+  io("parameters", f.parameters, List{Block{}, 1, 50}, required, "Inputs that nobody can look up");
+  io("curves", f.curves, List{Block{}, 1, 100}, required, "What was measured");
+  io("level", f.level, Quantity{unit::share, Bounds{0.5, 99.9 / 100.0}, "90 %"}, "Of all intervals");
+  io("starts", f.starts, Whole{1, 1000}, "Searches: from the file's values, then from points spread over the bounds");
+  io("profile", f.profile, Verbatim{"[roughness]"},
+     "Paths whose intervals are searched for, too, or `true` for all of them");
+  io("bands", f.bands, List{Block{}}, "Responses that are computed with their uncertainty");
+}
+
 void fields(const Fields& io, ReportTexts& r) {
   io("title", r.title, Text{"\"Press 40 kN\""}, "What was calculated");
   io("customer", r.customer, Text{"\"Customer\""}, "For whom");
@@ -1376,6 +1461,7 @@ void fields(const Fields& io, CaseFile& file) {
   io("limits", file.limits, Block{}, "What the verdict of `prs check` and of the report holds the case against");
   io("study", file.study, Block{}, "What `prs study` varies");
   io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");
+  io("fit", file.fit, Block{}, "What `prs fit` finds from measured curves");
   io("report", file.report, Block{}, "Title block of `prs report`");
 }
 

@@ -136,6 +136,57 @@ struct OptimizeItem {
   CompromiseItem compromise;
 };
 
+/// A parameter of a fit as it is written.
+struct FitParameterItem {
+  struct Prior {
+    std::string mean, deviation;
+  };
+  enum class Scale { linear, log };
+
+  std::string path, from, to;
+  std::optional<std::string> start, label;
+  Scale scale = Scale::linear;
+  std::optional<Prior> prior;
+};
+
+/// What rows of a curve or a band set, as it is written.
+struct FitConditionItem {
+  std::string path;
+  std::optional<std::string> column, unit, value;
+  std::optional<WrittenValues> values;
+};
+
+/// A curve of a fit, or a band, as it is written.
+struct FitCurveItem {
+  struct Column {
+    std::optional<std::string> column, unit;
+  };
+  struct Along {
+    std::string response, column, unit;
+  };
+  enum class Use { fit, compare };
+
+  std::optional<std::string> name, command;
+  std::string file, response;
+  Column measured;
+  std::vector<FitConditionItem> conditions;
+  std::optional<Along> along;
+  std::optional<std::string> deviation, loss;
+  bool offset = false;
+  Use use = Use::fit;
+};
+struct FitBandItem : FitCurveItem {};
+
+/// A fit as it is written.
+struct FitItem {
+  std::vector<FitParameterItem> parameters;
+  std::vector<FitCurveItem> curves;
+  double level = 0.9;
+  int starts = 1;
+  std::optional<std::string> profile;
+  std::vector<FitBandItem> bands;
+};
+
 /// What a report says of itself.
 struct ReportTexts {
   std::optional<std::string> title, customer, author, number, revision;
@@ -148,6 +199,7 @@ struct CaseFile {
   std::optional<Limits> limits;
   std::optional<StudyItem> study;
   std::optional<OptimizeItem> optimize;
+  std::optional<FitItem> fit;
   bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
   std::optional<ReportTexts> report;
 };

@@ -548,13 +548,22 @@ CaseInput read_case_input(const Source& source, Command command) {
   errors.throw_if_any();
   Case values = checked_case(file, root, command, errors);
   errors.throw_if_any();
-  CaseInput input{std::move(values), echo(file, root), command_of(file.study), command_of(file.optimize)};
+  CaseInput input{std::move(values), echo(file, root), command_of(file.study), command_of(file.optimize),
+                  file.fit.has_value()};
   input.limits = file.limits;
   input.warnings = unusual_values(input.fields);
   return input;
 }
 
 std::vector<Problem> unmet(const CaseInput& input, Command command) {
+  if (command == Command::fit) {
+    Problems lacks;
+    if (!input.fits)
+      lacks.add_missing("fit", "unknown inputs and measured curves",
+                        "{parameters: [{path: friction.coulomb, from: 0.02, to: 0.4}], curves: [{file: torque.csv, "
+                        "response: slip.torque_screw_Nm, measured: {column: torque_Nm, unit: N m}}]}");
+    return std::move(lacks).take();
+  }
   if (command != Command::study && command != Command::optimize) return prs::missing(input.values, command);
   const std::optional<Command>& designs = command == Command::study ? input.study : input.optimize;
   if (designs) return unmet(input, *designs);

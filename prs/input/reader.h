@@ -15,6 +15,7 @@ struct CaseInput {
   std::vector<EchoEntry> fields;
   std::optional<Command> study;        ///< The command that the file's study runs.
   std::optional<Command> optimize;     ///< The command that an optimization runs.
+  bool fits = false;                   ///< Whether the file states a fit.
   std::vector<Warning> warnings = {};  ///< What is unusual about single values.
   std::optional<Limits> limits = {};   ///< What the verdict holds the case against.
 };

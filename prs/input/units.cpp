@@ -113,6 +113,8 @@ constexpr Unit kSpeed[] = {{{"mm/min"}, 1.0, 60e3},    {{"m/min"}, 1.0, 60.0}, {
 
 constexpr Unit kDistance[] = {{{"km"}, 1e3}, {{"m"}}};
 
+constexpr Unit kPower[] = {{{"W"}}, {{"kW"}, 1e3}, {{"mW"}, 1.0, 1e3}};
+
 constexpr Unit kInertia[] = {{{"kg m^2", "kg*m^2"}},
                              {{"kg cm^2", "kg*cm^2"}, 1.0, 1e4},
                              {{"kg mm^2", "kg*mm^2"}, 1.0, 1e6},
@@ -161,6 +163,7 @@ const Dimension rotational_damping{"a rotational damping", "0.01 N m s/rad", "N 
 const Dimension damping{"a damping", "200 N s/m", "N s/m", kDamping};
 const Dimension stop_damping{"a damping of a stop", "0.2 s/m", "s/m", kStopDamping};
 const Dimension position_gain{"a position gain", "80 1/s", "1/s", kPositionGain};
+const Dimension power{"a power", "50 W", "W", kPower};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
 const Dimension thermal_conductivity{"a thermal conductivity", "45 W/(m K)", "W/(m K)", kThermalConductivity};
@@ -203,7 +206,8 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::rotational_damping,
                                             &unit::damping,
                                             &unit::stop_damping,
-                                            &unit::position_gain};
+                                            &unit::position_gain,
+                                            &unit::power};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)

@@ -89,6 +89,7 @@ extern const Dimension rotational_damping;
 extern const Dimension damping;
 extern const Dimension stop_damping;
 extern const Dimension position_gain;
+extern const Dimension power;
 }  // namespace unit
 
 /// All dimensions, in the order in which they are shown.

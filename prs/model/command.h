@@ -16,7 +16,7 @@ struct Command {
   void (*needs)(const Case&, Problems&) = nullptr;
 
   // Commands that other parts name. Blocks of searches: see input::unmet.
-  static const Command check, contact, solve, compare, slip, preload, life, measures, response, study, optimize, size;
+  static const Command check, contact, solve, compare, slip, preload, life, measures, response, study, optimize, fit, size;
 
   friend constexpr bool operator==(const Command& a, const Command& b) { return a.word == b.word; }
   friend constexpr auto operator<=>(const Command& a, const Command& b) { return a.word <=> b.word; }
@@ -42,6 +42,7 @@ inline constexpr Command Command::measures{"measures", need_measures};
 inline constexpr Command Command::response{"response", need_response};
 inline constexpr Command Command::study{"study"};
 inline constexpr Command Command::optimize{"optimize"};
+inline constexpr Command Command::fit{"fit"};
 inline constexpr Command Command::size{"size"};
 
 constexpr std::string_view name(Command command) { return command.word; }

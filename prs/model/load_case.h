@@ -144,6 +144,7 @@ struct LoadSweep {
   double from = 0.0;
   double to = 0.0;
   int steps = 41;
+  std::vector<double> loads = {};  ///< In place of these, where there are any.
 };
 
 /// How a mechanism is rid of its play, and the loads that it is asked about. One of `force`,

@@ -30,6 +30,7 @@ PreloadSector reference_sector(const Conditions& c, const Contacts& contacts) {
 }
 
 std::vector<double> loads_of(const LoadSweep& sweep) {
+  if (!sweep.loads.empty()) return sweep.loads;
   const double largest = std::max(std::abs(sweep.from), std::abs(sweep.to));
   std::vector<double> loads;
   const int last = sweep.steps - 1;

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "modules/module.h"
+#include "prs/fit/fit.h"
 #include "prs/input/study_reader.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
@@ -324,10 +325,11 @@ std::optional<ModelOptions::Loads> thread_loads_of(const Case& c, Command comman
   return running ? ModelOptions::Loads::running : ModelOptions::Loads::at_rest;
 }
 
-/// Reads and checks the study and the optimization of the source too.
+/// Reads and checks the study, the optimization and the fit of the source too.
 CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   if (in.study) input::read_study_input(source);
   if (in.optimize) input::read_optimize_input(source);
+  if (in.fits && !source.files) read_fit_input(source);  // A page has no curves.
   const Case& c = in.values;
   CheckResult result{in.fields, input::assumptions(in.fields, source), {}, {}};
   for (const AnyAnalysis& analysis : analyses()) {

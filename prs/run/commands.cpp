@@ -1,6 +1,7 @@
 #include "prs/run/commands.h"
 
 #include "prs/compare/compare_analysis.h"
+#include "prs/fit/fit_analysis.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/preload_analysis.h"
 #include "prs/losses/slip_analysis.h"
@@ -28,6 +29,7 @@ std::span<const AnyAnalysis> analyses() {
       {.command = Command::optimize,
        .help = "Search the designs that the file aims at",
        .result_class = "OptimizationResult"},
+      any(fit_analysis()),
   };
   return all;
 }

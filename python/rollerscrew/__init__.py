@@ -21,6 +21,7 @@ from rollerscrew.cad import export_step
 from rollerscrew.case import Case, explore
 from rollerscrew.designs import Designs
 from rollerscrew.errors import InputError, InputProblem, MissingFileError
+from rollerscrew.fitting import fit
 from rollerscrew.function import Function
 from rollerscrew.library import configurations, lesson, lessons, lubricants, new, units
 from rollerscrew.record import Record, Values
@@ -40,6 +41,7 @@ __all__ = [
     "configurations",
     "explore",
     "export_step",
+    "fit",
     "lesson",
     "lessons",
     "lubricants",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import math
 import os
 import re
@@ -34,6 +36,7 @@ from rollerscrew.records import Command
 from rollerscrew.results import (
     Analyses,
     DerivativesResult,
+    FitResult,
     LifeResult,
     OptimizationResult,
     StudyResult,
@@ -379,6 +382,33 @@ class Case(Analyses):
         block |= {key: value for key, value in options.items() if key in _OF_HISTORY}
         changed = [*overrides, f"life={override_text({**life, **kept, 'history': block})}"]
         return self._from_source(_source(name, case, changed, folder, {_HISTORY: text.encode()}))
+
+    def fit(self, data: Mapping[str, Any] | None = None) -> FitResult:
+        """Unknown inputs from measured curves, with their uncertainty: the block `fit`.
+
+        `data` takes the place of the files of curves, by their names: a frame, or arrays by the
+        names of columns.
+        """
+        return FitResult._answer(self if data is None else self._with_curves(data), "fit")
+
+    def _with_curves(self, data: Mapping[str, Any]) -> Self:
+        name, text, overrides, folder, files = self._parts()
+        given = dict(files or {})
+        # Where texts of files are given, a check opens no curves.
+        curves = self._from_source(_source(name, text, overrides, folder, given))["fit"]["curves"]
+        names = [curve.get("name", f"curve-{k + 1}") for k, curve in enumerate(curves)]
+        changed = [*overrides]
+        for curve, columns in data.items():
+            if curve not in names:
+                raise ValueError(f"{curve}: got no curve; expected one of {', '.join(names)}")
+            arrays = {str(key): list(columns[key]) for key in columns}
+            rows = zip(*arrays.values(), strict=True)
+            table = io.StringIO()
+            csv.writer(table, lineterminator="\n").writerows([list(arrays), *rows])
+            file = f"data of {curve}.csv"
+            given[file] = table.getvalue().encode()
+            changed.append(f"fit.curves[{names.index(curve)}].file={override_text(file)}")
+        return self._from_source(_source(name, text, changed, folder, given))
 
     def optimize(
         self, *, threads: int | None = None, progress: Progress = None

@@ -1983,6 +1983,285 @@ class Measures(Record):
     critical_speed_rpm: float | None
 
 
+class FitPrior(Record):
+    """What was known before.
+
+    mean: mean
+    deviation: deviation
+    """
+
+    __slots__ = ()
+    mean: float
+    deviation: float
+
+
+class FitProfile(Record):
+    """Interval of the profile likelihood.
+
+    low: low
+    high: high
+    """
+
+    __slots__ = ()
+    low: float | None
+    high: float | None
+
+
+class FittedParameter(Record):
+    """An input that was fitted, or the offset of a curve.
+
+    name: path, or `offset of CURVE`
+    label: label
+    unit: that of `from`; of an offset that of the response
+    scale: linear | log
+    start: start
+    from: from
+    to: to
+    prior: prior
+    identified: whether the data tell it
+    value: value
+    standard_deviation: with `log` that of the logarithm times the value
+    low: end of the interval
+    high: end of the interval
+    degrees_of_freedom: of Student's quantile; absent: the normal one; Satterthwaite 1946
+    at_bound: from | to
+    profile: interval of the profile likelihood
+    set: what `--set` takes for it
+    """
+
+    __slots__ = ()
+    name: str
+    label: str | None
+    unit: str
+    scale: str
+    start: float
+    to: float
+    prior: FitPrior | None
+    identified: bool
+    value: float | None
+    standard_deviation: float | None
+    low: float | None
+    high: float | None
+    degrees_of_freedom: float | None
+    at_bound: str | None
+    profile: FitProfile | None
+    set: str | None
+
+
+class FitMatrix(Record):
+    """Of the values with a deviation.
+
+    names: names
+    matrix: matrix
+    """
+
+    __slots__ = ()
+    names: list[str]
+    matrix: Array
+
+
+class FitCombination(Record):
+    """What the data tell of two parameters that they cannot tell apart.
+
+    kind: sum | product
+    names: names
+    factor: a + factor b, or a b^factor
+    value: value
+    standard_deviation: standard deviation
+    low: low
+    high: high
+    text: text
+    """
+
+    __slots__ = ()
+    kind: str
+    names: list[str]
+    factor: float
+    value: float
+    standard_deviation: float | None
+    low: float | None
+    high: float | None
+    text: str
+
+
+class FitDirection(Record):
+    """Parameters that the data cannot tell apart.
+
+    names: names
+    direction: of the scaled parameters
+    ratio: singular value over the largest
+    combination: what counts of two
+    """
+
+    __slots__ = ()
+    names: list[str]
+    direction: Array
+    ratio: float
+    combination: FitCombination | None
+
+
+class FitRuns(Record):
+    """Runs of sign of the residuals.
+
+    count: count
+    expected: expected
+    p_value: of so few; Wald and Wolfowitz 1940
+    """
+
+    __slots__ = ()
+    count: int
+    expected: float
+    p_value: float
+
+
+class FittedCurve(Record):
+    """A curve with its fit.
+
+    name: name
+    file: file
+    response: response
+    unit: of the response, in which all of these are
+    command: command
+    rows: rows
+    use: fit | compare
+    loss: squares | huber | cauchy
+    estimated: whether the deviation of its readings was
+    redundancy: rows less what they determine
+    rms: rms
+    r_squared: r squared
+    chi_square: sum of the squares over the deviations
+    runs: of sign of the residuals
+    line: of the file
+    measured: measured
+    fitted: with the offset
+    residual: measured less fitted
+    standard_deviation: of a reading
+    weight: of a reading under the loss
+    low: band of the response
+    high: band of the response
+    """
+
+    __slots__ = ()
+    name: str
+    file: str
+    response: str
+    unit: str
+    command: str
+    rows: int
+    use: str
+    loss: str
+    estimated: bool
+    redundancy: float | None
+    rms: float | None
+    r_squared: float | None
+    chi_square: float | None
+    runs: FitRuns | None
+    line: Array
+    measured: Array
+    fitted: Array
+    residual: Array
+    standard_deviation: Array
+    weight: Array
+    low: Array
+    high: Array
+
+
+class FitCondition(Record):
+    """What a band sets.
+
+    path: path
+    values: one for each row, or one for all
+    """
+
+    __slots__ = ()
+    path: str
+    values: list[str]
+
+
+class FitBand(Record):
+    """A response with its uncertainty.
+
+    name: name
+    response: response
+    unit: unit
+    command: command
+    conditions: conditions
+    value: value
+    standard_deviation: standard deviation
+    low: low
+    high: high
+    """
+
+    __slots__ = ()
+    name: str
+    response: str
+    unit: str
+    command: str
+    conditions: list[FitCondition]
+    value: Array
+    standard_deviation: Array
+    low: Array
+    high: Array
+
+
+class FitStart(Record):
+    """A search.
+
+    objective: S + 2 sum of rows x ln(estimated deviation)
+    status: status
+    best: best
+    """
+
+    __slots__ = ()
+    objective: float | None
+    status: str
+    best: bool
+
+
+class Fit(Record):
+    """Unknown inputs from measured curves.
+
+    converged: converged
+    status: converged | not_identifiable | no_redundancy | iteration_limit | no_equilibrium
+    objective: S
+    level_percent [%]: of all intervals
+    degrees_of_freedom: sum of the redundancies
+    chi_square: of the curves with stated deviations and squares
+    reduced_chi_square: reduced chi square
+    p_value: probability of more
+    evaluations: rows that were computed
+    iterations: iterations
+    parameters: parameters
+    correlation: correlation
+    covariance: in the units of the values
+    singular_value_ratios: falling
+    unidentified: what the data cannot tell apart
+    curves: curves
+    bands: bands
+    starts: starts
+    """
+
+    __slots__ = ()
+    converged: bool
+    status: str
+    objective: float | None
+    level_percent: float
+    degrees_of_freedom: float
+    chi_square: float | None
+    reduced_chi_square: float | None
+    p_value: float | None
+    evaluations: int
+    iterations: int
+    parameters: list[FittedParameter]
+    correlation: FitMatrix
+    covariance: FitMatrix
+    singular_value_ratios: Array
+    unidentified: list[FitDirection]
+    curves: list[FittedCurve]
+    bands: list[FitBand]
+    starts: list[FitStart]
+
+
 class MotionSegment(Record):
     """Constant acceleration under one force.
 

@@ -14,6 +14,7 @@ __all__ = [
     "CompareResult",
     "ContactResult",
     "DerivativesResult",
+    "FitResult",
     "LifeResult",
     "LoadCasesResult",
     "MeasuresResult",
@@ -159,6 +160,15 @@ class OptimizationResult(views.OptimizationViews):
     search: Values
     check: Values | None
     comparison: Values | None
+
+
+class FitResult(views.FitViews):
+    """Unknown inputs from measured curves, with their uncertainty."""
+
+    __slots__ = ()
+    _command = "fit"
+    _block = "fit"
+    fit: records.Fit
 
 
 class SizeResult(views.SizeViews):

@@ -24,6 +24,7 @@ from rollerscrew.records import (
     ComparedModel,
     Comparison,
     Contacts,
+    Fit,
     Heat,
     HeatCycle,
     InterfaceLife,
@@ -553,6 +554,70 @@ class ResponseViews(Result):
     def plot_frequency_response(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """The frequency response, with the block `frequency_response`."""
         return self.plot_figure("response_frequency", ax, **look)
+
+
+class FitViews(Result):
+    """Unknown inputs from measured curves, with their uncertainty."""
+
+    __slots__ = ()
+    fit: Fit
+
+    def parameters_frame(self) -> pd.DataFrame:
+        """Values with deviations and intervals, one row per parameter, offsets last."""
+        return frame_of([dict(flat(one)) for one in self.fit.parameters], {"name": str})
+
+    def residuals_frame(self) -> pd.DataFrame:
+        """Readings, fit and residuals, one row per reading."""
+        rows: list[dict[str, Any]] = []
+        for curve in self.fit.curves:
+            arrays = {key: value for key, value in curve.items() if isinstance(value, np.ndarray)}
+            for k, line in enumerate(curve.line):
+                row = {"curve": curve.name, "line": int(line), "unit": curve.unit}
+                row |= {key: value[k] for key, value in arrays.items() if key != "line" and k < len(value)}
+                rows.append(row)
+        return frame_of(rows, {"curve": str, "line": int, "unit": str})
+
+    def covariance_frame(self) -> pd.DataFrame:
+        """Covariance of the values, in their units."""
+        import pandas as pd
+
+        names = list(self.fit.covariance.names)
+        matrix = np.asarray(self.fit.covariance.matrix, dtype=float).reshape(len(names), len(names))
+        return pd.DataFrame(matrix, index=names, columns=names)
+
+    def bands_frame(self) -> pd.DataFrame:
+        """Responses of `bands` with their uncertainty, one row per condition."""
+        rows: list[dict[str, Any]] = []
+        for band in self.fit.bands:
+            for k, value in enumerate(band.value):
+                row: dict[str, Any] = {"band": band.name, "unit": band.unit}
+                for condition in band.conditions:
+                    values = condition["values"]
+                    row[condition.path] = values[k] if len(values) > 1 else values[0]
+                row |= {"value": value}
+                row |= {key: band[key][k] for key in ("standard_deviation", "low", "high")}
+                rows.append(row)
+        return frame_of(rows, {"band": str, "unit": str})
+
+    @property
+    def fitted_case(self) -> Case:
+        """The case with the values in their places."""
+        if not self.fit.converged:
+            raise ValueError(f"the fit has the status {self.fit.status}: it has no fitted case")
+        settings = [one.set for one in self.fit.parameters if "set" in one]
+        return self._own_case().with_(dict(text.split("=", 1) for text in settings))
+
+    def plot_fit(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Each curve with its readings, its fit and its band."""
+        return self.plot_figure("fit", ax, **look)
+
+    def plot_residuals(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Residuals over the rows."""
+        return self.plot_figure("residuals", ax, **look)
+
+    def plot_correlation(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """Correlation of the values."""
+        return self.plot_figure("correlation", ax, **look)
 
 
 class LifeViews(Result):

@@ -87,6 +87,11 @@ TEST_F(WithoutModules, WhatCannotDoWithoutThemSaysSo) {
   EXPECT_EQ(optimum.err,
             "prs: error: this needs pagmo, and prs_pagmo.so is not next to the program; install "
             "libpagmo-dev and build prs again\n");
+  const test::Outcome fit = run("fit configs/37_bench.yaml --threads 1 --quiet");
+  EXPECT_EQ(fit.status, 1);
+  EXPECT_EQ(fit.err,
+            "prs: error: this needs Ceres Solver, and prs_fit.so is not next to the program; install "
+            "libceres-dev and build prs again\n");
 }
 
 TEST_F(WithoutModules, FoundBesideTheProgramOrBelowLib) {
@@ -123,7 +128,7 @@ std::string libraries(const std::string& arguments) {
 TEST(Modules, AreLoadedByRunsThatNeedThemOnly) {
   const std::string loaded = libraries("solve configs/01_config_1_to_3.yaml");
   EXPECT_THAT(loaded, HasSubstr("libstdc++"));
-  for (const char* name : {"libmpi", "libnetcdf", "libhdf5", "libpagmo", "libtbb", "libboost"})
+  for (const char* name : {"libmpi", "libnetcdf", "libhdf5", "libpagmo", "libceres", "libtbb", "libboost"})
     EXPECT_THAT(loaded, Not(HasSubstr(name)));
 }
 

@@ -1,0 +1,796 @@
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <numeric>
+
+#include "modules/fit/statistics.h"
+
+namespace modules::fit {
+namespace {
+
+constexpr double kStep = 1e-3;           // Of z, in differences.
+constexpr double kBound = 1e-6;          // Nearer to a bound than that a value may be held there.
+constexpr double kConverged = 1e-4;      // Of a standard deviation.
+constexpr double kSettled = 1e-6;        // What the search goes on to, where it can.
+constexpr double kSpreadSettled = 1e-8;  // Relative change of a deviation.
+constexpr double kNoInfluence = 1e-12;   // Of the response.
+constexpr double kLeastSlope = 0.05;     // Of a loss, as a mean over its curve.
+
+/// What is known at one place of the unknowns.
+struct State {
+  VectorXd z;
+  std::vector<VectorXd> values;            ///< Of each fitted curve, with its offset.
+  std::vector<MatrixXd> slopes = {};       ///< By z, once they are asked for.
+  std::vector<MatrixXd> information = {};  ///< J'J over the squares of stated deviations.
+};
+using StatePtr = std::shared_ptr<State>;
+
+/// The normal equations at a state.
+struct Normal {
+  std::vector<Weighed> curves;
+  MatrixXd matrix;    ///< A
+  VectorXd gradient;  ///< dS/dz over 2
+  double objective = 0.0;
+  std::vector<Index> free = {};
+  MatrixXd inverse = {};
+};
+
+/// In the unknown's own unit.
+double shown(const Unknown& unknown, double u) { return unknown.is_log ? std::exp(u) : u; }
+Estimate shown(const Unknown& unknown, Estimate e) {
+  if (!unknown.is_log) return e;
+  e.value = std::exp(e.value);
+  return {e.value, e.deviation * e.value, std::exp(e.low), std::exp(e.high), e.degrees_of_freedom};
+}
+
+class Search {
+ public:
+  explicit Search(const Problem& problem)
+      : problem_(problem), unknowns_(problem.unknowns), count_(static_cast<Index>(problem.unknowns.size())) {
+    for (Unknown& unknown : unknowns_) {
+      if (!unknown.is_log) continue;
+      for (double* const value : {&unknown.from, &unknown.to, &unknown.start}) *value = std::log(*value);
+      if (unknown.prior)
+        unknown.prior = {std::log(unknown.prior->mean), unknown.prior->deviation / unknown.prior->mean};
+    }
+    for (std::size_t c = 0; c < problem.curves.size(); ++c) {
+      const Curve& curve = problem.curves[c];
+      losses_.push_back(curve.loss);
+      measured_.emplace_back(
+          Eigen::Map<const VectorXd>(curve.measured.data(), static_cast<Index>(curve.measured.size())));
+      const auto n = static_cast<double>(std::max<std::size_t>(curve.rows, 1));
+      const VectorXd& y = measured_.back();
+      const bool estimated = is_estimated(c);
+      spread_.push_back(1.0);
+      floor_.push_back(0.0);
+      if (estimated) {
+        floor_[c] = std::max(1e-6 * y.lpNorm<Eigen::Infinity>(), 1e-150);
+        spread_[c] = std::max(0.05 * std::sqrt((y.array() - y.mean()).square().sum() / n), floor_[c]);
+      }
+      if (curve.deviation.empty())
+        weight_.emplace_back(VectorXd::Ones(y.size()));
+      else
+        weight_.emplace_back(
+            Eigen::Map<const VectorXd>(curve.deviation.data(), static_cast<Index>(curve.deviation.size()))
+                .cwiseInverse());
+      reached_.emplace_back(problem.unknowns.size(), true);
+      fitted_.push_back(curve.use == Curve::Use::fit);
+    }
+    first_spread_ = spread_;
+    prior_ = MatrixXd::Zero(count_, count_);
+    for (Index j = 0; j < count_; ++j)
+      if (const auto& prior = unknown(j).prior) prior_(j, j) = std::pow(range(j) / prior->deviation, 2);
+  }
+
+  /// Nothing where the function has no answer at the start.
+  bool look_at_start(const VectorXd& z, Result& result) {
+    const StatePtr state = with_slopes(z);
+    if (!state) return false;
+    for (Index j = 0; j < count_; ++j) {
+      if (unknown(j).is_offset) continue;
+      bool moves = false;
+      for (std::size_t c = 0; c < fitted_.size(); ++c) {
+        if (!fitted_[c]) continue;
+        const auto moved = 2.0 * kStep * state->slopes[c].col(j).array().abs();
+        moves = moves || (moved > kNoInfluence * (state->values[c].array() - offset(c, z)).abs()).any();
+        reached_[c][static_cast<std::size_t>(j)] = (state->slopes[c].col(j).array() != 0.0).any();
+      }
+      if (!moves) result.without_influence = static_cast<std::size_t>(j);
+      if (!moves) return false;
+    }
+    return true;
+  }
+
+  VectorXd start(std::size_t k) const {
+    VectorXd z(count_);
+    for (Index j = 0; j < count_; ++j)
+      z[j] = k == 0 ? (unknown(j).start - unknown(j).from) / range(j) : halton(k, static_cast<std::size_t>(j));
+    return z;
+  }
+
+  /// The least objective from a start on, deviations with it.
+  Status run(const VectorXd& from) {
+    spread_ = first_spread_;
+    failure_.reset();
+    VectorXd z = from;
+    const bool jumps = std::ranges::any_of(losses_, [](const Loss& l) { return l.kind == Loss::Kind::cauchy; });
+    Status status = Status::converged;
+    if (jumps) {  // From afar most rows would look like outliers.
+      const std::vector<Loss> given = losses_;
+      for (Loss& loss : losses_) loss.kind = Loss::Kind::squares;
+      status = settle(z, 2);
+      losses_ = given;
+      if (status == Status::no_equilibrium) return status;
+    }
+    status = settle(z, 20);
+    place_ = z;
+    return status;
+  }
+
+  const VectorXd& place() const { return place_; }
+  const std::optional<Failure>& failure() const { return failure_; }
+  std::size_t iterations() const { return iterations_; }
+
+  /// What starts are compared by.
+  double criterion() {
+    double sum = normal(*with_slopes(place_)).objective;
+    for (std::size_t c = 0; c < fitted_.size(); ++c)
+      if (is_estimated(c)) sum += 2.0 * static_cast<double>(problem_.curves[c].rows) * std::log(spread_[c]);
+    return sum;
+  }
+  std::vector<double> spread() const { return spread_; }
+  void set(const VectorXd& z, const std::vector<double>& spread) { place_ = z, spread_ = spread; }
+  double distance(const VectorXd& a, const VectorXd& b) {
+    const VectorXd d = a - b;
+    return std::sqrt(std::max(0.0, d.dot(normal(*with_slopes(a)).matrix * d)));
+  }
+
+  void conclude(Status status, Result& result, bool whole);
+
+ private:
+  const Unknown& unknown(Index j) const { return unknowns_[static_cast<std::size_t>(j)]; }
+  double range(Index j) const { return unknown(j).to - unknown(j).from; }
+  bool is_estimated(std::size_t c) const {
+    return problem_.curves[c].use == Curve::Use::fit && problem_.curves[c].deviation.empty();
+  }
+  double offset(std::size_t c, const VectorXd& z) const {
+    const std::optional<std::size_t>& o = problem_.curves[c].offset;
+    if (!o || problem_.curves[c].use != Curve::Use::fit) return 0.0;
+    const auto j = static_cast<Index>(*o);
+    return unknown(j).from + z[j] * range(j);
+  }
+  double u(Index j, double z) const { return unknown(j).from + z * range(j); }
+
+  Request request(const VectorXd& z, std::vector<bool> curves) const {
+    Request r{.values = {}, .curves = std::move(curves)};
+    for (Index j = 0; j < count_; ++j) r.values.push_back(shown(unknown(j), u(j, z[j])));
+    return r;
+  }
+  VectorXd values_of(const std::vector<double>& v) const {
+    return Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size()));
+  }
+
+  StatePtr at(const VectorXd& z) {
+    for (const StatePtr& known : known_)
+      if (known->z == z) return known;
+    const std::vector<Answer> answers = problem_.evaluate({request(z, fitted_)});
+    if (answers[0].failure) {
+      failure_ = answers[0].failure;
+      return nullptr;
+    }
+    auto state = std::make_shared<State>(State{.z = z, .values = {}});
+    for (std::size_t c = 0; c < fitted_.size(); ++c)
+      state->values.emplace_back(fitted_[c] ? VectorXd(values_of(answers[0].values[c]).array() + offset(c, z))
+                                            : VectorXd());
+    known_.push_front(state);
+    if (known_.size() > 4) known_.pop_back();
+    return state;
+  }
+
+  StatePtr with_slopes(const VectorXd& z) {
+    StatePtr state = at(z);
+    if (!state || !state->slopes.empty()) return state;
+    std::optional<std::vector<MatrixXd>> slopes = differentiate(z, state->values, fitted_);
+    if (!slopes) return nullptr;
+    state->slopes = *std::move(slopes);
+    for (std::size_t c = 0; c < fitted_.size(); ++c) {
+      const MatrixXd weighted = fitted_[c] ? MatrixXd(weight_[c].asDiagonal() * state->slopes[c]) : MatrixXd(0, count_);
+      state->information.emplace_back(weighted.transpose() * weighted);
+    }
+    return state;
+  }
+
+  /// d(f + o)/dz by differences, of the curves that are asked for; none where a row has no answer
+  /// on either side.
+  std::optional<std::vector<MatrixXd>> differentiate(const VectorXd& z, const std::vector<VectorXd>& values,
+                                                     const std::vector<bool>& curves) {
+    enum class Side { both, ahead, behind };
+    std::vector<Request> requests;
+    struct Asked {
+      Index j;
+      Side side;
+      std::size_t first;
+    };
+    const auto ask = [&](std::vector<Asked>& list, Index j, Side side) {
+      std::vector<bool> reached = curves;
+      for (std::size_t c = 0; c < curves.size(); ++c)
+        reached[c] = curves[c] && reached_[c][static_cast<std::size_t>(j)];
+      if (std::ranges::none_of(reached, std::identity{})) return;
+      list.push_back({j, side, requests.size()});
+      for (const double steps : side == Side::both    ? std::array{-1.0, 1.0}
+                                : side == Side::ahead ? std::array{1.0, 2.0}
+                                                      : std::array{-1.0, -2.0}) {
+        VectorXd moved = z;
+        moved[j] += steps * kStep;
+        requests.push_back(request(moved, reached));
+      }
+    };
+    std::vector<MatrixXd> slopes;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      slopes.emplace_back(MatrixXd::Zero(curves[c] ? static_cast<Index>(problem_.curves[c].rows) : 0, count_));
+    std::vector<Asked> asked;
+    for (Index j = 0; j < count_; ++j) {
+      if (unknown(j).is_offset) continue;
+      const bool bounded = unknown(j).is_bounded;
+      ask(asked, j, bounded && z[j] < kStep ? Side::ahead : bounded && z[j] > 1.0 - kStep ? Side::behind : Side::both);
+    }
+    for (int round = 0; round < 3 && !asked.empty(); ++round) {
+      const std::vector<Answer> answers = problem_.evaluate(requests);
+      requests.clear();
+      std::vector<Asked> again;
+      for (const auto& [j, side, first] : asked) {
+        const Answer &one = answers[first], &two = answers[first + 1];
+        if (one.failure || two.failure) {
+          failure_ = one.failure ? one.failure : two.failure;
+          // A difference to both sides tries the side without the failure, one to a side the other.
+          const Side other = side == Side::both    ? (one.failure ? Side::ahead : Side::behind)
+                             : side == Side::ahead ? Side::behind
+                                                   : Side::ahead;
+          const double last = z[j] + (other == Side::ahead ? 2.0 : -2.0) * kStep;
+          if (round == 2 || (unknown(j).is_bounded && !(last >= 0.0 && last <= 1.0))) return std::nullopt;
+          ask(again, j, other);
+          continue;
+        }
+        const double h = side == Side::behind ? -kStep : kStep;
+        for (std::size_t c = 0; c < curves.size(); ++c) {
+          if (!curves[c] || !reached_[c][static_cast<std::size_t>(j)]) continue;
+          const VectorXd a = values_of(one.values[c]), b = values_of(two.values[c]);
+          if (side == Side::both) {
+            slopes[c].col(j) = (b - a) / (2.0 * h);
+          } else {
+            const VectorXd here = values[c].array() - offset(c, z);
+            slopes[c].col(j) = (-3.0 * here + 4.0 * a - b) / (2.0 * h);
+          }
+        }
+      }
+      asked = std::move(again);
+    }
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      if (const auto& o = problem_.curves[c].offset; o && curves[c] && fitted_[c])
+        slopes[c].col(static_cast<Index>(*o)).setConstant(range(static_cast<Index>(*o)));
+    return slopes;
+  }
+
+  /// Of one reading, over its deviation.
+  double scaled(const State& s, std::size_t c, Index i) const {
+    return (measured_[c][i] - s.values[c][i]) * weight_[c][i] / spread_[c];
+  }
+  double objective(const State& s) const {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < fitted_.size(); ++c)
+      for (Index i = 0; i < s.values[c].size(); ++i) sum += robust(losses_[c], scaled(s, c, i)).rho;
+    for (Index j = 0; j < count_; ++j)
+      if (const auto& p = unknown(j).prior) sum += std::pow((u(j, s.z[j]) - p->mean) / p->deviation, 2);
+    return sum;
+  }
+
+  /// `held`: an unknown that stays.
+  Normal normal(const State& s, std::optional<Index> held = {}) const {
+    Normal n{.curves = {}, .matrix = prior_, .gradient = VectorXd::Zero(count_), .objective = objective(s)};
+    for (Index j = 0; j < count_; ++j)
+      if (const auto& p = unknown(j).prior)
+        n.gradient[j] += range(j) * (u(j, s.z[j]) - p->mean) / (p->deviation * p->deviation);
+    for (std::size_t c = 0; c < fitted_.size(); ++c) {
+      Weighed w{.information = s.information[c] / (spread_[c] * spread_[c]),
+                .has_own_spread = is_estimated(c) || losses_[c].is_robust(),
+                .is_estimated = is_estimated(c)};
+      if (fitted_[c]) {
+        VectorXd pull(s.values[c].size());
+        double slope = 0.0;
+        for (Index i = 0; i < pull.size(); ++i) {
+          const Robust r = robust(losses_[c], scaled(s, c, i));
+          pull[i] = r.psi * weight_[c][i] / spread_[c];
+          slope += r.slope;
+        }
+        w.a = losses_[c].is_robust() ? std::max(slope / static_cast<double>(pull.size()), kLeastSlope) : 1.0;
+        n.gradient -= s.slopes[c].transpose() * pull;
+        n.matrix += w.a * w.information;
+      }
+      n.curves.push_back(std::move(w));
+    }
+    for (Index j = 0; j < count_; ++j)
+      if (j != held && pushed_out(s.z, n.gradient, j) == 0) n.free.push_back(j);
+    n.inverse = inverse(n.matrix, n.free);
+    for (std::size_t c = 0; c < fitted_.size(); ++c) {
+      Weighed& w = n.curves[c];
+      if (!fitted_[c]) continue;
+      w.redundancy = static_cast<double>(s.values[c].size()) - w.a * (n.inverse.array() * w.information.array()).sum();
+    }
+    return n;
+  }
+
+  /// -1 or 1: at its lower or upper bound, and beyond it the objective would be less.
+  int pushed_out(const VectorXd& z, const VectorXd& gradient, Index j) const {
+    if (!unknown(j).is_bounded) return 0;
+    if (z[j] <= kBound && gradient[j] > 0.0) return -1;
+    return z[j] >= 1.0 - kBound && gradient[j] < 0.0 ? 1 : 0;
+  }
+
+  /// Estimated deviations at this state; their largest relative change.
+  double set_spread(const State& s) {
+    const std::vector<double> before = spread_;
+    for (int round = 0; round < 1000; ++round) {
+      double change = 0.0;
+      const Normal n = normal(s);
+      for (std::size_t c = 0; c < fitted_.size(); ++c) {
+        if (!is_estimated(c)) continue;
+        double sum = 0.0;
+        for (Index i = 0; i < s.values[c].size(); ++i) {
+          const double r = scaled(s, c, i);
+          sum += robust(losses_[c], r).psi * r;
+        }
+        const double expected = consistency(losses_[c]) * std::max(n.curves[c].redundancy, 0.5);
+        const double next = std::max(spread_[c] * std::sqrt(sum / expected), floor_[c]);
+        change = std::max(change, std::abs(std::log(next / spread_[c])));
+        spread_[c] = next;
+      }
+      if (change < 1e-2 * kSpreadSettled) break;
+    }
+    double change = 0.0;
+    for (std::size_t c = 0; c < spread_.size(); ++c)
+      change = std::max(change, std::abs(std::log(spread_[c] / before[c])));
+    return change;
+  }
+
+  VectorXd moved(const VectorXd& z, const VectorXd& step) const {
+    VectorXd next = z + step;
+    for (Index j = 0; j < count_; ++j)
+      if (unknown(j).is_bounded) next[j] = std::clamp(next[j], 0.0, 1.0);
+    return next;
+  }
+
+  /// Ceres' search at given deviations; `held` stays.
+  bool search(VectorXd& z, double tolerance, std::optional<Index> held = {}) {
+    std::vector<Index> moving;
+    std::vector<bool> bounded;
+    std::vector<double> place;
+    for (Index j = 0; j < count_; ++j) {
+      if (j == held) continue;
+      moving.push_back(j);
+      bounded.push_back(unknown(j).is_bounded);
+      place.push_back(z[j]);
+    }
+    std::size_t rows = 0;
+    for (std::size_t c = 0; c < fitted_.size(); ++c)
+      if (fitted_[c]) rows += problem_.curves[c].rows;
+    std::vector<Index> priors;
+    for (const Index j : moving)
+      if (unknown(j).prior) priors.push_back(j);
+    const Residuals residuals = [&](const double* x, double* r, double* derivatives) {
+      VectorXd here = z;
+      for (std::size_t k = 0; k < moving.size(); ++k) here[moving[k]] = x[k];
+      const StatePtr s = derivatives != nullptr ? with_slopes(here) : at(here);
+      if (!s) return false;
+      Index row = 0;
+      const auto width = static_cast<Index>(moving.size());
+      const auto derivative = [&](Index at_row, Index k) -> double& { return derivatives[at_row * width + k]; };
+      for (std::size_t c = 0; c < fitted_.size(); ++c)
+        for (Index i = 0; i < s->values[c].size(); ++i, ++row) {
+          const double scaled_residual = scaled(*s, c, i);
+          const Robust loss = robust(losses_[c], scaled_residual);
+          // The residual whose square is rho.
+          const double root = std::copysign(std::sqrt(loss.rho), scaled_residual);
+          const double by_r = std::abs(root) > 1e-100 ? loss.psi / root : 1.0;
+          r[row] = root;
+          if (derivatives != nullptr)
+            for (Index k = 0; k < width; ++k)
+              derivative(row, k) =
+                  -by_r * s->slopes[c](i, moving[static_cast<std::size_t>(k)]) * weight_[c][i] / spread_[c];
+        }
+      for (const Index j : priors) {
+        const auto& p = *unknown(j).prior;
+        r[row] = (u(j, here[j]) - p.mean) / p.deviation;
+        if (derivatives != nullptr)
+          for (Index k = 0; k < width; ++k)
+            derivative(row, k) = moving[static_cast<std::size_t>(k)] == j ? range(j) / p.deviation : 0.0;
+        ++row;
+      }
+      return true;
+    };
+    if (moving.empty()) return true;
+    const Minimum found = minimise(residuals, rows + priors.size(), bounded, tolerance, place);
+    iterations_ += found.iterations;
+    for (std::size_t k = 0; k < moving.size(); ++k) z[moving[k]] = place[k];
+    return found.has_converged;
+  }
+
+  /// Steps of the normal equations, deviations with them, until nothing moves; false where one
+  /// leads nowhere.
+  bool polish(VectorXd& z, double& norm, std::optional<Index> held = {}, double enough = kSettled) {
+    double last = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 40; ++k) {
+      const StatePtr s = with_slopes(z);
+      if (!s) return false;
+      const double spread_change = held ? 0.0 : set_spread(*s);
+      const Normal n = normal(*s, held);
+      const VectorXd step = -(n.inverse * n.gradient);
+      norm = std::sqrt(std::max(0.0, step.dot(n.matrix * step)));
+      if (norm <= enough && spread_change < kSpreadSettled) return true;
+      // As near as differences lead.
+      if (k > 8 && norm <= kConverged && norm > 0.5 * last && spread_change < kSpreadSettled) return true;
+      last = norm;
+      ++iterations_;
+      double share = 1.0;
+      for (int halved = 0;; ++halved, share *= 0.5) {
+        const VectorXd next = moved(z, share * step);
+        const StatePtr there = at(next);
+        // Differences are not the slope to the last digit.
+        if (there && objective(*there) <= n.objective + 1e-10 * n.objective + 1e-9) {
+          z = next;
+          break;
+        }
+        if (halved == 8) return norm <= kConverged && spread_change < kSpreadSettled;
+      }
+      if (norm < 0.1) go_on(z, *s, held, 0.3 * enough);
+    }
+    return norm <= kConverged;
+  }
+
+  /// Further steps with the slopes of a state nearby, at a fraction of the effort.
+  void go_on(VectorXd& z, const State& near, std::optional<Index> held, double enough) {
+    for (int k = 0; k < 30; ++k) {
+      const StatePtr here = at(z);
+      if (!here) return;
+      State s{.z = z, .values = here->values, .slopes = near.slopes, .information = near.information};
+      const double spread_change = held ? 0.0 : set_spread(s);
+      const Normal n = normal(s, held);
+      const VectorXd step = -(n.inverse * n.gradient);
+      if (step.dot(n.matrix * step) <= enough * enough && spread_change < 0.3 * kSpreadSettled) return;
+      const VectorXd next = moved(z, step);
+      const StatePtr there = at(next);
+      if (!there || objective(*there) > n.objective) return;
+      z = next;
+    }
+  }
+
+  Status settle(VectorXd& z, int attempts) {
+    double norm = 0.0;
+    for (int k = 0; k < attempts; ++k) {
+      search(z, k == 0 ? 1e-4 : 1e-15);
+      if (!with_slopes(z)) return Status::no_equilibrium;
+      if (polish(z, norm)) return Status::converged;
+      if (!with_slopes(z)) return Status::no_equilibrium;
+    }
+    return Status::iteration_limit;
+  }
+
+  void set_profile(Index j, const Normal& n, const Covariance& covariance, double level, UnknownResult& result);
+
+  const Problem& problem_;
+  std::vector<Unknown> unknowns_;  ///< In u: the value, or its logarithm.
+  Index count_;
+  std::vector<Loss> losses_;
+  std::vector<VectorXd> measured_, weight_;
+  std::vector<double> spread_, first_spread_, floor_;
+  std::vector<std::vector<bool>> reached_;
+  std::vector<bool> fitted_;
+  MatrixXd prior_;
+  VectorXd place_;
+  std::deque<StatePtr> known_;
+  std::optional<Failure> failure_;
+  std::size_t iterations_ = 0;
+};
+
+void Search::set_profile(Index j, const Normal& n, const Covariance& covariance, double level, UnknownResult& result) {
+  const double deviation = std::sqrt(covariance.full(j, j));
+  const double t = quantile(level, result.estimate->degrees_of_freedom);
+  const double target = t * std::sqrt(covariance.full(j, j) / covariance.first(j, j));
+  for (const double sense : {-1.0, 1.0}) {
+    // sqrt(S_p - S) less the target, over z_j; nearly straight.
+    double x0 = place_[j], y0 = -target, x = x0 + sense * t * deviation;
+    VectorXd from = place_;
+    std::optional<double> end;
+    bool at_edge = false;
+    double inside = x0, inside_y = y0, outside = std::numeric_limits<double>::quiet_NaN(), outside_y = 0.0;
+    for (int k = 0; k < 30; ++k) {
+      const double edge = sense < 0.0 ? 0.0 : 1.0;
+      if (unknown(j).is_bounded && sense * (x - edge) >= 0.0) {
+        if (at_edge) break;  // Still too little there.
+        x = edge;
+      }
+      // The others follow along the last direction.
+      std::vector<Index> others = n.free;
+      std::erase(others, j);
+      VectorXd step = -(modules::fit::inverse(n.matrix, others) * n.matrix.col(j)) * (x - from[j]);
+      VectorXd z = moved(from, step);
+      z[j] = x;
+      double norm = 0.0;
+      if (!polish(z, norm, j, 1e-3)) {
+        search(z, 1e-12, j);
+        if (!polish(z, norm, j, 1e-3)) break;
+      }
+      from = z;
+      const double rise = objective(*with_slopes(z)) - norm * norm - n.objective;
+      const double y = std::sqrt(std::max(0.0, rise)) - target;
+      at_edge = unknown(j).is_bounded && x == edge;
+      if (at_edge && y < 0.0) break;
+      (y < 0.0 ? inside : outside) = x;
+      (y < 0.0 ? inside_y : outside_y) = y;
+      double next = x - y * (x - x0) / (y - y0);
+      if (!std::isfinite(next)) break;
+      if (!std::isnan(outside) && !(sense * (next - inside) > 0.0 && sense * (outside - next) > 0.0))
+        next = inside - inside_y * (outside - inside) / (outside_y - inside_y);
+      x0 = x, y0 = y;
+      if (std::abs(next - x) <= 2e-4 * deviation) {
+        end = next;
+        break;
+      }
+      x = next;
+    }
+    if (end) (sense < 0.0 ? result.profile_low : result.profile_high) = shown(unknown(j), u(j, *end));
+  }
+}
+
+void Search::conclude(Status status, Result& result, bool whole) {
+  const StatePtr state = with_slopes(place_);
+  Normal n = normal(*state);
+  result.objective = n.objective;
+  result.status = std::min(result.status, status);
+  result.unknowns.assign(problem_.unknowns.size(), {});
+
+  // What the data do not tell apart, over all unknowns.
+  std::size_t rows = 0;
+  for (const VectorXd& v : state->values) rows += static_cast<std::size_t>(v.size());
+  Spectrum spectrum;
+  if (rows * problem_.unknowns.size() < 4'000'000) {
+    MatrixXd all(static_cast<Index>(rows) + count_, count_);
+    Index row = 0;
+    for (std::size_t c = 0; c < fitted_.size(); ++c) {
+      if (!fitted_[c]) continue;
+      const Index m = state->values[c].size();
+      all.middleRows(row, m) = std::sqrt(n.curves[c].a) / spread_[c] * weight_[c].asDiagonal() * state->slopes[c];
+      row += m;
+    }
+    all.bottomRows(count_) = prior_.cwiseSqrt();
+    spectrum = exact_spectrum(all);
+  } else {
+    spectrum = spectrum_of(n.matrix);
+  }
+  std::vector<bool> named(problem_.unknowns.size());
+  const auto add = [&](Unidentified direction) {
+    if (direction.direction[0] < 0.0)
+      for (double& v : direction.direction) v = -v;
+    for (const std::size_t j : direction.unknowns) named[j] = true;
+    result.unidentified.push_back(std::move(direction));
+  };
+  result.singular_value_ratios.assign(spectrum.ratios.begin(), spectrum.ratios.end());
+  for (Index k = 0; k < spectrum.ratios.size(); ++k) {
+    if (spectrum.is_identifiable(k)) continue;
+    Unidentified direction{.unknowns = {}, .direction = {}, .ratio = spectrum.ratios[k]};
+    for (std::size_t i = 0; i < spectrum.columns.size(); ++i) {
+      const double v = spectrum.vectors(static_cast<Index>(i), k);
+      if (std::abs(v) < 0.1) continue;
+      direction.unknowns.push_back(static_cast<std::size_t>(spectrum.columns[i]));
+      direction.direction.push_back(v);
+    }
+    add(std::move(direction));
+  }
+  for (Index j = 0; j < count_; ++j)
+    if (std::ranges::find(spectrum.columns, j) == spectrum.columns.end()) {
+      result.singular_value_ratios.push_back(0.0);
+      add({.unknowns = {static_cast<std::size_t>(j)}, .direction = {1.0}, .ratio = 0.0});
+    }
+  if (!result.unidentified.empty()) result.status = std::min(result.status, Status::not_identifiable);
+
+  // What is named is never held.
+  n.free.clear();
+  for (Index j = 0; j < count_; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    UnknownResult& one = result.unknowns[at];
+    one.is_identified = !named[at];
+    if (named[at] || pushed_out(state->z, n.gradient, j) == 0)
+      n.free.push_back(j);
+    else
+      one.at_bound = pushed_out(state->z, n.gradient, j);
+    if (one.is_identified) one.value = shown(unknown(j), u(j, state->z[j]));
+  }
+  n.inverse = inverse(n.matrix, n.free);
+
+  double tested = 0.0, tested_redundancy = 0.0;
+  bool is_tested = false;
+  for (std::size_t c = 0; c < fitted_.size(); ++c) {
+    if (!fitted_[c]) continue;
+    Weighed& w = n.curves[c];
+    const auto m = static_cast<double>(state->values[c].size());
+    w.redundancy = m - w.a * (n.inverse.array() * w.information.array()).sum();
+    double squares = 0.0, sum = 0.0;
+    for (Index i = 0; i < state->values[c].size(); ++i) {
+      const double r = scaled(*state, c, i);
+      squares += std::pow(robust(losses_[c], r).psi, 2);
+      sum += r * r;
+    }
+    if (losses_[c].is_robust() && w.redundancy > 0.0) w.b = squares / w.redundancy;
+    result.degrees_of_freedom += w.redundancy;
+    const bool spent = (w.is_estimated && w.redundancy < 1.0 - 1e-9) || (losses_[c].is_robust() && w.a <= kLeastSlope);
+    if (spent && !result.without_redundancy) result.without_redundancy = c;
+    if (w.is_estimated || losses_[c].is_robust()) continue;
+    is_tested = true;
+    tested += sum;
+    tested_redundancy += w.redundancy;
+  }
+  if (is_tested) {
+    result.chi_square = tested;
+    if (tested_redundancy > 1e-9) {
+      result.reduced_chi_square = tested / tested_redundancy;
+      result.p_value = chi_square_beyond(tested, tested_redundancy);
+    }
+  }
+  if (result.without_redundancy) result.status = std::min(result.status, Status::no_redundancy);
+  if (!whole) return;
+  const bool has_deviations = !result.without_redundancy;
+  const Covariance covariance = covariance_of(n.curves, prior_, n.inverse);
+  const double level = problem_.level;
+
+  for (const Index j : n.free) {
+    UnknownResult& one = result.unknowns[static_cast<std::size_t>(j)];
+    if (!one.is_identified || !has_deviations) continue;
+    result.with_deviation.push_back(static_cast<std::size_t>(j));
+    const Estimate e = covariance.of(VectorXd::Unit(count_, j) * range(j), u(j, state->z[j]), level);
+    one.prior_decides = unknown(j).prior && e.deviation > 0.9 * unknown(j).prior->deviation;
+    one.estimate = shown(unknown(j), e);
+  }
+  for (const std::size_t i : result.with_deviation) {
+    std::vector<double>&row = result.covariance.emplace_back(), &correlations = result.correlation.emplace_back();
+    const auto a = static_cast<Index>(i);
+    const auto by_u = [&](std::size_t k) { return problem_.unknowns[k].is_log ? *result.unknowns[k].value : 1.0; };
+    for (const std::size_t k : result.with_deviation) {
+      const auto b = static_cast<Index>(k);
+      const double c = covariance.full(a, b);
+      row.push_back(c * range(a) * range(b) * by_u(i) * by_u(k));
+      correlations.push_back(i == k ? 1.0 : c / std::sqrt(covariance.full(a, a) * covariance.full(b, b)));
+    }
+  }
+  for (Unidentified& direction : result.unidentified) {
+    if (direction.unknowns.size() != 2) continue;
+    const auto a = static_cast<Index>(direction.unknowns[0]), b = static_cast<Index>(direction.unknowns[1]);
+    if (unknown(a).is_log != unknown(b).is_log) continue;
+    direction.factor = -(direction.direction[0] * range(a) / spectrum.length[a]) /
+                       (direction.direction[1] * range(b) / spectrum.length[b]);
+    const VectorXd g = VectorXd::Unit(count_, a) * range(a) + direction.factor * VectorXd::Unit(count_, b) * range(b);
+    const double value = u(a, state->z[a]) + direction.factor * u(b, state->z[b]);
+    direction.combination =
+        shown(unknown(a), has_deviations ? covariance.of(g, value, level) : Estimate{.value = value});
+  }
+
+  // The other curves.
+  const bool everywhere = has_deviations && result.unidentified.empty();
+  std::vector<bool> others(fitted_.size());
+  for (std::size_t c = 0; c < others.size(); ++c)
+    others[c] = !fitted_[c] && (everywhere || problem_.curves[c].use == Curve::Use::compare);
+  std::vector<VectorXd> values = state->values;
+  std::vector<MatrixXd> slopes = state->slopes;
+  if (std::ranges::any_of(others, std::identity{})) {
+    const std::vector<Answer> answers = problem_.evaluate({request(state->z, others)});
+    std::optional<std::vector<MatrixXd>> found;
+    if (!answers[0].failure) {
+      for (std::size_t c = 0; c < others.size(); ++c)
+        if (others[c]) values[c] = values_of(answers[0].values[c]);
+      found = differentiate(state->z, values, others);
+    }
+    if (!found) {
+      result.failure = answers[0].failure ? answers[0].failure : failure_;
+      result.status = Status::no_equilibrium;
+      for (std::size_t c = 0; c < others.size(); ++c)
+        if (others[c]) values[c].resize(0);
+    } else {
+      for (std::size_t c = 0; c < others.size(); ++c)
+        if (others[c]) slopes[c] = std::move((*found)[c]);
+    }
+  }
+  for (std::size_t c = 0; c < fitted_.size(); ++c) {
+    CurveResult& curve = result.curves[c];
+    const bool banded = has_deviations && (fitted_[c] || everywhere);
+    double mean_offset = 0.0;
+    if (problem_.curves[c].has_free_mean && values[c].size() > 0) mean_offset = (measured_[c] - values[c]).mean();
+    for (Index i = 0; i < values[c].size(); ++i) {
+      const double value = values[c][i] + mean_offset;
+      curve.fitted.push_back(value);
+      if (banded) {
+        const Estimate e = covariance.of(slopes[c].row(i).transpose(), value, level);
+        curve.band_deviation.push_back(e.deviation);
+        curve.low.push_back(e.low);
+        curve.high.push_back(e.high);
+      }
+      if (measured_[c].size() == 0) continue;
+      curve.residual.push_back(measured_[c][i] - value);
+      if (!fitted_[c]) continue;
+      curve.deviation.push_back(spread_[c] / weight_[c][i]);
+      curve.weight.push_back(robust(losses_[c], scaled(*state, c, i)).weight);
+    }
+    if (curve.residual.empty()) continue;
+    const Eigen::Map<const VectorXd> residual(curve.residual.data(), static_cast<Index>(curve.residual.size()));
+    curve.rms = std::sqrt(residual.squaredNorm() / static_cast<double>(residual.size()));
+    const double whole_spread = (measured_[c].array() - measured_[c].mean()).square().sum();
+    if (measured_[c].maxCoeff() > measured_[c].minCoeff())
+      curve.r_squared = 1.0 - residual.squaredNorm() / whole_spread;
+    curve.runs = runs_of(curve.residual);
+    if (!fitted_[c]) continue;
+    curve.redundancy = n.curves[c].redundancy;
+    double chi = 0.0;
+    for (Index i = 0; i < residual.size(); ++i) chi += std::pow(scaled(*state, c, i), 2);
+    curve.chi_square = chi;
+  }
+
+  for (const std::size_t j : problem_.profile)
+    if (result.unknowns[j].estimate) set_profile(static_cast<Index>(j), n, covariance, level, result.unknowns[j]);
+}
+
+}  // namespace
+
+Result solve(const Problem& problem) {
+  Search search(problem);
+  Result result;
+  result.status = Status::converged;
+  result.curves.resize(problem.curves.size());
+  const VectorXd first = search.start(0);
+  if (!search.look_at_start(first, result)) {
+    result.status = Status::no_equilibrium;
+    result.failure = search.failure();
+    result.failed_at_start = true;
+    return result;
+  }
+  struct Found {
+    VectorXd z;
+    std::vector<double> spread;
+    Status status;
+  };
+  std::optional<std::size_t> best;
+  std::vector<Found> found;
+  std::optional<Failure> first_failure;
+  for (std::size_t k = 0; k < problem.starts; ++k) {
+    const Status status = search.run(search.start(k));
+    StartResult& start = result.starts.emplace_back(StartResult{.status = status});
+    found.push_back({search.place(), search.spread(), status});
+    if (status == Status::no_equilibrium) {
+      if (!first_failure) first_failure = search.failure();
+      continue;
+    }
+    Result ends;
+    ends.status = Status::converged;
+    search.conclude(status, ends, false);
+    start.status = ends.status;
+    start.objective = search.criterion();
+    const auto rank = [&](std::size_t at) { return result.starts[at].status != Status::iteration_limit; };
+    if (!best || rank(k) > rank(*best) ||
+        (rank(k) == rank(*best) && *start.objective < *result.starts[*best].objective))
+      best = k;
+  }
+  if (!best) {
+    result.status = Status::no_equilibrium;
+    result.failure = first_failure;
+    return result;
+  }
+  result.starts[*best].is_best = true;
+  search.set(found[*best].z, found[*best].spread);
+  search.conclude(found[*best].status, result, true);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    StartResult& start = result.starts[k];
+    if (k == *best || !start.objective || *start.objective > *result.starts[*best].objective + 4.0) continue;
+    start.is_another_minimum = result.unidentified.empty() && search.distance(found[*best].z, found[k].z) > 0.1;
+  }
+  result.iterations = search.iterations();
+  return result;
+}
+
+}  // namespace modules::fit

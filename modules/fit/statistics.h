@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <span>
+
+#include "modules/fit/fit.h"
+
+namespace modules::fit {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// rho(r^2), rho'(r^2) and psi(r) = rho'(r^2) r with its derivative by r.
+struct Robust {
+  double rho = 0.0, weight = 1.0, psi = 0.0, slope = 1.0;
+};
+Robust robust(const Loss& loss, double r);
+
+/// Mean of psi(r) r over normal errors of deviation 1.
+double consistency(const Loss& loss);
+
+double normal_probability(double x);                 ///< Below x.
+double chi_square_beyond(double x, double degrees);  ///< Probability beyond x.
+/// That of Student's distribution, or the normal one.
+double quantile(double level, std::optional<double> degrees);
+
+/// Runs of sign in their order, zeros left out (Wald and Wolfowitz 1940).
+std::optional<Runs> runs_of(std::span<const double> residuals);
+
+/// Radical inverse of k in the j-th prime, from 0 (Halton 1960).
+double halton(std::size_t k, std::size_t j);
+
+/// What the columns of a matrix with the normal equations A = M'M tell apart: each divided by its
+/// length d, singular values s falling, right vectors v. Columns shorter than kNoEffect are left
+/// out, directions below kLeastRatio are not identifiable.
+struct Spectrum {
+  static constexpr double kLeastRatio = 1e-4, kNoEffect = 1e-3;
+
+  VectorXd length;
+  std::vector<Index> columns;  ///< Those that are not left out.
+  VectorXd ratios;             ///< s_k/s_1
+  MatrixXd vectors;            ///< In rows of `columns`.
+
+  bool is_identifiable(Index k) const { return ratios[k] >= kLeastRatio; }
+};
+/// From A, to about 1e-8.
+Spectrum spectrum_of(const MatrixXd& normal);
+/// From M itself.
+Spectrum exact_spectrum(const MatrixXd& rows);
+
+/// A^-1 over the columns `free`, on identifiable directions alone; 0 elsewhere.
+MatrixXd inverse(const MatrixXd& normal, const std::vector<Index>& free);
+
+/// A curve as statistics see it.
+struct Weighed {
+  MatrixXd information;         ///< J'J over sigma^2.
+  double a = 1.0, b = 1.0;      ///< Mean of psi', and sum of psi^2 over q.
+  double redundancy = 0.0;      ///< q
+  bool has_own_spread = false;  ///< An estimated sigma or a robust loss.
+  bool is_estimated = false;
+};
+
+/// Covariance of z, with what estimated weights cost (Kenward and Roger 1997); C0 without it.
+struct Covariance {
+  MatrixXd first, full, inverse;
+  const std::vector<Weighed>* curves = nullptr;
+
+  /// Of g'z: its deviation and, after Satterthwaite (1946), degrees of freedom.
+  Estimate of(const VectorXd& g, double value, double level) const;
+};
+Covariance covariance_of(const std::vector<Weighed>& curves, const MatrixXd& prior, const MatrixXd& inverse);
+
+}  // namespace modules::fit

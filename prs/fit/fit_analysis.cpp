@@ -1,0 +1,526 @@
+#include "prs/fit/fit_analysis.h"
+
+#include "prs/loads/case_table.h"
+#include "prs/record/record_table.h"
+#include "prs/text.h"
+
+namespace prs {
+
+namespace estimation = modules::fit;
+
+// What a document shows, by its place in the result.
+struct FittedUnknown {
+  const FitResult* r = nullptr;
+  std::size_t j = 0;
+
+  const FitParameter* parameter() const { return r->parameter(j); }
+  const estimation::UnknownResult& found() const { return r->found.unknowns[j]; }
+  const std::optional<estimation::Estimate>& estimate() const { return found().estimate; }
+  std::string name() const { return r->name(j); }
+  std::string label() const { return parameter() ? parameter()->label : name(); }
+  std::string unit() const { return r->unit(j); }
+  double bound(double sense) const {
+    if (const FitParameter* p = parameter()) return sense < 0.0 ? p->from : p->to;
+    const auto [least, greatest] = std::ranges::minmax(r->curve_of_offset(j).measured);
+    return sense * (greatest - least);
+  }
+  std::string setting() const { return fmt::format("{}={}", name(), fit_text(*found().value, unit())); }
+};
+struct FittedCurve {
+  const FitResult* r = nullptr;
+  std::size_t c = 0;
+
+  const FitCurve& curve() const { return r->input.curves[c]; }
+  const estimation::CurveResult& found() const { return r->found.curves[c]; }
+  bool is_fitted() const { return curve().use == FitCurve::Use::fit; }
+};
+struct FitDirection {
+  const FitResult* r = nullptr;
+  std::size_t k = 0;
+
+  const estimation::Unidentified& found() const { return r->found.unidentified[k]; }
+  const std::optional<estimation::Estimate>& combination() const { return found().combination; }
+  bool has_spread() const { return combination() && combination()->deviation > 0.0; }
+  std::vector<std::string> names() const {
+    return each(found().unknowns, [&](std::size_t j) { return r->name(j); });
+  }
+  bool is_product() const { return r->parameter(found().unknowns[0]) && r->parameter(found().unknowns[0])->is_log; }
+  std::string text() const {
+    return fmt::format(fmt::runtime(is_product() ? "{} x ({})^{:.4g} = {:.6g}" : "{} + {2:.4g} x {1} = {3:.6g}"),
+                       names()[0], names()[1], found().factor, combination()->value);
+  }
+};
+struct FitProfile : FittedUnknown {};
+struct FitCombination : FitDirection {};
+struct FittedBand : FittedCurve {};
+struct FitMatrix {
+  const FitResult* r = nullptr;
+  const std::vector<std::vector<double>>* matrix = nullptr;
+};
+
+Record<FitParameter::Prior> record_of(Type<FitParameter::Prior>);
+Record<FitProfile> record_of(Type<FitProfile>);
+Record<FittedUnknown> record_of(Type<FittedUnknown>);
+Record<FitMatrix> record_of(Type<FitMatrix>);
+Record<FitCombination> record_of(Type<FitCombination>);
+Record<FitDirection> record_of(Type<FitDirection>);
+Record<estimation::Runs> record_of(Type<estimation::Runs>);
+Record<FittedCurve> record_of(Type<FittedCurve>);
+Record<FitCondition> record_of(Type<FitCondition>);
+Record<FittedBand> record_of(Type<FittedBand>);
+Record<estimation::StartResult> record_of(Type<estimation::StartResult>);
+
+namespace {
+
+std::vector<std::string> names_with_deviation(const FitResult& r) {
+  return each(r.found.with_deviation, [&](std::size_t j) { return r.name(j); });
+}
+
+constexpr auto has_estimate = [](const FittedUnknown& p) { return p.estimate().has_value(); };
+constexpr auto has_profile = [](const FittedUnknown& p) {
+  return p.estimate() && std::ranges::find(p.r->input.profile, p.j) != p.r->input.profile.end();
+};
+template <auto member>
+constexpr auto of_estimate = of<[](const FittedUnknown& p) { return (*p.estimate()).*member; }, has_estimate>;
+
+constexpr Quantity<FitParameter::Prior> kPrior[] = {
+    {"mean", always<&FitParameter::Prior::mean>},
+    {"deviation", always<&FitParameter::Prior::deviation>},
+};
+
+constexpr Quantity<FitProfile> kProfile[] = {
+    {"low", of<[](auto& p) { return p.found().profile_low; }>},
+    {"high", of<[](auto& p) { return p.found().profile_high; }>},
+};
+
+constexpr Quantity<FittedUnknown> kUnknown[] = {
+    {"name", always<&FittedUnknown::name>, "path, or `offset of CURVE`"},
+    {"label", of<&FittedUnknown::label, &FittedUnknown::parameter>},
+    {"unit", always<&FittedUnknown::unit>, "that of `from`; of an offset that of the response"},
+    {"scale", always<[](auto& p) { return p.parameter() && p.parameter()->is_log ? "log" : "linear"; }>,
+     "linear | log"},
+    {"start", always<[](auto& p) { return p.parameter() ? p.parameter()->start : 0.0; }>},
+    {"from", always<[](auto& p) { return p.bound(-1.0); }>},
+    {"to", always<[](auto& p) { return p.bound(1.0); }>},
+    {"prior", of<[](auto& p) { return p.parameter()->prior; }, &FittedUnknown::parameter>},
+    {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data tell it"},
+    {"value", of<[](auto& p) { return p.found().value; }>},
+    {"standard_deviation", of_estimate<&estimation::Estimate::deviation>, "with `log` times the value"},
+    {"low", of_estimate<&estimation::Estimate::low>, "end of the interval"},
+    {"high", of_estimate<&estimation::Estimate::high>, "end of the interval"},
+    {"degrees_of_freedom", of_estimate<&estimation::Estimate::degrees_of_freedom>,
+     "of Student's quantile; absent: the normal one", "Satterthwaite 1946"},
+    {"at_bound",
+     of<[](auto& p) { return p.found().at_bound < 0 ? "from" : "to"; },
+        [](auto& p) { return p.found().at_bound != 0; }>,
+     "from | to"},
+    {"profile", of<[](auto& p) { return FitProfile{p}; }, has_profile>, "interval of the profile likelihood"},
+    {"set", of<&FittedUnknown::setting, [](auto& p) { return p.parameter() && p.found().value; }>,
+     "what `--set` takes for it"},
+};
+
+constexpr Quantity<FitMatrix> kMatrix[] = {
+    {"names", always<[](auto& m) { return names_with_deviation(*m.r); }>},
+    {"matrix", always<[](auto& m) { return *m.matrix; }>},
+};
+
+constexpr Quantity<FitCombination> kCombination[] = {
+    {"kind", always<[](auto& d) { return d.is_product() ? "product" : "sum"; }>, "sum | product"},
+    {"names", always<&FitDirection::names>},
+    {"factor", always<[](auto& d) { return d.found().factor; }>, "a + factor b, or a b^factor"},
+    {"value", always<[](auto& d) { return d.combination()->value; }>},
+    {"standard_deviation", of<[](auto& d) { return d.combination()->deviation; }, &FitDirection::has_spread>},
+    {"low", of<[](auto& d) { return d.combination()->low; }, &FitDirection::has_spread>},
+    {"high", of<[](auto& d) { return d.combination()->high; }, &FitDirection::has_spread>},
+    {"text", always<&FitDirection::text>},
+};
+
+constexpr Quantity<FitDirection> kDirection[] = {
+    {"names", always<&FitDirection::names>},
+    {"direction", always<[](auto& d) { return d.found().direction; }>, "of the scaled parameters"},
+    {"ratio", always<[](auto& d) { return d.found().ratio; }>, "singular value over the largest"},
+    {"combination", of<[](auto& d) { return FitCombination{d}; }, [](auto& d) { return d.combination().has_value(); }>,
+     "what counts of two"},
+};
+
+constexpr Quantity<estimation::Runs> kRuns[] = {
+    {"count", always<&estimation::Runs::count>},
+    {"expected", always<&estimation::Runs::expected>},
+    {"p_value", always<&estimation::Runs::p_value>, "of so few", "Wald and Wolfowitz 1940"},
+};
+
+constexpr auto is_computed = [](const FittedCurve& c) { return !c.found().residual.empty(); };
+template <auto member>
+constexpr auto of_curve = always<[](const FittedCurve& c) { return c.curve().*member; }>;
+template <auto member>
+constexpr auto of_found = of < [](const FittedCurve& c) -> const auto& {
+  return c.found().*member;
+}
+> ;
+constexpr auto command_of_curve = always<[](const FittedCurve& c) { return name(c.curve().command); }>;
+
+constexpr std::string_view kLossNames[] = {"squares", "huber", "cauchy"};
+
+constexpr Quantity<FittedCurve> kCurve[] = {
+    {"name", of_curve<&FitCurve::name>},
+    {"file", of_curve<&FitCurve::file>},
+    {"response", of_curve<&FitCurve::response>},
+    {"unit", of_curve<&FitCurve::unit>, "of the response, in which all of these are"},
+    {"command", command_of_curve},
+    {"rows", of_curve<&FitCurve::rows>},
+    {"use", always<[](auto& c) { return c.is_fitted() ? "fit" : "compare"; }>, "fit | compare"},
+    {"loss", always<[](auto& c) { return kLossNames[static_cast<std::size_t>(c.curve().loss.kind)]; }>,
+     "squares | huber | cauchy"},
+    {"estimated", always<[](auto& c) { return c.is_fitted() && c.curve().deviation.empty(); }>,
+     "whether the deviation of its readings was"},
+    {"redundancy", of_found<&estimation::CurveResult::redundancy>, "rows less what they determine"},
+    {"rms", of<[](auto& c) { return c.found().rms; }, is_computed>},
+    {"r_squared", of_found<&estimation::CurveResult::r_squared>},
+    {"chi_square", of_found<&estimation::CurveResult::chi_square>, "sum of the squares over the deviations"},
+    {"runs", of_found<&estimation::CurveResult::runs>, "of sign of the residuals"},
+    {"line", of_curve<&FitCurve::lines>, "of the file"},
+    {"measured", of_curve<&FitCurve::measured>},
+    {"fitted", of_found<&estimation::CurveResult::fitted>, "with the offset"},
+    {"residual", of_found<&estimation::CurveResult::residual>, "measured less fitted"},
+    {"standard_deviation", of_found<&estimation::CurveResult::deviation>, "of a reading"},
+    {"weight", of_found<&estimation::CurveResult::weight>, "of a reading under the loss"},
+    {"low", of_found<&estimation::CurveResult::low>, "band of the response"},
+    {"high", of_found<&estimation::CurveResult::high>, "band of the response"},
+};
+
+constexpr Quantity<FitCondition> kBandCondition[] = {
+    {"path", always<&FitCondition::path>},
+    {"values", always<&FitCondition::texts>, "one for each row, or one for all"},
+};
+
+constexpr Quantity<FittedBand> kBand[] = {
+    {"name", of_curve<&FitCurve::name>},
+    {"response", of_curve<&FitCurve::response>},
+    {"unit", of_curve<&FitCurve::unit>},
+    {"command", command_of_curve},
+    {"conditions", always<[](auto& c) {
+       std::vector<FitCondition> all = c.curve().conditions;
+       for (const auto& [path, value] : c.curve().constants) all.push_back({path, "", {value}});
+       return all;
+     }>},
+    {"value", of_found<&estimation::CurveResult::fitted>},
+    {"standard_deviation", of_found<&estimation::CurveResult::band_deviation>},
+    {"low", of_found<&estimation::CurveResult::low>},
+    {"high", of_found<&estimation::CurveResult::high>},
+};
+
+constexpr Quantity<estimation::StartResult> kStart[] = {
+    {"objective", of<&estimation::StartResult::objective>, "S + 2 sum of rows x ln(estimated deviation)"},
+    {"status", always<[](auto& s) { return name(s.status); }>},
+    {"best", always<&estimation::StartResult::is_best>},
+};
+
+/// The n things of a kind, by their places.
+template <class T>
+std::vector<T> all_of(const FitResult& r, std::size_t n) {
+  std::vector<T> all;
+  for (std::size_t k = 0; k < n; ++k) all.push_back({&r, k});
+  return all;
+}
+std::vector<FittedUnknown> unknowns_of(const FitResult& r) { return all_of<FittedUnknown>(r, r.found.unknowns.size()); }
+std::vector<FittedCurve> curves_of(const FitResult& r) {
+  std::vector<FittedCurve> all = all_of<FittedCurve>(r, r.input.curves.size());
+  std::erase_if(all, [](const FittedCurve& c) { return c.curve().use == FitCurve::Use::band; });
+  return all;
+}
+std::vector<FittedBand> bands_of(const FitResult& r) {
+  std::vector<FittedBand> all;
+  for (const FittedCurve& c : all_of<FittedCurve>(r, r.input.curves.size()))
+    if (c.curve().use == FitCurve::Use::band && !c.found().low.empty()) all.push_back({c});
+  return all;
+}
+
+template <auto member>
+constexpr auto of_fit = always<[](const FitResult& r) { return r.found.*member; }>;
+
+constexpr Quantity<FitResult> kFit[] = {
+    {"converged", always<&FitResult::converged>},
+    {"status", always<[](auto& r) { return name(r.found.status); }>,
+     "converged | not_identifiable | no_redundancy | iteration_limit | no_equilibrium"},
+    {"objective", of<[](auto& r) { return r.found.objective; }, [](auto& r) { return !r.found.unknowns.empty(); }>,
+     "S"},
+    {"level_percent", always<[](auto& r) { return r.input.level; }>, "of all intervals"},
+    {"degrees_of_freedom", of_fit<&estimation::Result::degrees_of_freedom>, "sum of the redundancies"},
+    {"chi_square", of<[](auto& r) { return r.found.chi_square; }>, "of the curves with stated deviations and squares"},
+    {"reduced_chi_square", of<[](auto& r) { return r.found.reduced_chi_square; }>},
+    {"p_value", of<[](auto& r) { return r.found.p_value; }>, "probability of more"},
+    {"evaluations", always<&FitResult::evaluations>, "rows that were computed"},
+    {"iterations", of_fit<&estimation::Result::iterations>},
+    {"parameters", always<unknowns_of>},
+    {"correlation", always<[](auto& r) {
+       return FitMatrix{&r, &r.found.correlation};
+     }>},
+    {"covariance", always<[](auto& r) {
+       return FitMatrix{&r, &r.found.covariance};
+     }>,
+     "in the units of the values"},
+    {"singular_value_ratios", of_fit<&estimation::Result::singular_value_ratios>, "falling"},
+    {"unidentified", always<[](auto& r) { return all_of<FitDirection>(r, r.found.unidentified.size()); }>,
+     "what the data cannot tell apart"},
+    {"curves", always<curves_of>},
+    {"bands", always<bands_of>},
+    {"starts", of_fit<&estimation::Result::starts>},
+};
+
+// Files.
+
+std::string conditions_text(const FitCurve& c, std::size_t row) {
+  std::vector<std::string> texts;
+  if (!c.series.empty()) texts.push_back(fmt::format("{}={:.10g}", c.series, c.places[row]));
+  for (const FitCondition& condition : c.conditions)
+    texts.push_back(fmt::format("{}={}{}{}", condition.path, condition.texts[row], condition.unit.empty() ? "" : " ",
+                                condition.unit));
+  for (const auto& [path, value] : c.constants) texts.push_back(fmt::format("{}={}", path, value));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::optional<double> at(const std::vector<double>& values, std::size_t row) {
+  return row < values.size() ? std::optional(values[row]) : std::nullopt;
+}
+
+std::string parameters_csv(const FitResult& r, const CsvStyle& style) {
+  CsvWriter csv(style);
+  scalar_header<FittedUnknown>(csv);
+  csv.row("profile_low", "profile_high");
+  for (const FittedUnknown& p : unknowns_of(r)) {
+    scalar_fields<FittedUnknown>(csv, &p);
+    csv.row(p.found().profile_low, p.found().profile_high);
+  }
+  return csv.take();
+}
+
+std::string residuals_csv(const FitResult& r, const CsvStyle& style) {
+  CsvWriter csv(style);
+  csv.row("curve", "line", "conditions", "unit", "measured", "fitted", "residual", "standard_deviation", "weight",
+          "low", "high");
+  for (const FittedCurve& c : curves_of(r))
+    for (std::size_t i = 0; i < c.curve().rows; ++i) {
+      const estimation::CurveResult& f = c.found();
+      csv.row(c.curve().name, c.curve().lines[i], conditions_text(c.curve(), i), c.curve().unit, c.curve().measured[i],
+              at(f.fitted, i), at(f.residual, i), at(f.deviation, i), at(f.weight, i), at(f.low, i), at(f.high, i));
+    }
+  return csv.take();
+}
+
+std::string bands_csv(const FitResult& r, const CsvStyle& style) {
+  CsvWriter csv(style);
+  csv.row("band", "row", "conditions", "unit", "value", "standard_deviation", "low", "high");
+  for (const FittedCurve& c : bands_of(r))
+    for (std::size_t i = 0; i < c.curve().rows; ++i) {
+      const estimation::CurveResult& f = c.found();
+      csv.row(c.curve().name, i + 1, conditions_text(c.curve(), i), c.curve().unit, at(f.fitted, i),
+              at(f.band_deviation, i), at(f.low, i), at(f.high, i));
+    }
+  return csv.take();
+}
+
+std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
+  std::vector<OutputFile> files{{"fit_parameters.csv", parameters_csv(r, style)},
+                                {"residuals.csv", residuals_csv(r, style)}};
+  if (!bands_of(r).empty()) files.push_back({"fit_bands.csv", bands_csv(r, style)});
+  if (r.converged()) files.push_back({"fitted.yaml", fitted_case(r)});
+  return files;
+}
+
+// For people.
+
+/// What tells a row of a band from the others.
+std::string row_text(const FitCurve& c, std::size_t row) {
+  std::string text = " ";
+  for (const FitCondition& condition : c.conditions)
+    text += fmt::format(" {} {}", condition.path.substr(condition.path.rfind('.') + 1), condition.texts[row]);
+  return text;
+}
+
+std::string fit_table(const FitResult& r) {
+  std::string text = fmt::format("{} of {} unknowns, {} rows computed\n", words_of_text(name(r.found.status)),
+                                 r.found.unknowns.size(), r.evaluations);
+  if (r.found.unknowns.empty()) return text + warning_section(r.warnings);
+  constexpr TableRows rows{44, 13};
+  text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, " unit");
+  const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
+  for (const FittedUnknown& p : unknowns_of(r)) {
+    const auto end = [&](double estimation::Estimate::*which) {
+      return cell(p.estimate() ? std::optional((*p.estimate()).*which) : std::nullopt);
+    };
+    const std::string bound = p.found().at_bound == 0 ? "" : p.found().at_bound < 0 ? ", at `from`" : ", at `to`";
+    text += rows(fitted(printable(p.label()), 44, true),
+                 {p.found().value ? cell(p.found().value) : "not told", end(&estimation::Estimate::deviation),
+                  end(&estimation::Estimate::low), end(&estimation::Estimate::high)},
+                 " " + p.unit() + bound);
+  }
+  for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
+    if (const FitDirection d{&r, k}; d.combination())
+      text += wrapped(
+          "told: " + d.text() +
+              (d.has_spread() ? fmt::format(", {:.6g} to {:.6g}", d.combination()->low, d.combination()->high) : ""),
+          "  ", kTableWidth);
+  std::vector<std::pair<double, std::string>> strong;
+  const std::vector<std::string> names = names_with_deviation(r);
+  const auto& m = r.found.correlation;
+  for (std::size_t a = 0; a < names.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (std::abs(m[a][b]) > 0.9)
+        strong.emplace_back(-std::abs(m[a][b]),
+                            fmt::format("correlation {:+.3f} of {} and {}", m[a][b], names[b], names[a]));
+  std::ranges::sort(strong);
+  for (const auto& [size, line] : std::span(strong).first(std::min<std::size_t>(3, strong.size())))
+    text += wrapped(line, "  ", kTableWidth);
+  constexpr TableRows curves{44, 13};
+  text += "\n" + curves("curve", {"rows", "rms", "R²", "runs p, %"}, " unit");
+  for (const FittedCurve& c : curves_of(r)) {
+    const estimation::CurveResult& f = c.found();
+    text += curves(fitted(printable(c.curve().name) + (c.is_fitted() ? "" : " (compared)"), 44, true),
+                   {std::to_string(c.curve().rows), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
+                    f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
+                    f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent)},
+                   " " + c.curve().unit);
+  }
+  for (const FittedCurve& c : bands_of(r)) {
+    const estimation::CurveResult& f = c.found();
+    text += "\n" + rows(fitted(printable(c.curve().name), 44, true), {"value", "deviation", "from", "to"},
+                        " " + c.curve().unit);
+    for (std::size_t i = 0; i < std::min<std::size_t>(f.low.size(), 12); ++i)
+      text += rows(fitted(row_text(c.curve(), i), 44, true),
+                   {cell(f.fitted[i]), cell(f.band_deviation[i]), cell(f.low[i]), cell(f.high[i])});
+  }
+  if (r.found.p_value)
+    text += fmt::format("\nchi-square {:.4g}, reduced {:.4g}, probability of more {:.3g} %\n", *r.found.chi_square,
+                        *r.found.reduced_chi_square, 100.0 * *r.found.p_value);
+  return text + warning_section(r.warnings);
+}
+
+// Pictures.
+
+/// Along what the rows of a curve stand: a column of numbers, else their order.
+std::pair<Axis, std::vector<double>> course_of(const FitCurve& c) {
+  if (!c.series.empty()) {
+    const bool force = c.series.ends_with("_N");
+    return {{force ? "Axial force" : "Time", force ? "N" : "s"}, c.places};
+  }
+  for (const FitCondition& condition : c.conditions) {
+    std::vector<double> x;
+    for (const std::string& text : condition.texts)
+      if (const auto number = input::split_unit(text)) x.push_back(number->number);
+    if (x.size() == c.rows && std::ranges::max(x) > std::ranges::min(x)) {
+      const std::string unit =
+          condition.unit.empty() ? std::string(input::split_unit(condition.texts[0])->unit) : condition.unit;
+      return {{condition.path.substr(condition.path.rfind('.') + 1), unit}, x};
+    }
+  }
+  std::vector<double> x;
+  for (std::size_t i = 0; i < c.rows; ++i) x.push_back(static_cast<double>(i + 1));
+  return {{"Row", ""}, x};
+}
+
+Figures curve_figures(const FitResult& r) {
+  Figure figure{"fit", "Readings and fit"};
+  const std::size_t band = figure.add("band", line_of(Colour::sky, Dash::dashed, Weight::thin));
+  const std::size_t line = figure.add("fit", line_of(Colour::blue));
+  const std::size_t points = figure.add("readings", points_of(Colour::vermillion, Mark::circle));
+  for (const FittedCurve& c : all_of<FittedCurve>(r, r.input.curves.size())) {
+    const estimation::CurveResult& f = c.found();
+    if (f.fitted.empty()) continue;
+    auto [axis, x] = course_of(c.curve());
+    std::vector<std::size_t> order(x.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return x[i]; });
+    Panel panel{shown_name(c.curve().name)};
+    const auto add = [&](std::size_t style, const std::vector<double>& y) {
+      if (y.empty()) return;
+      Series series{style};
+      for (const std::size_t i : order) series.add(x[i], y[i]);
+      panel.series.push_back(std::move(series));
+    };
+    add(band, f.low);
+    add(band, f.high);
+    add(line, f.fitted);
+    add(points, c.curve().measured);
+    panel.x = axis;
+    panel.y = fitted({response_title(c.curve().response).name, c.curve().unit}, range_of_y(panel.series));
+    figure.panels.push_back(std::move(panel));
+  }
+  figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));
+  return {std::move(figure)};
+}
+
+Figures residual_figures(const FitResult& r) {
+  Figure figure{"residuals", "Residuals over the rows"};
+  const std::size_t zero = figure.add(kZeroStyle), points = figure.add(points_of(Colour::blue, Mark::circle));
+  figure.x = {"Row"};
+  for (const FittedCurve& c : curves_of(r)) {
+    Panel panel{shown_name(c.curve().name)};
+    Series series{points};
+    for (std::size_t i = 0; i < c.found().residual.size(); ++i)
+      series.add(static_cast<double>(i + 1), c.found().residual[i]);
+    panel.series.push_back(std::move(series));
+    panel.references.push_back({zero, 0.0});
+    panel.y = fitted({"Measured less fitted", c.curve().unit}, range_of_y(panel.series));
+    figure.panels.push_back(std::move(panel));
+  }
+  figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));
+  return {std::move(figure)};
+}
+
+Figures correlation_figures(const FitResult& r) {
+  const std::vector<std::string> names = names_with_deviation(r);
+  if (names.size() < 2) return {};
+  Figure figure{"correlation", "Correlation of the values"};
+  Panel panel;
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    const std::vector<double>& row = r.found.correlation[a];
+    panel.map.grid.x.push_back(static_cast<double>(a + 1));
+    figure.x.ticks.push_back({static_cast<double>(a + 1), std::to_string(a + 1)});
+    figure.y.ticks.push_back({static_cast<double>(a + 1), fmt::format("{} {}", shown_name(names[a]), a + 1)});
+    panel.map.grid.values.insert(panel.map.grid.values.end(), row.begin(), row.end());
+  }
+  panel.map.grid.y = panel.map.grid.x;
+  panel.map.cells = true;
+  figure.colours = ColourScale{.label = "Correlation", .from = -1.0, .to = 1.0};
+  figure.panels.push_back(std::move(panel));
+  return {std::move(figure)};
+}
+
+}  // namespace
+
+PRS_RECORD(FitParameter::Prior, "FitPrior", "What was known before.", kPrior);
+PRS_RECORD(FitProfile, "FitProfile", "Interval of the profile likelihood.", kProfile);
+PRS_RECORD(FittedUnknown, "FittedParameter", "An input that was fitted, or the offset of a curve.", kUnknown);
+PRS_RECORD(FitMatrix, "FitMatrix", "Of the values with a deviation.", kMatrix);
+PRS_RECORD(FitCombination, "FitCombination", "What the data tell of two parameters that they cannot tell apart.",
+           kCombination);
+PRS_RECORD(FitDirection, "FitDirection", "Parameters that the data cannot tell apart.", kDirection);
+PRS_RECORD(estimation::Runs, "FitRuns", "Runs of sign of the residuals.", kRuns);
+PRS_RECORD(FittedCurve, "FittedCurve", "A curve with its fit.", kCurve);
+PRS_RECORD(FitCondition, "FitCondition", "What a band sets.", kBandCondition);
+PRS_RECORD(FittedBand, "FitBand", "A response with its uncertainty.", kBand);
+PRS_RECORD(estimation::StartResult, "FitStart", "A search.", kStart);
+PRS_RECORD(FitResult, "Fit", "Unknown inputs from measured curves.", kFit);
+
+const Analysis<FitResult>& fit_analysis() {
+  static const Place places[] = {{"fit", describe<FitResult>}};
+  static const Analysis<FitResult> analysis{
+      .command = Command::fit,
+      .help = "Unknown inputs from measured curves, with their uncertainty",
+      .file = "fit.json",
+      .run = [](const input::Source& source, const input::CaseInput&) { return fit_case(source); },
+      .places = places,
+      .put = [](Json& document, const FitResult& r) { document["fit"] = object_of(r); },
+      .table = fit_table,
+      .files = fit_files,
+      .pictures = [](const FitResult& r, const Case&) -> Pictures {
+        return {{"fit", "values of the parameters", of_result(r, curve_figures)},
+                {"residuals", "values of the parameters", of_result(r, residual_figures)},
+                {"correlation", "two parameters with deviations", of_result(r, correlation_figures)}};
+      },
+      .converged = [](const FitResult& r) { return r.converged(); },
+      .place = {"Fit", 12}};
+  return analysis;
+}
+
+}  // namespace prs

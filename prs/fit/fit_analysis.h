@@ -1,0 +1,12 @@
+#pragma once
+
+#include "prs/fit/fit.h"
+#include "prs/record/analysis.h"
+
+namespace prs {
+
+Record<FitResult> record_of(Type<FitResult>);
+
+const Analysis<FitResult>& fit_analysis();
+
+}  // namespace prs

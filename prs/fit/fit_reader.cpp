@@ -1,0 +1,702 @@
+#include <charconv>
+
+#include "prs/fit/fit.h"
+#include "prs/heat/analyze_heat.h"
+#include "prs/input/csv_reader.h"
+#include "prs/input/did_you_mean.h"
+#include "prs/input/field.h"
+#include "prs/input/force_history.h"
+#include "prs/input/reader.h"
+#include "prs/input/varied_input.h"
+#include "prs/record/record_table.h"
+
+namespace prs {
+namespace {
+
+using input::CaseFile, input::FitConditionItem, input::FitCurveItem, input::FitItem, input::FitParameterItem;
+using input::Node, input::shown;
+
+constexpr std::size_t kMostRows = 1'000'000;
+
+std::string with_unit(double number, std::string_view unit) {
+  return unit.empty() ? fmt::format("{}", number) : fmt::format("{} {}", number, unit);
+}
+
+/// As it was written: `460 J/(kg K)` of a value with brackets, which stands in quotes.
+std::string unquoted(const std::string& text) {
+  return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
+}
+
+/// The dimension that has a unit, or null.
+const input::Dimension* dimension_with(std::string_view unit) {
+  for (const input::Dimension* d : input::dimensions())
+    if (input::find_unit(unit, *d)) return d;
+  return nullptr;
+}
+
+/// The unit at the end of a response's path, as people write it: `um` of `axial_displacement_um`.
+std::string unit_of_response(std::string_view path) {
+  // `peak_pressure_MPa.max`, `temperature_degC.nut`: the last key with a unit.
+  while (!path.empty()) {
+    const std::size_t dot = path.rfind('.');
+    const std::string_view key = dot == path.npos ? path : path.substr(dot + 1);
+    const ShownUnit& unit = unit_of(key.substr(0, key.find('[')));
+    if (!unit.text.empty()) {
+      for (const input::Dimension* d : input::dimensions())
+        if (const input::Unit* u = input::find_unit(unit.text, *d)) return std::string(u->spellings[0]);
+      return std::string(unit.text);
+    }
+    if (dot == path.npos) break;
+    path = path.substr(0, dot);
+  }
+  return {};
+}
+
+/// Numbers of one unit in another.
+struct Conversion {
+  double factor = 1.0, offset = 0.0;
+
+  double operator()(double x) const { return factor * x + offset; }
+};
+std::optional<Conversion> conversion(std::string_view from, std::string_view to) {
+  if (from == to) return Conversion{};
+  if (to.empty()) return from == "%" ? std::optional(Conversion{0.01}) : std::nullopt;
+  const auto zero = input::number_in(with_unit(0.0, from), to), one = input::number_in(with_unit(1.0, from), to);
+  if (from.empty() || !zero || !one) return std::nullopt;
+  return Conversion{*one - *zero, *zero};
+}
+
+std::string units_like(std::string_view unit) {
+  if (unit.empty()) return "no unit, or \"%\"";
+  const input::Dimension* d = dimension_with(unit);
+  return d ? input::unit_list(*d) : std::string(unit);
+}
+
+/// Paths of the numbers that a document states.
+void add_numbers(const Node& node, const std::string& path, std::vector<std::string>& all) {
+  if (node.kind == Node::Kind::scalar && input::split_unit(node.text)) all.push_back(path);
+  for (std::size_t k = 0; k < node.children.size(); ++k) {
+    const Node& child = node.children[k];
+    const std::string dot = path.empty() ? "" : ".";
+    add_numbers(child, path + (node.kind == Node::Kind::map ? dot + child.key : fmt::format("[{}]", k)), all);
+  }
+}
+
+/// A table of a file, all fields as texts, and where they stand.
+class FitTable {
+ public:
+  FitTable(const std::string& file, const std::string& at, const input::Source& source)
+      : at_(at),
+        source_(source),
+        text_(input::named_file_text(file, at + ".file", source, false)),
+        name_(input::name_in_messages(file, source)),
+        reader_(text_) {
+    if (!next()) refuse_file("which has no heading");
+    for (const std::string_view name : reader_.fields()) names_.emplace_back(name);
+  }
+
+  std::size_t column(const std::string& name, const std::string& key) const {
+    const auto found = std::ranges::find(names_, name);
+    if (found == names_.end() || std::ranges::count(names_, name) > 1)
+      input::fail_at(source_, key, "got {}; expected {} of {}: {}; {}", shown(name),
+                     found == names_.end() ? "a column" : "a name that stands once", name_,
+                     shown(fmt::format("{}", fmt::join(names_, ", "))),
+                     found == names_.end() ? "check the heading" : "rename the other column");
+    return static_cast<std::size_t>(found - names_.begin());
+  }
+  bool next() {
+    try {
+      if (!reader_.next()) return false;
+    } catch (const input::CsvError& error) {
+      throw input::InputError(
+          fmt::format("{}: error: {}", input::place_in(name_, text_, error.offset()), error.what()));
+    }
+    const std::size_t offset = reader_.row_offset();
+    line_ += static_cast<std::size_t>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(counted_),
+                                                 text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+    counted_ = offset;
+    if (!names_.empty() && reader_.fields().size() > names_.size())
+      refuse(0, fmt::format("{} fields", reader_.fields().size()), "at most as many as in the heading");
+    return true;
+  }
+  std::size_t line() const { return line_; }
+
+  std::string text(std::size_t field) const {
+    if (field >= reader_.fields().size()) refuse(reader_.fields().size() - 1, "nothing", "a value in each column");
+    std::string_view text = reader_.fields()[field];
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+    return std::string(text);
+  }
+  double number(std::size_t field) const {
+    const std::string field_text = text(field);
+    const char *first = field_text.data(), *last = first + field_text.size();
+    double value = 0.0;
+    const auto [stop, error] = std::from_chars(first + (field_text.starts_with('+') ? 1 : 0), last, value);
+    if (error != std::errc{} || stop != last || !(std::abs(value) <= 1e30))
+      refuse(field, field_text.empty() ? "nothing" : shown(field_text), "a finite number, without unit");
+    return value;
+  }
+  [[noreturn]] void refuse(std::size_t field, const std::string& got, const std::string& expected) const {
+    throw input::InputError(
+        fmt::format("{}: error: {}: got {}; expected {}; fix or delete the row",
+                    input::place_in(name_, text_, reader_.field_offset(reader_.row_offset(), field)),
+                    field < names_.size() ? names_[field] : "row", got, expected));
+  }
+  [[noreturn]] void refuse_file(const std::string& what) const {
+    input::fail_at(
+        source_, at_ + ".file",
+        "got {}, {}; expected a line with the names of the columns, then one row per reading; check the file", name_,
+        what);
+  }
+
+ private:
+  const std::string& at_;
+  const input::Source& source_;
+  std::string text_, name_;
+  input::CsvReader reader_;
+  std::vector<std::string> names_;
+  std::size_t line_ = 1, counted_ = 0;
+};
+
+constexpr std::pair<std::string_view, Command> kCommands[] = {
+    {"slip.", Command::slip},       {"heat.", Command::slip},       {"heat_cycle.", Command::slip},
+    {"preload.", Command::preload}, {"life.", Command::life},       {"measures.", Command::measures},
+    {"contact.", Command::contact}, {"threads.", Command::contact},
+};
+
+/// Of series: what they stand over.
+constexpr std::pair<std::string_view, std::string_view> kSeries[] = {
+    {"preload.loads[].", "preload.loads[].axial_force_N"},
+    {"heat_cycle.temperature_degC.", "heat_cycle.time_s"},
+};
+
+class FitReader : input::VariedInput {
+ public:
+  FitReader(const FitItem& item, const input::Source& source, const Node& root, Node& base, CaseFile& file,
+            input::ErrorList& errors)
+      : VariedInput(source, root, base, errors), item_(item), file_(file), fields_(echo(file, base)) {}
+
+  FitInput read() {
+    FitInput all{.source = source_, .parameters = {}, .curves = {}, .profile = {}};
+    all.level = item_.level;
+    all.starts = static_cast<std::size_t>(item_.starts);
+    for (std::size_t k = 0; k < item_.parameters.size(); ++k) all.parameters.push_back(parameter(k));
+    check_once(all.parameters);
+    errors_.throw_if_any();
+    for (const FitParameter& p : all.parameters)
+      set_value(base_, p.path, input::scalar(with_unit(p.start, p.unit), {}), {}, errors_);
+    for (std::size_t k = 0; k < item_.curves.size(); ++k)
+      all.curves.push_back(curve(item_.curves[k], fmt::format("fit.curves[{}]", k), k, all));
+    for (std::size_t k = 0; k < item_.bands.size(); ++k)
+      all.curves.push_back(band(item_.bands[k], fmt::format("fit.bands[{}]", k), all.parameters));
+    check_names(all);
+    errors_.throw_if_any();
+    check_counts(all);
+    read_profile(all);
+    errors_.throw_if_any();
+    return all;
+  }
+
+ private:
+  template <class... Args>
+  [[noreturn]] void fail(const std::string& at, fmt::format_string<Args...> message, Args&&... args) const {
+    errors_.throw_if_any();
+    input::fail_at(source_, at, fmt::format(message, std::forward<Args>(args)...));
+  }
+
+  double number(const std::string& text, const std::string& unit, const char* key, std::string_view of) const {
+    const std::optional<double> value = input::number_in(text, unit);
+    if (!value)
+      fail(fmt::format("{}.{}", path_, key), "got {}; expected {} {}; write for example `{}: {}`", shown(text),
+           unit.empty() ? "a number without unit, as" : "a number with a unit of", of,
+           std::string_view(key).substr(std::string_view(key).find('.') + 1), with_unit(1.0, unit));
+    return *value;
+  }
+
+  FitParameter parameter(std::size_t k) {
+    FitParameterItem item = item_.parameters[k];
+    for (std::string* text : {&item.from, &item.to, item.start ? &*item.start : nullptr,
+                              item.prior ? &item.prior->mean : nullptr, item.prior ? &item.prior->deviation : nullptr})
+      if (text) *text = unquoted(*text);
+    path_ = fmt::format("fit.parameters[{}]", k);
+    FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
+    if (!check_outside("path", item.path)) errors_.throw_if_any();
+    if (const auto problem = wrong(p.path, item.from); problem && problem->find("unknown key") != std::string::npos) {
+      std::vector<std::string> all;
+      add_numbers(base_, "", all);
+      for (const input::EchoEntry& entry : fields_)
+        if (entry.number) all.push_back(entry.path);
+      const std::vector<std::string_view> near = input::near_words(p.path, {all.begin(), all.end()});
+      fail(path_ + ".path", "got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
+           near.empty() ? "write for example `path: friction.coulomb`"
+                        : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
+    }
+    for (const char* end : {".from", ".to"})
+      if (!check_in_place(p.path, *find_path(root_, path_ + end))) errors_.throw_if_any();
+    const input::Slot slot = find_slot(file_, p.path);
+    const auto from = input::split_unit(item.from);
+    if (slot.kind != input::Slot::Kind::number || !from)
+      fail(path_ + ".path",
+           "got {}; expected one number that may vary continuously: no list, word or whole number; write for example "
+           "`path: friction.coulomb`",
+           shown(item.path));
+    p.unit = from->unit;
+    p.is_log = item.scale == FitParameterItem::Scale::log;
+    p.from = from->number;
+    p.to = number(item.to, p.unit, "to", "`from`");
+    if (!(p.from < p.to))
+      fail(path_ + ".from", "got {}; expected less than `to`, {}; swap the two", shown(item.from), shown(item.to));
+    if (p.is_log && slot.dimension && zero_depends_on_unit(*slot.dimension))
+      fail(path_ + ".scale", "got log of a temperature, whose zero is a convention; expected linear; delete the key");
+    else if (p.is_log && !(p.from > 0.0))
+      fail(path_ + ".from", "got {} with `scale: log`; expected more than 0; write a larger one, or `scale: linear`",
+           shown(item.from));
+    const std::optional<Node> stands = base_value(p.path, fields_);
+    if (stands && find_path(base_, p.path)) p.stood = flow_text(*stands);
+    const std::optional<double> there = stands ? input::number_in(unquoted(flow_text(*stands)), p.unit) : std::nullopt;
+    p.has_start = item.start.has_value();
+    if (item.start) {
+      p.start = number(*item.start, p.unit, "start", "`from`");
+    } else if (there) {
+      p.start = *there;
+    } else {
+      fail(path_ + ".path",
+           "got {}, of which the file says nothing and which has no default; expected a value there, or `start`; add "
+           "for example `start: {}`",
+           shown(item.path), shown(item.from));
+    }
+    if (p.from < p.to && !(p.start >= p.from && p.start <= p.to))
+      fail(path_ + (item.start ? ".start" : ".path"), "got {}{} of {}; expected {} to {}; {}",
+           item.start ? "" : "the start ", with_unit(p.start, p.unit), shown(item.path), item.from, item.to,
+           item.start ? "write one between them" : "widen the bounds, or add `start`");
+    if (item.prior) read_prior(p, *item.prior, slot);
+    return p;
+  }
+
+  void read_prior(FitParameter& p, const FitParameterItem::Prior& item, const input::Slot& slot) const {
+    FitParameter::Prior prior;
+    prior.mean = number(item.mean, p.unit, "prior.mean", "`from`");
+    const auto written = input::split_unit(item.deviation);
+    std::optional<double> deviation;
+    if (written && written->unit == "%")
+      deviation = 0.01 * written->number * std::abs(prior.mean);
+    else if (written)
+      if (const auto by = conversion(written->unit, p.unit)) deviation = by->factor * written->number;
+    if (written && written->unit.empty() != p.unit.empty() && written->unit != "%") deviation.reset();
+    if (!deviation || !(*deviation > 0.0))
+      fail(path_ + ".prior.deviation",
+           "got {}; expected more than 0, a share of the mean or {}; write for example `deviation: 3 %`",
+           shown(item.deviation), slot.dimension ? "a value in " + input::unit_list(*slot.dimension) : "a number");
+    if (p.is_log && !(prior.mean > 0.0))
+      fail(path_ + ".prior.mean", "got {} with `scale: log`; expected more than 0; write `scale: linear`",
+           shown(item.mean));
+    prior.deviation = deviation.value_or(1.0);
+    p.prior = prior;
+  }
+
+  void check_once(const std::vector<FitParameter>& parameters) const {
+    std::vector<input::SetPath> paths;
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+      paths.push_back({parameters[k].path, fmt::format("fit.parameters[{}].path", k), k});
+    check_paths(paths, "parameter", false, root_, errors_);
+  }
+
+  /// What is wrong with a text in the place of a path; nothing where it is sound.
+  std::optional<std::string> wrong(const std::string& path, const std::string& text) const {
+    input::ErrorList found(source_);
+    Node design = base_;
+    if (set_value(design, path, input::scalar(text, {}), {}, found)) read_case_file(design, found);
+    return found.empty() ? std::nullopt : std::optional(found.first());
+  }
+
+  void check_condition(const std::string& path, const std::vector<FitParameter>& parameters) const {
+    for (const FitParameter& p : parameters)
+      if (p.path == path || input::is_part_of(p.path, path) || input::is_part_of(path, p.path))
+        fail(path_ + ".path", "got {}, which is a parameter too; expected it once; delete one of the two", shown(path));
+    if (!check_outside("path", path)) errors_.throw_if_any();
+  }
+
+  /// Sets a value that is the same in all rows.
+  void set_constant(FitCurve& curve, const std::string& path, const char* key) {
+    const Node value = *find_path(root_, fmt::format("{}.{}", path_, key));
+    if (!check_in_place(path, value)) errors_.throw_if_any();
+    set_value(curve.base, path, value, locate(root_, path_ + ".path"), errors_);
+    curve.constants.emplace_back(path, flow_text(value));
+  }
+
+  Command command_of(const std::string& response, const std::optional<std::string>& written,
+                     const std::string& at) const {
+    std::string_view rest = response;
+    if (rest.starts_with("load_cases["))
+      if (const std::size_t dot = rest.find("]."); dot != rest.npos) rest.remove_prefix(dot + 2);
+    Command command = Command::solve;
+    for (const auto& [head, its] : kCommands)
+      if (rest.starts_with(head)) command = its;
+    if (!written) return command;
+    for (const Command one :
+         {Command::contact, Command::solve, Command::slip, Command::preload, Command::life, Command::measures})
+      if (one.word == *written) return one;
+    fail(at + ".command", "got {}; expected contact, solve, slip, preload, life or measures; delete the key",
+         shown(*written));
+  }
+
+  FitCurve start_curve(const FitCurveItem& item, const std::string& at) {
+    FitCurve c;
+    c.at = at;
+    c.response = response_path(root_, file_.load_cases, item.response);
+    c.command = command_of(c.response, item.command, at);
+    c.unit = unit_of_response(c.response);
+    c.base = base_;
+    return c;
+  }
+
+  FitCurve curve(const FitCurveItem& item, const std::string& at, std::size_t k, const FitInput& before) {
+    FitCurve c = start_curve(item, at);
+    c.name = item.name.value_or(fmt::format("curve-{}", k + 1));
+    c.file = item.file;
+    c.use = item.use == FitCurveItem::Use::fit ? FitCurve::Use::fit : FitCurve::Use::compare;
+    c.has_offset = item.offset;
+    read_loss(c, item);
+    check_series(c, item);
+    FitTable table(item.file, at, source_);
+    const std::size_t measured = table.column(item.measured.column.value_or("measured"), at + ".measured.column");
+    const Conversion to_unit = unit_at(item.measured.unit.value_or(""), c.unit, at + ".measured");
+
+    struct Column {
+      std::size_t field = 0;
+      std::size_t condition = 0;
+      input::Slot slot;
+      const input::Unit* unit = nullptr;
+    };
+    std::vector<Column> columns;
+    for (std::size_t j = 0; j < item.conditions.size(); ++j) {
+      const FitConditionItem& condition = item.conditions[j];
+      path_ = fmt::format("{}.conditions[{}]", at, j);
+      const std::string path = input::with_indices(root_, condition.path);
+      check_condition(path, before.parameters);
+      if (condition.values || condition.value.has_value() == condition.column.has_value())
+        fail(path_,
+             "got neither or both of `column` and `value`; expected one of them; write `value: ..`, or `column` and "
+             "`unit`");
+      if (condition.value) {
+        set_constant(c, path, "value");
+        continue;
+      }
+      if (item.along)
+        fail(path_ + ".column", "got a column of a series; expected the same value in all rows; write `value: ..`");
+      columns.push_back({.field = table.column(*condition.column, path_ + ".column"), .condition = j, .slot = {}});
+      c.conditions.push_back({path, condition.unit.value_or(""), {}});
+    }
+    // Where a reading stands, and how well it is known.
+    std::optional<std::size_t> place, spread;
+    Conversion to_place, to_spread;
+    if (item.along) {
+      place = table.column(item.along->column, at + ".along.column");
+      const bool is_time = c.series == "heat_cycle.time_s";
+      const std::string si = is_time ? "s" : "N";
+      to_place = unit_at(item.along->unit, si, at + ".along");
+    }
+    bool share = false;
+    std::optional<double> fixed;
+    read_deviation(item, c, at, table, spread, fixed, share, to_spread);
+
+    std::map<std::pair<std::size_t, std::string>, bool> sound;
+    while (table.next()) {
+      if (++rows_ > kMostRows)
+        fail(at + ".file", "got more than {} rows in all; expected at most as many; leave some out", kMostRows);
+      c.lines.push_back(table.line());
+      const double reading = to_unit(table.number(measured));
+      c.measured.push_back(reading);
+      if (place) c.places.push_back(to_place(table.number(*place)));
+      if (spread || fixed) {
+        const double one = spread ? table.number(*spread) : *fixed;
+        const double deviation = share ? 0.01 * one * std::abs(reading) : to_spread.factor * one;
+        if (!(deviation > 0.0))
+          table.refuse(spread.value_or(measured),
+                       share && reading == 0.0 ? "a share of a reading of 0" : fmt::format("{}", one),
+                       "a deviation above 0");
+        c.deviation.push_back(deviation);
+      }
+      for (std::size_t j = 0; j < columns.size(); ++j) {
+        Column& column = columns[j];
+        FitCondition& condition = c.conditions[j];
+        path_ = fmt::format("{}.conditions[{}]", at, column.condition);
+        std::string text = table.text(column.field);
+        if (condition.texts.empty()) prepare(condition, text, column.slot, column.unit);
+        if (!condition.unit.empty()) {
+          const double value = table.number(column.field);
+          if (column.unit && !input::slot_value(column.slot, value, column.unit))
+            table.refuse(column.field, with_unit(value, condition.unit),
+                         wrong(condition.path, with_unit(value, condition.unit)).value_or("another value"));
+          text = fmt::format("{}", value);
+        } else if (auto [known, is_new] = sound.try_emplace({j, text}, true); is_new) {
+          if (text.empty()) table.refuse(column.field, "nothing", "a value");
+          if (const auto problem = wrong(condition.path, text)) table.refuse(column.field, shown(text), *problem);
+        }
+        condition.texts.push_back(std::move(text));
+      }
+    }
+    c.rows = c.measured.size();
+    if (c.rows == 0) table.refuse_file("which has no rows");
+    for (const FitCondition& condition : c.conditions)
+      set_value(c.base, condition.path, input::scalar(joined(condition.texts[0], condition.unit), {}), {}, errors_);
+    const auto [least, greatest] = std::ranges::minmax(c.measured);
+    if (c.has_offset && least == greatest)
+      fail(at + ".offset", "got true of a curve whose readings are all equal; expected two different ones; delete it");
+    return c;
+  }
+
+  static std::string joined(const std::string& text, const std::string& unit) {
+    return unit.empty() ? text : text + " " + unit;
+  }
+
+  /// The unit of a column against that of the input that it sets.
+  void prepare(FitCondition& condition, const std::string& first, input::Slot& slot, const input::Unit*& unit) {
+    CaseFile file = file_;
+    {
+      Node design = base_;
+      input::ErrorList none(source_);
+      if (set_value(design, condition.path, input::scalar(joined(first, condition.unit), {}), {}, none))
+        file = read_case_file(design, none);
+    }
+    slot = find_slot(file, condition.path);
+    if (slot.kind == input::Slot::Kind::none)
+      if (const auto problem = wrong(condition.path, joined(first, condition.unit)))
+        fail(path_ + ".path", "{}", problem->substr(problem->find(": ") + 2));
+    if (slot.kind != input::Slot::Kind::number) return;
+    const input::Dimension* d = slot.dimension;
+    const bool fits =
+        !d ? condition.unit.empty()
+           : input::find_unit(condition.unit, *d) || (d->by_lead && input::find_unit(condition.unit, *d->by_lead));
+    if (!fits)
+      fail(path_ + ".unit", "got {}; expected {}; write for example `unit: {}`",
+           condition.unit.empty() ? "none" : shown(condition.unit),
+           d ? "the unit of " + std::string(d->name) + ": " + input::unit_list(*d) : "none", d ? d->canonical : "\"\"");
+    if (d) unit = input::find_unit(condition.unit, *d);
+    // Numbers are set as they are found in this case.
+    slot.numbers.clear(), slot.list = nullptr, slot.whole = nullptr;
+  }
+
+  Conversion unit_at(const std::string& written, const std::string& unit, const std::string& at) const {
+    const auto found = conversion(written, unit);
+    if (!found)
+      fail(at + ".unit", "got {}; expected a unit of the response: {}; write for example `unit: {}`",
+           written.empty() ? "none" : shown(written), units_like(unit), unit.empty() ? "\"%\"" : unit);
+    return *found;
+  }
+
+  void read_deviation(const FitCurveItem& item, const FitCurve& c, const std::string& at, const FitTable& table,
+                      std::optional<std::size_t>& column, std::optional<double>& fixed, bool& share,
+                      Conversion& to_unit) const {
+    if (!item.deviation || *item.deviation == "estimated") return;
+    const std::string key = at + ".deviation";
+    const Node& node = *find_path(root_, key);
+    std::string unit;
+    if (node.kind == Node::Kind::map) {
+      const Node *its = find(node, "column"), *in = find(node, "unit");
+      const bool known = its && its->kind == Node::Kind::scalar && (!in || in->kind == Node::Kind::scalar);
+      if (!known || node.children.size() > (in ? 2U : 1U))
+        fail(key, "got {}; expected {{column: .., unit: ..}}", shown(flow_text(node)));
+      column = table.column(its->text, key + ".column");
+      unit = in ? in->text : "";
+    } else {
+      const auto written = input::split_unit(unquoted(*item.deviation));
+      if (!written)
+        fail(key,
+             "got {}; expected a value, a share of the reading, {{column: .., unit: ..}} or estimated; write for "
+             "example `deviation: {}`",
+             shown(*item.deviation), with_unit(0.05, c.unit));
+      fixed = written->number;
+      unit = written->unit;
+      if (!(*fixed > 0.0))
+        fail(key, "got {}; expected more than 0; write for example `deviation: {}`", shown(*item.deviation),
+             with_unit(0.05, c.unit));
+    }
+    share = unit == "%";
+    if (share) return;
+    const auto found = conversion(unit, c.unit);
+    if (!found)
+      fail(column ? key + ".unit" : key, "got {}; expected a unit of the response: {}; write for example `{}`",
+           unit.empty() ? "no unit" : shown(unit), units_like(c.unit), with_unit(0.05, c.unit));
+    to_unit = *found;
+  }
+
+  void read_loss(FitCurve& c, const FitCurveItem& item) const {
+    using Kind = modules::fit::Loss::Kind;
+    if (!item.loss) return;
+    const std::string key = c.at + ".loss";
+    const Node& node = *find_path(root_, key);
+    const Node* inner = node.kind == Node::Kind::map && node.children.size() == 1 ? &node.children[0] : nullptr;
+    const std::string& word = inner ? inner->key : node.text;
+    if (word == "huber")
+      c.loss = {Kind::huber, 1.345};
+    else if (word == "cauchy")
+      c.loss = {Kind::cauchy, 2.385};
+    else if (inner || node.kind != Node::Kind::scalar || word != "squares")
+      fail(key,
+           "got {}; expected squares, huber, cauchy, {{huber: 1.345}} or {{cauchy: 2.385}}; write for example `loss: "
+           "huber`",
+           shown(flow_text(node)));
+    if (!inner) return;
+    const std::optional<double> scale = input::parse_number(inner->text);
+    if (!scale || !(*scale > 0.0))
+      fail(key, "got {}; expected a scale above 0, in standard deviations; write for example `{{{}: {}}}`",
+           shown(flow_text(node)), word, c.loss.scale);
+    c.loss.scale = *scale;
+  }
+
+  void check_series(FitCurve& c, const FitCurveItem& item) const {
+    const auto series = std::ranges::find_if(kSeries, [&](const auto& s) { return c.response.starts_with(s.first); });
+    const bool is_series = series != std::end(kSeries) || c.response.find("[]") != std::string::npos;
+    if (!is_series && !item.along) return;
+    if (series == std::end(kSeries))
+      fail(is_series ? c.at + ".response" : c.at + ".along",
+           "got {}, {}; expected `preload.loads[].KEY` or `heat_cycle.temperature_degC.PART` with `along`",
+           shown(c.response), is_series ? "no such series" : "which is no series");
+    if (!item.along)
+      fail(c.at + ".response",
+           "got {}, a series, without `along`; expected where its rows stand; add `along: {{response: {}, column: .., "
+           "unit: ..}}`",
+           shown(c.response), series->second);
+    if (item.along->response != series->second)
+      fail(c.at + ".along.response", "got {}; expected {}, over which {} stands; write that",
+           shown(item.along->response), series->second, shown(c.response));
+    c.series = series->second;
+  }
+
+  FitCurve band(const input::FitBandItem& item, const std::string& at, const std::vector<FitParameter>& parameters) {
+    FitCurve c = start_curve(item, at);
+    c.name = *item.name;
+    c.use = FitCurve::Use::band;
+    c.rows = 1;
+    if (c.response.find("[]") != std::string::npos || c.response.starts_with(kSeries[1].first))
+      fail(at + ".response", "got {}, a series; expected a single number; write for example `{}`", shown(c.response),
+           "slip.power_loss_W");
+    for (std::size_t j = 0; j < item.conditions.size(); ++j) {
+      const FitConditionItem& condition = item.conditions[j];
+      path_ = fmt::format("{}.conditions[{}]", at, j);
+      const std::string path = input::with_indices(root_, condition.path);
+      check_condition(path, parameters);
+      if (condition.column || condition.value.has_value() == condition.values.has_value())
+        fail(path_, "got neither or both of `value` and `values`, or a column; expected one of the two");
+      if (condition.value) {
+        set_constant(c, path, "value");
+        continue;
+      }
+      FitCondition all{path, "", texts_of(*condition.values)};
+      for (const std::string& text : all.texts)
+        if (const auto problem = wrong(path, text)) fail(path_ + ".values", "{}", *problem);
+      if (!c.conditions.empty() && all.texts.size() != c.rows)
+        fail(path_ + ".values", "got {} values; expected {}, as many as those of `{}`; write as many", all.texts.size(),
+             c.rows, c.conditions[0].path);
+      c.rows = all.texts.size();
+      set_value(c.base, path, input::scalar(all.texts[0], {}), {}, errors_);
+      c.conditions.push_back(std::move(all));
+    }
+    return c;
+  }
+
+  std::vector<std::string> texts_of(const input::WrittenValues& values) const {
+    if (!values.range) return each(values.list, unquoted);
+    const input::WrittenRange& range = *values.range;
+    const bool logarithmic = range.spacing == input::WrittenRange::Spacing::logarithmic;
+    const std::string from = unquoted(range.from), to = unquoted(range.to);
+    const std::optional<Ends> ends = read_ends("values.", from, to, false);
+    errors_.throw_if_any();
+    if (logarithmic && !(ends->from.number * ends->to.number > 0.0))
+      fail(path_ + ".values.from", "got {} with `spacing: logarithmic`; expected two numbers of one sign",
+           shown(range.from));
+    std::vector<std::string> texts;
+    for (int k = 0; k < range.steps; ++k) {
+      const double at = k == range.steps - 1 ? ends->to.number
+                        : k == 0             ? ends->from.number
+                                             : interpolated(ends->from.number, ends->to.number,
+                                                            static_cast<double>(k) / (range.steps - 1), logarithmic);
+      texts.push_back(with_unit(at, ends->from.unit));
+    }
+    return texts;
+  }
+
+  void check_names(const FitInput& all) const {
+    for (std::size_t k = 0; k < item_.curves.size(); ++k)
+      for (std::size_t i = 0; i < k; ++i)
+        if (all.curves[i].name == all.curves[k].name)
+          refuse(root_, fmt::format("fit.curves[{}].{}", k, item_.curves[k].name ? "name" : "file"),
+                 fmt::format("got {} a second time; expected a name of its own; rename one", shown(all.curves[k].name)),
+                 errors_);
+  }
+
+  void check_counts(const FitInput& all) const {
+    std::size_t rows = 0, unknowns = all.parameters.size();
+    for (const FitParameter& p : all.parameters) rows += p.prior ? 1 : 0;
+    bool any = false;
+    for (const FitCurve& c : all.curves) {
+      if (c.use != FitCurve::Use::fit) continue;
+      any = true;
+      rows += c.rows;
+      unknowns += c.has_offset ? 1 : 0;
+    }
+    if (!any)
+      fail("fit.curves", "got none with `use: fit`; expected one at least; write `use: fit`, or delete the key");
+    if (rows < unknowns)
+      fail("fit.parameters",
+           "got {} rows, priors included, for {} parameters, offsets included; expected as many at least; measure "
+           "more, or fix some",
+           rows, unknowns);
+  }
+
+  void read_profile(FitInput& all) const {
+    if (!item_.profile || *item_.profile == "false") return;
+    const Node& node = *find_path(root_, "fit.profile");
+    for (const FitCurve& c : all.curves)
+      if (c.use == FitCurve::Use::fit && c.loss.is_robust())
+        fail("fit.profile",
+             "got it with the robust loss of {}; expected `loss: squares` of all curves; delete one of the two",
+             shown(c.name));
+    for (std::size_t k = 0; k < all.parameters.size(); ++k) {
+      if (*item_.profile == "true") all.profile.push_back(k);
+    }
+    if (*item_.profile == "true") return;
+    if (node.kind != Node::Kind::sequence)
+      fail("fit.profile", "got {}; expected a list of paths of parameters, or true", shown(*item_.profile));
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const std::string path = input::with_indices(root_, node.children[i].text);
+      const auto found = std::ranges::find(all.parameters, path, &FitParameter::path);
+      std::vector<std::string_view> paths;
+      for (const FitParameter& p : all.parameters) paths.push_back(p.path);
+      if (found == all.parameters.end())
+        fail(fmt::format("fit.profile[{}]", i), "got {}; expected the path of a parameter: {}", shown(path),
+             fmt::join(paths, ", "));
+      all.profile.push_back(static_cast<std::size_t>(found - all.parameters.begin()));
+    }
+  }
+
+  const FitItem& item_;
+  CaseFile& file_;
+  std::vector<input::EchoEntry> fields_;
+  std::size_t rows_ = 0;
+};
+
+}  // namespace
+
+FitInput read_fit_input(const input::Source& source) {
+  input::ErrorList errors(source);
+  const Node root = read_document(source, errors);
+  const CaseFile whole = read_case_file(root, errors);
+  if (!whole.fit && !find(root, "fit"))
+    errors.add(root.place, "fit",
+               "missing; expected unknown inputs and measured curves; add for example `fit: {parameters: [{path: "
+               "friction.coulomb, from: 0.02, to: 0.4}], curves: [{file: torque.csv, response: slip.torque_screw_Nm, "
+               "measured: {column: torque_Nm, unit: N m}}]}`");
+  errors.throw_if_any();
+  Node base = root;
+  std::erase_if(base.children, [](const Node& child) {
+    return child.key == "optimize" || child.key == "study" || child.key == "fit";
+  });
+  CaseFile file = read_case_file(base, errors);
+  errors.throw_if_any();
+  return FitReader(*whole.fit, source, root, base, file, errors).read();
+}
+
+}  // namespace prs

@@ -1,0 +1,34 @@
+"""Unknown inputs of a case from measured curves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rollerscrew.case import Case
+from rollerscrew.results import FitResult
+
+
+def fit(
+    case: Case,
+    parameters: Sequence[Mapping[str, Any]],
+    curves: Sequence[Mapping[str, Any]],
+    *,
+    data: Mapping[str, Any] | None = None,
+    **options: Any,
+) -> FitResult:
+    """Fits `parameters` of a case to `curves`: the keys of the block `fit`.
+
+    `data` has the readings by the names of the curves, as frames or arrays by the names of columns;
+    such curves need no `file`. `options` are `level`, `starts`, `profile` and `bands`.
+
+    >>> rs.fit(case, [{"path": "friction.coulomb", "from": 0.02, "to": 0.4}],
+    ...     [{"name": "torque", "response": "slip.torque_screw_Nm", "measured":
+    ...     {"column": "M", "unit": "N m"}}], data={"torque": frame})
+    """
+    named = [
+        {"file": f"{curve.get('name', f'curve-{k + 1}')}.csv", **curve}
+        for k, curve in enumerate(curves)
+    ]
+    block = {"parameters": list(parameters), "curves": named, **options}
+    return case.with_(fit=block).fit(data)
