@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "prs/fit/fit.h"
+#include "modules/fit/fit.h"
 
 namespace {
 

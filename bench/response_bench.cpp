@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "prs/input/reader.h"
-#include "prs/response/response.h"
+#include "modules/response/response.h"
 
 namespace {
 

@@ -4,6 +4,7 @@ against their order, circles of folders, sources of no room, too many lines or l
 one room declares and another defines: functions, members and types. So each room links alone."""
 
 import argparse
+import os
 import re
 import sys
 from collections.abc import Iterator
@@ -58,7 +59,7 @@ def read_rooms() -> dict[str, Room]:
         text = " ".join(line.lstrip("# ") for line in comment.splitlines())
         purpose = purposes[name] = text or purposes.get(name, "")
         if verb == "add_room":
-            folder = "prs" if words[0] == "." else f"prs/{words[0]}"
+            folder = os.path.normpath(f"prs/{words[0]}")
             rooms[name] = Room(folder, [], [], purpose, [])
             add_links(rooms[name], words[1:])
         elif verb == "share_headers":

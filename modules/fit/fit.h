@@ -1,159 +1,107 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
+#include "modules/estimation/fit.h"
+#include "prs/input/study_reader.h"
 
-#include "modules/module.h"
+namespace prs {
 
-/// Estimates unknowns of any function from readings, with their uncertainty: docs/fit.md. Plain
-/// vectors in and out; what the function computes is the caller's.
-namespace modules::fit {
-
-/// Its value, or with `is_log` the value's logarithm, is linear in z from 0 at `from` to 1 at `to`.
-/// All numbers here and in results are those of the value; intervals of logarithms are exponentials,
-/// deviations those of the logarithm times the value.
-struct Unknown {
-  double from = 0.0, to = 1.0, start = 0.0;
-  bool is_bounded = true;  ///< 0 <= z <= 1
+/// An input that is fitted. Numbers are in `unit`, that of `from`.
+struct FitParameter {
+  std::string path, label, unit;
+  bool is_log = false;
+  double start = 0.0, from = 0.0, to = 0.0;
   struct Prior {
-    double mean = 0.0, deviation = 1.0;
+    double mean = 0.0, deviation = 0.0;
   };
   std::optional<Prior> prior = {};
-  bool is_offset = false;  ///< Adds to the curve that names it: no input of the function.
-  bool is_log = false;
+  bool has_start = false;  ///< Whether `start` is stated.
+  std::string stood = {};  ///< What the file said; empty: nothing.
 };
 
-/// rho(s), s = r^2: squares s; huber s up to k^2, then 2 k sqrt(s) - k^2; cauchy k^2 ln(1 + s/k^2).
-struct Loss {
-  enum class Kind { squares, huber, cauchy };
-  Kind kind = Kind::squares;
-  double scale = 1.0;
-
-  bool is_robust() const { return kind != Kind::squares; }
+/// What rows of a curve set. Numbers are in the unit of the condition, words stand as they are.
+struct FitCondition {
+  std::string path, unit;
+  std::vector<std::string> texts;  ///< One per row.
 };
 
-struct Curve {
-  enum class Use { fit, compare, band };  ///< `band`: computed, without readings.
+/// A curve of readings, or a band without any; readings are in `unit`, that of the response.
+struct FitCurve {
+  using Use = modules::fit::Curve::Use;
+
+  std::string name, file, response, unit, at;  ///< `at`: path in the document, `fit.curves[0]`.
+  Command command = Command::solve;
   Use use = Use::fit;
+  modules::fit::Loss loss;
+  bool has_offset = false;
+  std::vector<FitCondition> conditions;  ///< Of rows; those that are the same in all stand in `base`.
+  std::vector<std::pair<std::string, std::string>> constants = {};  ///< The others, for a band's document.
+  std::string series;                                               ///< What `places` are of; empty: rows on their own.
+  std::vector<double> places;                                       ///< SI
+  std::vector<double> measured, deviation;
+  std::vector<std::size_t> lines;  ///< Of the file.
   std::size_t rows = 0;
-  std::vector<double> measured = {};
-  std::vector<double> deviation = {};  ///< Of each reading; empty: estimated.
-  Loss loss = {};
-  std::optional<std::size_t> offset = {};  ///< Index of the unknown; of `compare` no unknown.
-  bool has_free_mean = false;              ///< `compare` with an offset.
+  input::Node base = {};  ///< The case with starting values and conditions, without searches.
 };
 
-struct Failure {
-  std::size_t curve = 0, row = 0;
-  std::string reason;
-  bool is_refused = false;
-};
-
-/// What is asked for: values of the unknowns, and of which curves.
-struct Request {
-  std::vector<double> values;
-  std::vector<bool> curves;
-};
-struct Answer {
-  std::vector<std::vector<double>> values;  ///< Of each curve that was asked for.
-  std::optional<Failure> failure = {};
-};
-/// Answers of all requests, side by side.
-using Evaluate = std::function<std::vector<Answer>(const std::vector<Request>&)>;
-
-struct Problem {
-  std::vector<Unknown> unknowns;
-  std::vector<Curve> curves;
-  Evaluate evaluate;
+struct FitInput {
+  input::Source source;
+  std::vector<FitParameter> parameters;
+  std::vector<FitCurve> curves;  ///< Then bands.
   double level = 0.9;
   std::size_t starts = 1;
-  std::vector<std::size_t> profile = {};
+  std::vector<std::size_t> profile;
 };
 
-/// The worst comes first.
-enum class Status { no_equilibrium, not_identifiable, no_redundancy, iteration_limit, converged };
+/// Reads the fit of a source, opens its curves and checks all of it. Throws InputError.
+FitInput read_fit_input(const input::Source& source);
 
-/// Of an unknown, or of a response.
-struct Estimate {
-  double value = 0.0, deviation = 0.0, low = 0.0, high = 0.0;
-  std::optional<double> degrees_of_freedom = {};  ///< Of Student's quantile; absent: the normal one.
+/// Values of the parameters in their units -> all that a fit asks for, on several threads.
+class FitEvaluation {
+ public:
+  /// Runs the case of each curve once. Throws InputError. The input must outlive it.
+  FitEvaluation(const FitInput& input, std::size_t threads);
+  ~FitEvaluation();
+
+  std::vector<modules::fit::Answer> operator()(const std::vector<modules::fit::Request>& requests);
+  std::size_t rows() const;  ///< Computed so far.
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
-struct UnknownResult {
-  bool is_identified = true;
-  std::optional<double> value = {};
-  std::optional<Estimate> estimate = {};
-  int at_bound = 0;  ///< -1: `from`, 1: `to`.
-  std::optional<double> profile_low = {}, profile_high = {};
-  bool prior_decides = false;
+struct FitResult {
+  FitInput input;
+  modules::fit::Result found;
+  std::size_t evaluations = 0;
+  std::vector<Warning> warnings = {};
+
+  bool converged() const { return found.status == modules::fit::Status::converged; }
+  std::size_t unknowns() const { return found.unknowns.size(); }
+  /// `friction.coulomb` or `offset of travel`
+  std::string name(std::size_t unknown) const;
+  /// The curve of an unknown behind the parameters.
+  const FitCurve& curve_of_offset(std::size_t unknown) const;
+  const FitParameter* parameter(std::size_t unknown) const {
+    return unknown < input.parameters.size() ? &input.parameters[unknown] : nullptr;
+  }
+  std::string unit(std::size_t unknown) const;
 };
 
-struct Runs {
-  std::size_t count = 0;
-  double expected = 0.0, p_value = 0.0;
+struct FitOptions {
+  std::size_t threads = 0;  ///< 0: one per processor.
 };
 
-struct CurveResult {
-  std::vector<double> fitted, residual;  ///< `fitted` with the offset.
-  std::vector<double> deviation, weight;
-  std::vector<double> low, high, band_deviation;  ///< Empty: no band.
-  double rms = 0.0;
-  std::optional<double> redundancy = {}, chi_square = {}, r_squared = {};
-  std::optional<Runs> runs = {};
-};
+/// Throws InputError.
+FitResult fit_case(const input::Source& source, const FitOptions& options = {});
 
-/// A direction in which the data do not decide.
-struct Unidentified {
-  std::vector<std::size_t> unknowns;
-  std::vector<double> direction;
-  double ratio = 0.0;
-  double factor = 0.0;                       ///< a + factor b; of logarithms a b^factor.
-  std::optional<Estimate> combination = {};  ///< Of two unknowns of one scale.
-};
+/// The text of the source with the values in their places, and above each how well it is known.
+std::string fitted_case(const FitResult& result);
 
-struct StartResult {
-  std::optional<double> objective = {};  ///< S + 2 sum n ln sigma over estimated ones.
-  Status status = Status::no_equilibrium;
-  bool is_best = false;
-  bool is_another_minimum = false;  ///< Within 4 of the best.
-};
+/// A number as it is written into files: ten digits, with its unit.
+std::string fit_text(double value, std::string_view unit);
 
-struct Result {
-  Status status = Status::no_equilibrium;
-  std::optional<Failure> failure = {};
-  bool failed_at_start = false;
-  std::optional<std::size_t> without_influence = {};   ///< An unknown that no curve depends on.
-  std::optional<std::size_t> without_redundancy = {};  ///< Curve.
-  double objective = 0.0;
-  double degrees_of_freedom = 0.0;
-  std::optional<double> chi_square = {}, reduced_chi_square = {}, p_value = {};
-  std::size_t iterations = 0;
-  std::vector<UnknownResult> unknowns;
-  std::vector<std::size_t> with_deviation;  ///< Whose covariance follows.
-  std::vector<std::vector<double>> covariance, correlation;
-  std::vector<double> singular_value_ratios;
-  std::vector<Unidentified> unidentified;
-  std::vector<CurveResult> curves;
-  std::vector<StartResult> starts;
-};
+/// `not_identifiable`
+std::string_view name(modules::fit::Status status);
 
-struct Minimum {
-  bool has_converged = false;
-  std::size_t iterations = 0;
-};
-/// Residuals whose half sum of squares is least within 0 <= z <= 1 where `bounded`, from z on, with
-/// their derivatives by z, a row each, where these are asked for. False: none at this z.
-using Residuals = std::function<bool(const double* z, double* residuals, double* derivatives)>;
-Minimum minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, double tolerance,
-                 std::vector<double>& z);
-
-Result solve(const Problem& problem);
-
-struct FitModule : Module {
-  static constexpr Name kName{"prs_fit.so", "Ceres Solver", "libceres-dev", ""};
-  Result (*solve)(const Problem&);
-};
-
-}  // namespace modules::fit
+}  // namespace prs

@@ -1,9 +1,9 @@
 #include <system_error>
 
+#include "modules/fit/fit_analysis.h"
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/interruption.h"
-#include "prs/fit/fit_analysis.h"
 #include "prs/optimize/optimize_files.h"
 #include "prs/run/study.h"
 #include "prs/study/response.h"

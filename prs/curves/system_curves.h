@@ -1,6 +1,6 @@
 #pragma once
 
-#include "modules/response/curves.h"
+#include "modules/drive/curves.h"
 #include "prs/loads/load_analysis.h"
 
 namespace prs {

@@ -2,11 +2,11 @@
 
 #include <sstream>
 
+#include "modules/response/response.h"
 #include "prs/embed.h"
 #include "prs/export/system_model.h"
 #include "prs/export/zip.h"
 #include "prs/report/report.h"
-#include "prs/response/response.h"
 #include "prs/sha256.h"
 #include "prs/version.h"
 

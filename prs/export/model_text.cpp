@@ -1,7 +1,7 @@
 #include <cctype>
 
+#include "modules/response/response.h"
 #include "prs/export/system_model.h"
-#include "prs/response/response.h"
 #include "prs/run/commands.h"
 #include "prs/sha256.h"
 

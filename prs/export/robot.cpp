@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "modules/response/response.h"
 #include "prs/embed.h"
 #include "prs/report/report.h"
-#include "prs/response/response.h"
 #include "prs/version.h"
 
 PRS_EMBED(mjcf_form, PRS_UNIT_SOURCES "/joint.mjcf.xml")

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "modules/response/friction_fit.h"
+#include "modules/drive/friction_fit.h"
 #include "prs/export/system_model.h"
 
 namespace prs {

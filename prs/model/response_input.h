@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "modules/response/signal.h"
+#include "modules/drive/signal.h"
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
 

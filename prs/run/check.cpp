@@ -2,8 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include "modules/fit/fit.h"
 #include "modules/module.h"
-#include "prs/fit/fit.h"
 #include "prs/input/study_reader.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"

@@ -1,4 +1,4 @@
-#include "prs/fit/fit_analysis.h"
+#include "modules/fit/fit_analysis.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -185,7 +185,8 @@ TEST(FitCase, TheFittedFileAnswersWhatWasFitted) {
   again.text = text;
   const FitResult second = fit_case(again, {.threads = 1});
   for (std::size_t j = 0; j < 2; ++j)
-    EXPECT_NEAR(*second.found.unknowns[j].value, *r.found.unknowns[j].value, 1e-3 * r.found.unknowns[j].estimate->deviation);
+    EXPECT_NEAR(*second.found.unknowns[j].value, *r.found.unknowns[j].value,
+                1e-3 * r.found.unknowns[j].estimate->deviation);
   // A row by the command itself.
   input::Source row = again;
   row.overrides = {"load_cases[0].axial_force=4 kN"};

@@ -1,11 +1,11 @@
-#include "prs/response/response.h"
+#include "modules/response/response.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
+#include "modules/response/response_analysis.h"
 #include "prs/export/robot.h"
-#include "prs/response/response_analysis.h"
 #include "prs/run/commands.h"
 
 namespace prs {

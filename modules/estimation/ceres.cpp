@@ -1,7 +1,7 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
-#include "modules/fit/fit.h"
+#include "modules/estimation/fit.h"
 
 namespace modules::fit {
 namespace {

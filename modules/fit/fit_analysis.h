@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/fit/fit.h"
+#include "modules/fit/fit.h"
 #include "prs/record/analysis.h"
 
 namespace prs {

@@ -1,4 +1,4 @@
-#include "modules/fit/statistics.h"
+#include "modules/estimation/statistics.h"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>

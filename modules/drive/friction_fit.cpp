@@ -1,11 +1,11 @@
-#include "modules/response/friction_fit.h"
+#include "modules/drive/friction_fit.h"
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "modules/response/drive.h"
+#include "modules/drive/drive.h"
 
 namespace prs {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "modules/response/curves.h"
+#include "modules/drive/curves.h"
 
 namespace prs {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "modules/response/response_module.h"
-#include "modules/response/small_vibration.h"
+#include "modules/drive/response_module.h"
+#include "modules/drive/small_vibration.h"
 #include "prs/curves/system_curves.h"
 
 namespace prs {

@@ -1,4 +1,4 @@
-#include "prs/response/response.h"
+#include "modules/response/response.h"
 
 #include <cmath>
 

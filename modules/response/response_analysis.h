@@ -1,7 +1,7 @@
 #pragma once
 
+#include "modules/response/response.h"
 #include "prs/record/analysis.h"
-#include "prs/response/response.h"
 
 namespace prs {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "modules/response/drive.h"
+#include "modules/drive/drive.h"
 
 namespace prs {
 

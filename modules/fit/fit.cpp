@@ -1,4 +1,4 @@
-#include "prs/fit/fit.h"
+#include "modules/fit/fit.h"
 
 #include "prs/input/force_history.h"
 #include "prs/optimize/optimize_files.h"

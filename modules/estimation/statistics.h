@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <span>
 
-#include "modules/fit/fit.h"
+#include "modules/estimation/fit.h"
 
 namespace modules::fit {
 

@@ -1,6 +1,6 @@
 #include <charconv>
 
-#include "prs/fit/fit.h"
+#include "modules/fit/fit.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/csv_reader.h"
 #include "prs/input/did_you_mean.h"

@@ -1,6 +1,6 @@
 #include <mutex>
 
-#include "prs/fit/fit.h"
+#include "modules/fit/fit.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "modules/response/response_module.h"
+#include "modules/drive/response_module.h"
 
 namespace prs {
 

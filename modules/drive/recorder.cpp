@@ -1,4 +1,4 @@
-#include "modules/response/recorder.h"
+#include "modules/drive/recorder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "prs/fit/fit_analysis.h"
+#include "modules/fit/fit_analysis.h"
 
 #include "prs/loads/case_table.h"
 #include "prs/record/record_table.h"

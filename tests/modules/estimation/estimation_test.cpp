@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "modules/fit/fit.h"
+#include "modules/estimation/fit.h"
 #include "tests/support/count.h"
 
 namespace modules::fit {

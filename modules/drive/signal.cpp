@@ -1,4 +1,4 @@
-#include "modules/response/signal.h"
+#include "modules/drive/signal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <numeric>
 
-#include "modules/fit/statistics.h"
+#include "modules/estimation/statistics.h"
 
 namespace modules::fit {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "modules/drive/drive.h"
 #include "modules/module.h"
-#include "modules/response/drive.h"
 
 namespace prs {
 

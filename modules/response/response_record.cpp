@@ -1,4 +1,4 @@
-#include "prs/response/response_analysis.h"
+#include "modules/response/response_analysis.h"
 
 namespace prs {
 

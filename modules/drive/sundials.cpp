@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-#include "modules/response/recorder.h"
+#include "modules/drive/recorder.h"
 
 namespace prs {
 namespace {

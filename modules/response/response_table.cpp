@@ -1,5 +1,5 @@
+#include "modules/response/response_analysis.h"
 #include "prs/loads/case_table.h"
-#include "prs/response/response_analysis.h"
 
 namespace prs {
 namespace {

@@ -1,4 +1,4 @@
-#include "modules/response/small_vibration.h"
+#include "modules/drive/small_vibration.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
