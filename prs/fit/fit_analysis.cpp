@@ -46,7 +46,7 @@ struct FitDirection {
   }
   bool is_product() const { return r->parameter(found().unknowns[0]) && r->parameter(found().unknowns[0])->is_log; }
   std::string text() const {
-    return fmt::format(fmt::runtime(is_product() ? "{} x ({})^{:.4g} = {:.6g}" : "{} + {2:.4g} x {1} = {3:.6g}"),
+    return fmt::format(fmt::runtime(is_product() ? "{0} x ({1})^{2:.4g} = {3:.6g}" : "{0} + {2:.4g} x {1} = {3:.6g}"),
                        names()[0], names()[1], found().factor, combination()->value);
   }
 };

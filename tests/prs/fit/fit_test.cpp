@@ -185,7 +185,8 @@ TEST(FitCase, TheFittedFileAnswersWhatWasFitted) {
   again.text = text;
   const FitResult second = fit_case(again, {.threads = 1});
   for (std::size_t j = 0; j < 2; ++j)
-    EXPECT_NEAR(*second.found.unknowns[j].value, *r.found.unknowns[j].value, 1e-3 * r.found.unknowns[j].estimate->deviation);
+    EXPECT_NEAR(*second.found.unknowns[j].value, *r.found.unknowns[j].value,
+                1e-3 * r.found.unknowns[j].estimate->deviation);
   // A row by the command itself.
   input::Source row = again;
   row.overrides = {"load_cases[0].axial_force=4 kN"};
@@ -291,6 +292,18 @@ TEST(FitCase, EveryLoadOfAPreloadSeriesIsThatOfItsRow) {
   const Json& loads = direct["preload"]["loads"];
   EXPECT_NEAR(found["curves"][0]["fitted"][0].get<double>(), loads[1]["axial_displacement_um"].get<double>(), 1e-4);
   EXPECT_NEAR(found["curves"][0]["fitted"][1].get<double>(), loads[0]["axial_displacement_um"].get<double>(), 1e-4);
+}
+
+TEST(FitCase, OfTwoTorquesThatActAlikeOnlyASumIsTold) {
+  json input = input_of("friction-on-the-bench");
+  input["fit"]["curves"].erase(1);
+  input["fit"]["parameters"].push_back(
+      {{"path", "carrier.nut_torque"}, {"from", "0 N m"}, {"to", "1 N m"}, {"start", "0.2 N m"}});
+  const FitResult r = fit_case(bench_source(input), {.threads = 1});
+  const json combination = document(r)["unidentified"][0]["combination"];
+  EXPECT_EQ(combination["kind"], "sum");
+  EXPECT_THAT(combination["text"].get<std::string>(), testing::StartsWith("carrier.screw_torque + "));
+  EXPECT_THAT(fit_analysis().table(r), HasSubstr("told: carrier.screw_torque + "));
 }
 
 TEST(FitCase, FilesHoldAllRows) {
