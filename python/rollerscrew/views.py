@@ -495,7 +495,11 @@ class FitViews(Result):
             arrays = {key: value for key, value in curve.items() if isinstance(value, np.ndarray)}
             for k, line in enumerate(curve.line):
                 row = {"curve": curve.name, "line": int(line), "unit": curve.unit}
-                row |= {key: value[k] for key, value in arrays.items() if key != "line" and k < len(value)}
+                row |= {
+                    key: value[k]
+                    for key, value in arrays.items()
+                    if key != "line" and k < len(value)
+                }
                 rows.append(row)
         return frame_of(rows, {"curve": str, "line": int, "unit": str})
 
