@@ -153,10 +153,11 @@ constexpr auto is_computed = [](const FittedCurve& c) { return !c.found().residu
 template <auto member>
 constexpr auto of_curve = always<[](const FittedCurve& c) { return c.curve().*member; }>;
 template <auto member>
-constexpr auto of_found = of < [](const FittedCurve& c) -> const auto& {
+const auto& found_of(const FittedCurve& c) {
   return c.found().*member;
 }
-> ;
+template <auto member>
+constexpr auto of_found = of<found_of<member>>;
 constexpr auto command_of_curve = always<[](const FittedCurve& c) { return name(c.curve().command); }>;
 
 constexpr std::string_view kLossNames[] = {"squares", "huber", "cauchy"};

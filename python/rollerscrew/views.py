@@ -530,8 +530,8 @@ class FitViews(Result):
         """The case with the values in their places."""
         if not self.fit.converged:
             raise ValueError(f"the fit has the status {self.fit.status}: it has no fitted case")
-        settings = [one.set for one in self.fit.parameters if "set" in one]
-        return self._own_case().with_(dict(text.split("=", 1) for text in settings))
+        settings = [str(one.set).partition("=") for one in self.fit.parameters if "set" in one]
+        return self._own_case().with_({path: value for path, _, value in settings})
 
     def plot_fit(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Each curve with its readings, its fit and its band."""
