@@ -770,6 +770,7 @@ Result solve(const Problem& problem) {
   Result result;
   result.status = Status::converged;
   result.curves.resize(problem.curves.size());
+  result.unknowns.resize(problem.unknowns.size());
   const VectorXd first = search.start(0);
   if (!search.look_at_start(first, result)) {
     result.status = Status::no_equilibrium;

@@ -243,8 +243,7 @@ constexpr Quantity<FitResult> kFit[] = {
     {"converged", always<&FitResult::converged>},
     {"status", always<[](auto& r) { return name(r.found.status); }>,
      "converged | not_identifiable | no_redundancy | iteration_limit | no_equilibrium"},
-    {"objective", of<[](auto& r) { return r.found.objective; }, [](auto& r) { return !r.found.unknowns.empty(); }>,
-     "S"},
+    {"objective", of<[](auto& r) { return r.found.objective; }, &FitResult::has_values>, "S"},
     {"level_percent", always<[](auto& r) { return r.input.level; }>, "of all intervals"},
     {"degrees_of_freedom", of_fit<&estimation::Result::degrees_of_freedom>, "sum of the redundancies"},
     {"chi_square", of<[](auto& r) { return r.found.chi_square; }>, "of the curves with stated deviations and squares"},
@@ -341,7 +340,7 @@ std::string row_text(const FitCurve& c, std::size_t row) {
 std::string fit_table(const FitResult& r) {
   std::string text = fmt::format("{} of {} unknowns, {} rows computed\n", words_of_text(name(r.found.status)),
                                  r.found.unknowns.size(), r.evaluations);
-  if (r.found.unknowns.empty()) return text + warning_section(r.warnings);
+  if (!r.has_values()) return text + warning_section(r.warnings);
   constexpr TableRows rows{44, 13};
   text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, " unit");
   const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
@@ -443,7 +442,10 @@ Figures curve_figures(const FitResult& r) {
     add(line, f.fitted);
     add(points, c.curve().measured);
     panel.x = axis;
-    panel.y = fitted({response_title(c.curve().response).name, c.curve().unit}, range_of_y(panel.series));
+    const std::string& response = c.curve().response;
+    const std::size_t series = response.find("[].");
+    const ResponseTitle title = response_title(series == response.npos ? response : response.substr(series + 3));
+    panel.y = fitted({title.name, c.curve().unit}, range_of_y(panel.series));
     figure.panels.push_back(std::move(panel));
   }
   figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));
