@@ -426,7 +426,8 @@ Figures curve_figures(const FitResult& r) {
   for (const FittedCurve& c : all_of<FittedCurve>(r, r.input.curves.size())) {
     const estimation::CurveResult& f = c.found();
     if (f.fitted.empty()) continue;
-    auto [axis, x] = course_of(c.curve());
+    const std::pair<Axis, std::vector<double>> course = course_of(c.curve());
+    const std::vector<double>& x = course.second;
     std::vector<std::size_t> order(x.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return x[i]; });
@@ -441,7 +442,7 @@ Figures curve_figures(const FitResult& r) {
     add(band, f.high);
     add(line, f.fitted);
     add(points, c.curve().measured);
-    panel.x = axis;
+    panel.x = course.first;
     const std::string& response = c.curve().response;
     const std::size_t series = response.find("[].");
     const ResponseTitle title = response_title(series == response.npos ? response : response.substr(series + 3));
