@@ -22,7 +22,7 @@ class Cost : public ceres::CostFunction {
 
 }  // namespace
 
-Minimum minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, double tolerance,
+Minimum minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, bool roughly,
                  std::vector<double>& z) {
   FLAGS_minloglevel = google::GLOG_FATAL;
   FLAGS_logtostderr = true;  // No files.
@@ -36,9 +36,9 @@ Minimum minimise(const Residuals& residuals, std::size_t count, const std::vecto
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
-  options.max_num_iterations = 200;
-  options.max_num_consecutive_invalid_steps = 40;  // Rows without an answer; each halves the step or more.
-  options.function_tolerance = tolerance;
+  options.max_num_iterations = roughly ? 12 : 200;
+  options.max_num_consecutive_invalid_steps = 40;       // Rows without an answer; each halves the step or more.
+  options.function_tolerance = roughly ? 1e-4 : 1e-15;  // Its default stops too early.
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-12;
   ceres::Solver::Summary summary;

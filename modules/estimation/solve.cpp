@@ -353,6 +353,32 @@ class Search {
     return change;
   }
 
+  /// Newton's step; what would leave its bounds stops there, and the others allow for that.
+  VectorXd step_of(const Normal& n, const VectorXd& z) const {
+    VectorXd step = -(n.inverse * n.gradient);
+    std::vector<Index> free = n.free;
+    for (std::size_t round = 0; round < n.free.size(); ++round) {
+      const auto leaves = [&](Index j) {
+        return unknown(j).is_bounded && !(z[j] + step[j] >= 0.0 && z[j] + step[j] <= 1.0);
+      };
+      std::vector<Index> stopped;
+      for (const Index j : free)
+        if (leaves(j)) stopped.push_back(j);
+      if (stopped.empty()) break;
+      for (const Index j : stopped) {
+        step[j] = step[j] < 0.0 ? -z[j] : 1.0 - z[j];
+        std::erase(free, j);
+      }
+      VectorXd gradient = n.gradient;
+      for (const Index j : n.free)
+        if (std::ranges::find(free, j) == free.end()) gradient += n.matrix.col(j) * step[j];
+      const MatrixXd inverse_of_free = inverse(n.matrix, free);
+      const VectorXd others = -(inverse_of_free * gradient);
+      for (const Index j : free) step[j] = others[j];
+    }
+    return step;
+  }
+
   VectorXd moved(const VectorXd& z, const VectorXd& step) const {
     VectorXd next = z + step;
     for (Index j = 0; j < count_; ++j)
@@ -361,7 +387,7 @@ class Search {
   }
 
   /// Ceres' search at given deviations; `held` stays.
-  bool search(VectorXd& z, double tolerance, std::optional<Index> held = {}) {
+  bool search(VectorXd& z, bool roughly, std::optional<Index> held = {}) {
     std::vector<Index> moving;
     std::vector<bool> bounded;
     std::vector<double> place;
@@ -409,7 +435,7 @@ class Search {
       return true;
     };
     if (moving.empty()) return true;
-    const Minimum found = minimise(residuals, rows + priors.size(), bounded, tolerance, place);
+    const Minimum found = minimise(residuals, rows + priors.size(), bounded, roughly, place);
     iterations_ += found.iterations;
     for (std::size_t k = 0; k < moving.size(); ++k) z[moving[k]] = place[k];
     return found.has_converged;
@@ -431,9 +457,10 @@ class Search {
       if (k > 8 && norm <= kConverged && norm > 0.5 * last && spread_change < kSpreadSettled) return true;
       last = norm;
       ++iterations_;
+      const VectorXd bounded = step_of(n, z);
       double share = 1.0;
       for (int halved = 0;; ++halved, share *= 0.5) {
-        const VectorXd next = moved(z, share * step);
+        const VectorXd next = moved(z, share * bounded);
         const StatePtr there = at(next);
         // Differences are not the slope to the last digit.
         if (there && objective(*there) <= n.objective + 1e-10 * n.objective + 1e-9) {
@@ -457,7 +484,7 @@ class Search {
       const Normal n = normal(s, held);
       const VectorXd step = -(n.inverse * n.gradient);
       if (step.dot(n.matrix * step) <= enough * enough && spread_change < 0.3 * kSpreadSettled) return;
-      const VectorXd next = moved(z, step);
+      const VectorXd next = moved(z, step_of(n, z));
       const StatePtr there = at(next);
       if (!there || objective(*there) > n.objective) return;
       z = next;
@@ -467,7 +494,7 @@ class Search {
   Status settle(VectorXd& z, int attempts) {
     double norm = 0.0;
     for (int k = 0; k < attempts; ++k) {
-      search(z, k == 0 ? 1e-4 : 1e-15);
+      search(z, k == 0);
       if (!with_slopes(z)) return Status::no_equilibrium;
       if (polish(z, norm)) return Status::converged;
       if (!with_slopes(z)) return Status::no_equilibrium;
@@ -517,7 +544,7 @@ void Search::set_profile(Index j, const Normal& n, const Covariance& covariance,
       z[j] = x;
       double norm = 0.0;
       if (!polish(z, norm, j, 1e-3)) {
-        search(z, 1e-12, j);
+        search(z, false, j);
         if (!polish(z, norm, j, 1e-3)) break;
       }
       from = z;
@@ -743,6 +770,7 @@ Result solve(const Problem& problem) {
   Result result;
   result.status = Status::converged;
   result.curves.resize(problem.curves.size());
+  result.unknowns.resize(problem.unknowns.size());
   const VectorXd first = search.start(0);
   if (!search.look_at_start(first, result)) {
     result.status = Status::no_equilibrium;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "modules/estimation/fit.h"
 #include "prs/input/study_reader.h"
 
@@ -76,6 +78,7 @@ struct FitResult {
   std::size_t evaluations = 0;
   std::vector<Warning> warnings = {};
 
+  bool has_values() const { return std::ranges::any_of(found.starts, &modules::fit::StartResult::is_best); }
   bool converged() const { return found.status == modules::fit::Status::converged; }
   std::size_t unknowns() const { return found.unknowns.size(); }
   /// `friction.coulomb` or `offset of travel`

@@ -46,7 +46,7 @@ struct FitDirection {
   }
   bool is_product() const { return r->parameter(found().unknowns[0]) && r->parameter(found().unknowns[0])->is_log; }
   std::string text() const {
-    return fmt::format(fmt::runtime(is_product() ? "{} x ({})^{:.4g} = {:.6g}" : "{} + {2:.4g} x {1} = {3:.6g}"),
+    return fmt::format(fmt::runtime(is_product() ? "{0} x ({1})^{2:.4g} = {3:.6g}" : "{0} + {2:.4g} x {1} = {3:.6g}"),
                        names()[0], names()[1], found().factor, combination()->value);
   }
 };
@@ -153,10 +153,11 @@ constexpr auto is_computed = [](const FittedCurve& c) { return !c.found().residu
 template <auto member>
 constexpr auto of_curve = always<[](const FittedCurve& c) { return c.curve().*member; }>;
 template <auto member>
-constexpr auto of_found = of < [](const FittedCurve& c) -> const auto& {
+const auto& found_of(const FittedCurve& c) {
   return c.found().*member;
 }
-> ;
+template <auto member>
+constexpr auto of_found = of<found_of<member>>;
 constexpr auto command_of_curve = always<[](const FittedCurve& c) { return name(c.curve().command); }>;
 
 constexpr std::string_view kLossNames[] = {"squares", "huber", "cauchy"};
@@ -242,8 +243,7 @@ constexpr Quantity<FitResult> kFit[] = {
     {"converged", always<&FitResult::converged>},
     {"status", always<[](auto& r) { return name(r.found.status); }>,
      "converged | not_identifiable | no_redundancy | iteration_limit | no_equilibrium"},
-    {"objective", of<[](auto& r) { return r.found.objective; }, [](auto& r) { return !r.found.unknowns.empty(); }>,
-     "S"},
+    {"objective", of<[](auto& r) { return r.found.objective; }, &FitResult::has_values>, "S"},
     {"level_percent", always<[](auto& r) { return r.input.level; }>, "of all intervals"},
     {"degrees_of_freedom", of_fit<&estimation::Result::degrees_of_freedom>, "sum of the redundancies"},
     {"chi_square", of<[](auto& r) { return r.found.chi_square; }>, "of the curves with stated deviations and squares"},
@@ -340,7 +340,7 @@ std::string row_text(const FitCurve& c, std::size_t row) {
 std::string fit_table(const FitResult& r) {
   std::string text = fmt::format("{} of {} unknowns, {} rows computed\n", words_of_text(name(r.found.status)),
                                  r.found.unknowns.size(), r.evaluations);
-  if (r.found.unknowns.empty()) return text + warning_section(r.warnings);
+  if (!r.has_values()) return text + warning_section(r.warnings);
   constexpr TableRows rows{44, 13};
   text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, " unit");
   const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
@@ -426,7 +426,8 @@ Figures curve_figures(const FitResult& r) {
   for (const FittedCurve& c : all_of<FittedCurve>(r, r.input.curves.size())) {
     const estimation::CurveResult& f = c.found();
     if (f.fitted.empty()) continue;
-    auto [axis, x] = course_of(c.curve());
+    const std::pair<Axis, std::vector<double>> course = course_of(c.curve());
+    const std::vector<double>& x = course.second;
     std::vector<std::size_t> order(x.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return x[i]; });
@@ -441,8 +442,11 @@ Figures curve_figures(const FitResult& r) {
     add(band, f.high);
     add(line, f.fitted);
     add(points, c.curve().measured);
-    panel.x = axis;
-    panel.y = fitted({response_title(c.curve().response).name, c.curve().unit}, range_of_y(panel.series));
+    panel.x = course.first;
+    const std::string& response = c.curve().response;
+    const std::size_t series = response.find("[].");
+    const ResponseTitle title = response_title(series == response.npos ? response : response.substr(series + 3));
+    panel.y = fitted({title.name, c.curve().unit}, range_of_y(panel.series));
     figure.panels.push_back(std::move(panel));
   }
   figure.columns = std::min<std::size_t>(2, std::max<std::size_t>(1, figure.panels.size()));

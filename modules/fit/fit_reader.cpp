@@ -684,11 +684,7 @@ FitInput read_fit_input(const input::Source& source) {
   input::ErrorList errors(source);
   const Node root = read_document(source, errors);
   const CaseFile whole = read_case_file(root, errors);
-  if (!whole.fit && !find(root, "fit"))
-    errors.add(root.place, "fit",
-               "missing; expected unknown inputs and measured curves; add for example `fit: {parameters: [{path: "
-               "friction.coulomb, from: 0.02, to: 0.4}], curves: [{file: torque.csv, response: slip.torque_screw_Nm, "
-               "measured: {column: torque_Nm, unit: N m}}]}`");
+  if (!whole.fit) read_case_input(source, Command::fit);  // Which says so.
   errors.throw_if_any();
   Node base = root;
   std::erase_if(base.children, [](const Node& child) {

@@ -551,6 +551,9 @@ CaseInput read_case_input(const Source& source, Command command) {
   CaseInput input{std::move(values), echo(file, root), command_of(file.study), command_of(file.optimize),
                   file.fit.has_value()};
   input.limits = file.limits;
+  if (command == Command::fit)  // Others need what the case states.
+    for (const Problem& p : unmet(input, command)) refuse(root, p.path, p.message, errors);
+  errors.throw_if_any();
   input.warnings = unusual_values(input.fields);
   return input;
 }

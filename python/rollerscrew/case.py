@@ -395,7 +395,8 @@ class Case(Analyses):
         name, text, overrides, folder, files = self._parts()
         given = dict(files or {})
         # Where texts of files are given, a check opens no curves.
-        curves = self._from_source(_source(name, text, overrides, folder, given))["fit"]["curves"]
+        bare = _source(name, text, list(overrides), folder, given)
+        curves = self._from_source(bare)["fit"]["curves"]
         names = [curve.get("name", f"curve-{k + 1}") for k, curve in enumerate(curves)]
         changed = [*overrides]
         for curve, columns in data.items():

@@ -2020,7 +2020,7 @@ class FittedParameter(Record):
     prior: prior
     identified: whether the data tell it
     value: value
-    standard_deviation: with `log` that of the logarithm times the value
+    standard_deviation: with `log` times the value
     low: end of the interval
     high: end of the interval
     degrees_of_freedom: of Student's quantile; absent: the normal one; Satterthwaite 1946

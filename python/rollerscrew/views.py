@@ -573,7 +573,11 @@ class FitViews(Result):
             arrays = {key: value for key, value in curve.items() if isinstance(value, np.ndarray)}
             for k, line in enumerate(curve.line):
                 row = {"curve": curve.name, "line": int(line), "unit": curve.unit}
-                row |= {key: value[k] for key, value in arrays.items() if key != "line" and k < len(value)}
+                row |= {
+                    key: value[k]
+                    for key, value in arrays.items()
+                    if key != "line" and k < len(value)
+                }
                 rows.append(row)
         return frame_of(rows, {"curve": str, "line": int, "unit": str})
 
@@ -604,8 +608,8 @@ class FitViews(Result):
         """The case with the values in their places."""
         if not self.fit.converged:
             raise ValueError(f"the fit has the status {self.fit.status}: it has no fitted case")
-        settings = [one.set for one in self.fit.parameters if "set" in one]
-        return self._own_case().with_(dict(text.split("=", 1) for text in settings))
+        settings = [str(one.set).partition("=") for one in self.fit.parameters if "set" in one]
+        return self._own_case().with_({path: value for path, _, value in settings})
 
     def plot_fit(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Each curve with its readings, its fit and its band."""

@@ -91,7 +91,7 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
            {"list units x", "got x; expected no further word; see `prs help list`"},
            {"list inputs " + screw, "got " + screw + "; expected no further word"},
            {"solve a --influence", "expected an option of `prs solve`; `prs compare` has it; see"},
-           {"solve a --threads 2", "; `prs size` or `prs study` or `prs optimize` has it; see `prs help solve`"},
+           {"solve a --threads 2", "expected an option of `prs solve`; see `prs help solve`"},
            {"--json", "got --json; expected an option of `prs`; see `prs help`"},
            {"solve a --csv german", "--csv: got german; expected one of plain, european; see"},
            {"solve a --csv-digits 0", "--csv-digits: got 0; expected a whole number from 1 to 17"},

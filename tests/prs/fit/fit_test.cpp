@@ -294,6 +294,18 @@ TEST(FitCase, EveryLoadOfAPreloadSeriesIsThatOfItsRow) {
   EXPECT_NEAR(found["curves"][0]["fitted"][1].get<double>(), loads[0]["axial_displacement_um"].get<double>(), 1e-4);
 }
 
+TEST(FitCase, OfTwoTorquesThatActAlikeOnlyASumIsTold) {
+  json input = input_of("friction-on-the-bench");
+  input["fit"]["curves"].erase(1);
+  input["fit"]["parameters"].push_back(
+      {{"path", "carrier.nut_torque"}, {"from", "0 N m"}, {"to", "1 N m"}, {"start", "0.2 N m"}});
+  const FitResult r = fit_case(bench_source(input), {.threads = 1});
+  const json combination = document(r)["unidentified"][0]["combination"];
+  EXPECT_EQ(combination["kind"], "sum");
+  EXPECT_THAT(combination["text"].get<std::string>(), testing::StartsWith("carrier.screw_torque + "));
+  EXPECT_THAT(fit_analysis().table(r), HasSubstr("told: carrier.screw_torque + "));
+}
+
 TEST(FitCase, FilesHoldAllRows) {
   const FitResult r = fit_case(bench_source(input_of("friction-on-the-bench")), {.threads = 1});
   const std::vector<OutputFile> files = fit_analysis().files(r, {});

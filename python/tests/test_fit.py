@@ -1,0 +1,70 @@
+"""`fit`: unknown inputs from measured curves, as the program gives them."""
+
+from __future__ import annotations
+
+import csv
+import json
+
+import numpy as np
+import pandas as pd
+import pytest
+import rollerscrew as rs
+from conftest import CONFIGS, Run
+
+BENCH = CONFIGS / "37_bench.yaml"
+TORQUE = {
+    "name": "torque",
+    "response": "slip.torque_screw_Nm",
+    "measured": {"column": "torque_Nm", "unit": "N m"},
+    "conditions": [{"path": "load_cases[0].axial_force", "column": "force_kN", "unit": "kN"}],
+}
+
+
+@pytest.fixture(scope="module")
+def bench() -> rs.Case:
+    return rs.Case.from_yaml(BENCH)
+
+
+def test_says_what_the_command_says(bench: rs.Case, program: Run) -> None:
+    run = program("fit", BENCH, "--json")
+    assert run.returncode == 0, run.stderr
+    printed = json.loads(run.stdout)["fit"]
+    result = bench.fit()
+    frame = result.parameters_frame()
+    assert list(frame["name"]) == [one["name"] for one in printed["parameters"]]
+    assert list(frame["value"]) == [one["value"] for one in printed["parameters"]]
+    assert len(result.residuals_frame()) == sum(curve["rows"] for curve in printed["curves"])
+    assert list(result.bands_frame()["value"]) == printed["bands"][0]["value"]
+    covariance = result.covariance_frame()
+    assert np.allclose(np.sqrt(np.diag(covariance)), frame["standard_deviation"])
+
+
+def test_the_fitted_case_has_the_values(bench: rs.Case) -> None:
+    result = bench.fit()
+    fitted = result.fitted_case
+    assert fitted.number("preload.backlash", "um") == pytest.approx(
+        result.parameters_frame()["value"][2], rel=1e-9
+    )
+    torque = fitted.with_({"load_cases[0].axial_force": "4 kN"}).slip().load_cases[0].slip
+    rows = result.residuals_frame()
+    assert torque.torque_screw_Nm == pytest.approx(rows["fitted"][3], rel=1e-8)
+
+
+def test_data_takes_the_place_of_files(bench: rs.Case) -> None:
+    with (CONFIGS / "37_torque.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    frame = pd.DataFrame({key: [float(row[key]) for row in rows] for key in rows[0]})
+    parameters = [{"path": "friction.coulomb", "from": 0.02, "to": 0.4}]
+    result = rs.fit(bench, parameters, [TORQUE], data={"torque": frame}, level="95 %", profile=True)
+    assert result.fit.level_percent == 95.0
+    assert result.parameters_frame()["profile_low"][0] < result.parameters_frame()["value"][0]
+    twice = {key: np.repeat(frame[key], 2) for key in frame}
+    assert rs.fit(bench, parameters, [TORQUE], data={"torque": twice}).fit.curves[0].rows == 32
+    with pytest.raises(ValueError, match="expected one of torque"):
+        rs.fit(bench, parameters, [TORQUE], data={"turque": frame})
+
+
+def test_pictures(bench: rs.Case) -> None:
+    result = bench.fit()
+    for plot in (result.plot_fit, result.plot_residuals, result.plot_correlation):
+        assert plot().has_data()
