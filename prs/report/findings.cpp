@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "modules/module.h"
 #include "prs/model/check_case.h"
 #include "prs/output/files.h"
 #include "prs/report/tables.h"
@@ -186,6 +187,8 @@ Findings findings_of(input::Source source, ReportOptions options, std::span<cons
     } catch (const input::InputError& error) {
       all.notes.push_back(fmt::format("{} was not computed: {}", name(command), error.what()));
       failures.push_back({command, nullptr, error.what()});
+    } catch (const modules::Missing& error) {
+      all.notes.push_back(fmt::format("{} was not computed: {}", name(command), error.what()));
     }
   }
   for (const Command command : {Command::study, Command::optimize})
