@@ -8,8 +8,7 @@ namespace {
 using namespace prs;
 
 ResponseResult run(const char* lesson, const std::vector<std::string>& overrides) {
-  const input::Source source =
-      input::load_source(std::string(PRS_SOURCE_DIR "/configs/").append(lesson), overrides);
+  const input::Source source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/").append(lesson), overrides);
   return analyze_response(input::read_case_input(source, Command::response).values, source);
 }
 

@@ -81,6 +81,7 @@ class Cvode {
 
   int begin(const PrsState& state) {
     std::copy_n(state.y, PRS_STATES, N_VGetArrayPointer(y_));
+    reached_ = state.t;
     return CVodeReInit(memory_, state.t, y_) == CV_SUCCESS ? 1 : 0;
   }
   int step(double stop, double& from, double& to) {
@@ -89,11 +90,16 @@ class Cvode {
     double h = 0.0;
     CVodeGetLastStep(memory_, &h);
     from = to - h;
+    reached_ = to;
     const double* const values = N_VGetArrayPointer(y_);
     for (int k = 0; k < PRS_STATES; ++k) scales_[k] = std::max(scales_[k], std::abs(values[k]));
     return 1;
   }
   void at(double t, double* y) {
+    if (t == reached_) {  // As it came out of the step.
+      std::copy_n(N_VGetArrayPointer(y_), PRS_STATES, y);
+      return;
+    }
     N_VectorContent_Serial content = static_cast<N_VectorContent_Serial>(y_->content);
     double* const own = content->data;
     content->data = y;
@@ -103,6 +109,7 @@ class Cvode {
 
   PrsRun& core_;
   double tolerance_;
+  double reached_ = -1.0;  ///< End of the last step
   double scales_[PRS_STATES] = {};
   SUNContext context_ = nullptr;
   N_Vector y_ = nullptr;

@@ -97,7 +97,7 @@ SettlingResult settling_of(const ResponseInput& input, const DriveResult& run) {
   const ResponseInput::Settling& block = *input.settling;
   SettlingResult s{run.x.back()};
   const bool holds = input.motor.controller && input.motor.controller->position &&
-                     input.motor.cut_at.value_or(HUGE_VAL) > input.duration;
+                     input.motor.cut_at.value_or(HUGE_VAL) >= input.duration;
   const double there = holds ? run.last_reference : s.final_position;
   if (holds) {
     s.reference = there;
@@ -284,6 +284,8 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
   r.has_preload = c.preload.has_value();
   const SystemCurves curves = response_curves(c);
   r.warnings = curves.warnings;
+  for (Warning& warning : r.warnings)
+    if (warning.code == "torque_without_preload") warning.fix = "state it in `response.screw.drag_torque`";
   const PrsDrive drive = drive_of(c, r.input, curves);
   r.can_open = drive.curves.tension.root != 0 || drive.curves.compression.root != 0;
   DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.force.terms())};

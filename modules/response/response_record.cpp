@@ -1,11 +1,37 @@
 #include "modules/response/response_analysis.h"
 
 namespace prs {
+namespace {
+
+/// Parts of the result under keys of their own.
+struct EnergyOf {
+  const ResponseResult* whole = nullptr;
+};
+struct LostOf {
+  const DriveResult* run = nullptr;
+};
+struct LargestOf {
+  const ResponseResult* whole = nullptr;
+};
+
+}  // namespace
+
+Record<EnergyOf> record_of(Type<EnergyOf>);
+Record<LostOf> record_of(Type<LostOf>);
+Record<LargestOf> record_of(Type<LargestOf>);
+Record<MostLoaded> record_of(Type<MostLoaded>);
+Record<LargestForce> record_of(Type<LargestForce>);
+Record<FollowingError> record_of(Type<FollowingError>);
+Record<DriveImpact> record_of(Type<DriveImpact>);
+Record<SettlingResult> record_of(Type<SettlingResult>);
+Record<Resonance> record_of(Type<Resonance>);
+Record<FrequencyResponse> record_of(Type<FrequencyResponse>);
 
 namespace {
 
 bool has_following(const FollowingError& f) { return f.of_position; }
 bool of_speed(const FollowingError& f) { return !f.of_position; }
+bool has_threads(const LargestForce& l) { return l.threads.has_value(); }
 
 constexpr Quantity<MostLoaded> kMostLoaded[] = {
     {"normal_load_N", of<&MostLoaded::normal_load>, "of one roller's thread"},
@@ -16,50 +42,43 @@ constexpr Quantity<MostLoaded> kMostLoaded[] = {
 constexpr Quantity<LargestForce> kLargestForce[] = {
     {"force_N", of<&LargestForce::force>, "magnitude"},
     {"time_s", of<&LargestForce::time>, "when"},
-    {"screw",
-     of_table<kMostLoaded, [](auto& l) -> const MostLoaded& { return l.threads->screw; },
-              [](auto& l) { return l.threads.has_value(); }>,
+    {"screw", of<[](auto& l) { return l.threads->screw; }, has_threads>,
      "the most loaded thread of the screw by `prs solve` at this force"},
-    {"nut",
-     of_table<kMostLoaded, [](auto& l) -> const MostLoaded& { return l.threads->nut; },
-              [](auto& l) { return l.threads.has_value(); }>,
-     "the same of the nut"},
+    {"nut", of<[](auto& l) { return l.threads->nut; }, has_threads>, "the same of the nut"},
     {"max_normal_load_N", of<&LargestForce::normal_load>, "of a thread under this external load, by `prs preload`"},
     {"peak_pressure_MPa", of<[](auto& l) { return l.normal_load ? l.peak_pressure : std::nullopt; }>,
      "larger one of both sides, by `prs preload`"},
 };
 
-constexpr Quantity<ResponseResult> kLargest[] = {
-    {"tension",
-     of_table<kLargestForce, [](auto& r) -> const std::optional<LargestForce>& { return r.largest.tension; }>,
-     "largest force in tension"},
-    {"compression",
-     of_table<kLargestForce, [](auto& r) -> const std::optional<LargestForce>& { return r.largest.compression; }>,
-     "largest force in compression"},
-    {"motor_torque_Nm", of<[](auto& r) { return r.run.torque.value; }>, "magnitude"},
-    {"end_stop_force_N", of<[](auto& r) { return r.run.stop.value; }, &ResponseResult::has_stops>, "magnitude"},
+constexpr Quantity<LargestOf> kLargest[] = {
+    {"tension", of<[](auto& l) { return l.whole->largest.tension; }>, "largest force in tension"},
+    {"compression", of<[](auto& l) { return l.whole->largest.compression; }>, "largest force in compression"},
+    {"motor_torque_Nm", of<[](auto& l) { return l.whole->run.torque.value; }>, "magnitude"},
+    {"end_stop_force_N",
+     of<[](auto& l) { return l.whole->run.stop.value; }, [](auto& l) { return l.whole->has_stops(); }>, "magnitude"},
 };
 
-constexpr Quantity<ResponseResult> kLost[] = {
-    {"screw_friction", of<[](auto& r) { return r.run.screw_friction; }>, "threads and drag"},
-    {"motor_friction", of<[](auto& r) { return r.run.motor_friction; }>, "dry friction of the motor, brake"},
-    {"load_friction", of<[](auto& r) { return r.run.load_friction; }>, "dry friction of the guides"},
-    {"coupling", of<[](auto& r) { return r.run.coupling; }>, "damping of the coupling"},
-    {"contact", of<[](auto& r) { return r.run.contact; }>, "material damping of the screw"},
-    {"end_stop", of<[](auto& r) { return r.run.end_stop; }>, "damping of the end stops"},
-    {"viscous", of<[](auto& r) { return r.run.viscous; }>, "viscous damping of motor and load"},
+constexpr Quantity<LostOf> kLost[] = {
+    {"screw_friction", of<[](auto& l) { return l.run->screw_friction; }>, "threads and drag"},
+    {"motor_friction", of<[](auto& l) { return l.run->motor_friction; }>, "dry friction of the motor, brake"},
+    {"load_friction", of<[](auto& l) { return l.run->load_friction; }>, "dry friction of the guides"},
+    {"coupling", of<[](auto& l) { return l.run->coupling; }>, "damping of the coupling"},
+    {"contact", of<[](auto& l) { return l.run->contact; }>, "material damping of the screw"},
+    {"end_stop", of<[](auto& l) { return l.run->end_stop; }>, "damping of the end stops"},
+    {"viscous", of<[](auto& l) { return l.run->viscous; }>, "viscous damping of motor and load"},
 };
 
-constexpr Quantity<ResponseResult> kEnergy[] = {
-    {"motor", of<[](auto& r) { return r.run.motor; }>, "what the motor put in"},
-    {"load", of<[](auto& r) { return r.run.load; }>, "what the external force put in"},
-    {"stored_start", of<[](auto& r) { return r.run.stored_start; }>, "kinetic and elastic energy at the start"},
-    {"stored_end", of<[](auto& r) { return r.run.stored_end; }>, "the same at the end"},
-    {"lost", of_table<kLost>, "what friction and damping took"},
-    {"residual", of<&ResponseResult::residual>, "motor + load - change of stored energy - all lost"},
-    {"turnover", of<[](auto& r) { return r.run.turnover; }>,
+constexpr Quantity<EnergyOf> kEnergy[] = {
+    {"motor", of<[](auto& e) { return e.whole->run.motor; }>, "what the motor put in"},
+    {"load", of<[](auto& e) { return e.whole->run.load; }>, "what the external force put in"},
+    {"stored_start", of<[](auto& e) { return e.whole->run.stored_start; }>, "kinetic and elastic energy at the start"},
+    {"stored_end", of<[](auto& e) { return e.whole->run.stored_end; }>, "the same at the end"},
+    {"lost", of<[](auto& e) { return LostOf{&e.whole->run}; }>, "what friction and damping took"},
+    {"residual", of<[](auto& e) { return e.whole->residual(); }>, "motor + load - change of stored energy - all lost"},
+    {"turnover", of<[](auto& e) { return e.whole->run.turnover; }>,
      "integral of the magnitudes of both powers, plus the stored energy at the start"},
-    {"residual_relative", of<[](auto& r) { return std::abs(r.residual()) / std::max(r.run.turnover, 1e-300); }>,
+    {"residual_relative",
+     of<[](auto& e) { return std::abs(e.whole->residual()) / std::max(e.whole->run.turnover, 1e-300); }>,
      "residual over turnover"},
 };
 
@@ -101,7 +120,7 @@ constexpr Quantity<FrequencyResponse> kFrequencyResponse[] = {
     {"position_um_per_Nm", filled<&FrequencyResponse::position>, "position of the load over motor torque"},
     {"position_phase_deg", filled<&FrequencyResponse::position_phase>, "of that"},
     {"tangent_stiffness_N_per_um", of<&FrequencyResponse::tangent_stiffness>, "with the shaft, at the working point"},
-    {"resonances", of_table<kResonance, &FrequencyResponse::resonances>, "natural vibrations, by frequency"},
+    {"resonances", of<&FrequencyResponse::resonances>, "natural vibrations, by frequency"},
 };
 
 constexpr Quantity<ResponseResult> kResponse[] = {
@@ -128,23 +147,30 @@ constexpr Quantity<ResponseResult> kResponse[] = {
     {"end_stop_force_N",
      of<[](auto& r) -> const std::vector<double>& { return r.run.stop_force; }, &ResponseResult::has_stops>,
      "magnitude"},
-    {"energy_J", of_table<kEnergy>, "over the whole run"},
-    {"largest", of_table<kLargest>, "over the whole run"},
+    {"energy_J", of<[](auto& r) { return EnergyOf{&r}; }>, "over the whole run"},
+    {"largest", of<[](auto& r) { return LargestOf{&r}; }>, "over the whole run"},
     {"rms_motor_torque_Nm", of<&ResponseResult::rms_torque>, "root of the mean square"},
     {"lost_motion_um", of<[](auto& r) { return r.run.lost_motion; }>,
      "largest less least travel of the motor beyond that of the load"},
-    {"following_error", of_table<kFollowing, &ResponseResult::following_error>, "of the controller, up to its cut"},
-    {"impacts",
-     of_table<kImpact, [](auto& r) -> const std::vector<DriveImpact>& { return r.run.impacts; },
-              &ResponseResult::can_open>,
+    {"following_error", of<&ResponseResult::following_error>, "of the controller, up to its cut"},
+    {"impacts", of<[](auto& r) -> const std::vector<DriveImpact>& { return r.run.impacts; }, &ResponseResult::can_open>,
      "each instant at which a flank closes"},
-    {"settling", of_table<kSettling, &ResponseResult::settling>, "with the block `settling`"},
-    {"frequency_response", of_table<kFrequencyResponse, &ResponseResult::frequency_response>,
-     "with the block `frequency_response`"},
+    {"settling", of<&ResponseResult::settling>, "with the block `settling`"},
+    {"frequency_response", of<&ResponseResult::frequency_response>, "with the block `frequency_response`"},
 };
 
 }  // namespace
 
+PRS_RECORD(EnergyOf, "ResponseEnergy", "Energies of a run, in joules.", kEnergy);
+PRS_RECORD(LostOf, "ResponseLosses", "What friction and damping took over a run, in joules.", kLost);
+PRS_RECORD(LargestOf, "ResponseLargest", "Extremes of a run.", kLargest);
+PRS_RECORD(MostLoaded, "ResponseThread", "The most loaded thread of an interface.", kMostLoaded);
+PRS_RECORD(LargestForce, "ResponseForce", "A largest force of a run, and the threads under it.", kLargestForce);
+PRS_RECORD(FollowingError, "FollowingError", "How far a controlled drive is off its reference.", kFollowing);
+PRS_RECORD(DriveImpact, "ResponseImpact", "A flank that closes.", kImpact);
+PRS_RECORD(SettlingResult, "Settling", "When the load comes to rest.", kSettling);
+PRS_RECORD(Resonance, "Resonance", "A natural vibration of the drive.", kResonance);
+PRS_RECORD(FrequencyResponse, "FrequencyResponse", "Small vibration about a working point.", kFrequencyResponse);
 Record<ResponseResult> record_of(Type<ResponseResult>);
 PRS_RECORD(ResponseResult, "Response", "The screw in its drive over time and over frequency, docs/response.md.",
            kResponse);

@@ -210,6 +210,7 @@ void alternatives(Choices& io, Command& c) {
   io(name(Command::slip), c, Command::slip, "slip, power loss and efficiency");
   io(name(Command::life), c, Command::life, "life under a load history or spectrum");
   io(name(Command::measures), c, Command::measures, "capacity, weight, stiffness and the other design measures");
+  io(name(Command::response), c, Command::response, "the screw in its drive over time and over frequency");
 }
 
 void alternatives(Choices& io, Plan& p) {

@@ -11,6 +11,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/response/response_analysis.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
 #include "prs/study/response.h"
@@ -252,6 +253,12 @@ struct DesignEngine::Parts {
   DesignStatus by_document(const Case& c, Json& document) const {
     if (study.command == Command::life)
       return with_lives(c, [&](const LifeResult& lives) { document = document_of(life_analysis(), lives, {}); });
+    if (study.command == Command::response) {
+      const ResponseResult result = analyze_response(c, input.source);
+      if (!result.converged()) return {"not_converged", std::string(name(result.run.status))};
+      document = document_of(response_analysis(), result, {});
+      return {};
+    }
     if (measures()) {
       const MeasuresResult result = analyze_measures(c);
       document = document_of(measures_analysis(), result, {});
@@ -279,7 +286,7 @@ struct DesignEngine::Parts {
     });
     if (!status.converged()) document = nullptr;
     study.responses = recorded(study, document);
-    numbers = numbers_of(study.responses);
+    if (study.command != Command::response) numbers = numbers_of(study.responses);
     if (!numbers) return;
     load_cases = load_cases_of(*numbers, all_load_cases);
     needs_duty = std::ranges::any_of(*numbers, &ResultNumber::needs_duty);

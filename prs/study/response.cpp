@@ -8,6 +8,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/response/response_analysis.h"
 #include "prs/study/design_engine.h"
 
 namespace prs {
@@ -136,7 +137,7 @@ std::vector<std::string> response_paths(const Json& document) {
 
 std::vector<std::string> default_responses(Command command) {
   for (const AnyAnalysis& analysis : {any(contact_analysis()), any(solve_analysis()), any(slip_analysis()),
-                                      any(life_analysis()), any(measures_analysis())})
+                                      any(life_analysis()), any(measures_analysis()), any(response_analysis())})
     if (analysis.command == command) return {analysis.responses.begin(), analysis.responses.end()};
   return {};
 }

@@ -20,6 +20,7 @@ __all__ = [
     "MeasuresResult",
     "OptimizationResult",
     "PreloadResult",
+    "ResponseResult",
     "Result",
     "SizeResult",
     "SlipResult",
@@ -129,6 +130,15 @@ class MeasuresResult(views.MeasuresViews, SolveResult):
     measures: records.Measures
 
 
+class ResponseResult(views.ResponseViews):
+    """The screw in its drive: motion, forces, impacts, energies over time; frequency response."""
+
+    __slots__ = ()
+    _command = "response"
+    _block = "response"
+    response: records.Response
+
+
 class StudyResult(views.StudyViews):
     """A study: what its designs say together, and every one of them."""
 
@@ -225,3 +235,7 @@ class Analyses:
     def measures(self) -> MeasuresResult:
         """Capacity, life, weight, stiffness, inertia and the other design measures."""
         return MeasuresResult._answer(self, "measures")
+
+    def response(self) -> ResponseResult:
+        """The screw in its drive: motion, forces, impacts, energies over time; frequency response."""
+        return ResponseResult._answer(self, "response")

@@ -537,7 +537,7 @@ class ResponseViews(Result):
         """One row per sample, a column per series under its key."""
         series = {k: v for k, v in self.response.items() if isinstance(v, np.ndarray)}
         rows = [dict(zip(series, row, strict=True)) for row in zip(*series.values(), strict=True)]
-        return frame_of(rows, {key: float for key in series})
+        return frame_of(rows, dict.fromkeys(series, float))
 
     def plot_motion(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """Positions, speeds and deflection over time."""

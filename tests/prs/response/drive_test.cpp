@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "modules/response/response.h"
 #include "prs/model/response_input.h"
+#include "modules/response/response.h"
 
 namespace prs {
 namespace {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <complex>
 #include <fstream>
 
-#include "modules/response/response_analysis.h"
 #include "prs/export/robot.h"
+#include "modules/response/response_analysis.h"
 #include "prs/run/commands.h"
 
 namespace prs {
@@ -180,6 +182,71 @@ TEST(Response, ResonancesAreWhereTheComplianceIsLargest) {
   const double resonance = response["resonances"][0]["frequency_Hz"],
                zeta = response["resonances"][0]["damping_percent"];
   EXPECT_NEAR(response["frequency_Hz"][most], resonance * std::sqrt(1.0 - 2e-4 * zeta * zeta), 0.5);
+}
+
+/// Amplitude and phase of a series at a frequency over its second half.
+std::complex<double> swing(const Json& response, const char* key, double frequency) {
+  const std::vector<double> t = response["time_s"], y = response[key];
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(t.size() / 2), 4);
+  Eigen::VectorXd values(columns.rows());
+  for (Eigen::Index k = 0; k < columns.rows(); ++k) {
+    const auto at = t.size() - static_cast<std::size_t>(columns.rows()) + static_cast<std::size_t>(k);
+    const double angle = 2.0 * std::numbers::pi * frequency * t[at];
+    columns.row(k) << std::sin(angle), std::cos(angle), 1.0, t[at];
+    values(k) = y[at];
+  }
+  const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(values);
+  return {fit(0), fit(1)};
+}
+
+TEST(Response, FrequencyResponseIsThatOfASmallSine) {
+  for (const double frequency : {150.0, 700.0}) {
+    Json given = solved()["cases"][2];
+    Json& block = given["input"]["response"];
+    const std::string f = fmt::format("{} Hz", frequency);
+    block.erase("coupling");
+    block["motor"] = {{"speed", "0 rpm"}};
+    block["load"] = {{"mass", "45 kg"},
+                     {"force", Json::array({"2 kN", {{"sine", {{"amplitude", "1 N"}, {"frequency", f}}}}})}};
+    block["material_damping"] = {{"time", "60 us"}};
+    block["frequency_response"] = {{"from", f}, {"to", "2 kHz"}, {"points", 2}, {"force", "2 kN"}};
+    block["sample_interval"] = "0.1 ms";
+    const Json response = response_of(source_of(given));
+    const std::complex<double> found = -swing(response, "position_mm", frequency) * 1e3;  // A force to -x.
+    const Json& expected = response["frequency_response"];
+    const double size = expected["compliance_um_per_N"][0], phase = expected["phase_deg"][0];
+    const double angle = phase * std::numbers::pi / 180.0;
+    EXPECT_NEAR(std::abs(found - std::polar(size, angle)), 0.0, 1e-3 * size) << frequency;
+  }
+}
+
+TEST(Response, FrequencyResponseOfTheMotorIsThatOfASmallSine) {
+  // Rolling under an even torque, without dry friction but that of the threads.
+  Json given = solved()["cases"][2];
+  Json& block = given["input"]["response"];
+  const double frequency = 300.0;
+  block["duration"] = "0.3 s";
+  block["sample_interval"] = "0.1 ms";
+  block["motor"] = {{"inertia", "4 kg cm^2"}, {"damping", "0.02 N m s/rad"}, {"torque", "0 N m"}};
+  block["screw"] = {{"inertia", "3.5 kg cm^2"}};
+  block["load"] = {{"mass", "45 kg"}, {"force", "2 kN"}, {"damping", "500 N s/m"}};
+  block["start"] = {{"speed", "20 mm/s"}};
+  block.erase("settling");
+  block["frequency_response"] = {{"from", "300 Hz"},       {"to", "2 kHz"},      {"points", 2},
+                                 {"force", "2 kN"},        {"screw", "rolling"}, {"speed", "240 rpm"},
+                                 {"input", "motor_torque"}};
+  // The torque that holds this speed, from a run with a prescribed one.
+  Json even = given;
+  even["input"]["response"]["motor"] = {{"speed", "240 rpm"}, {"damping", "0.02 N m s/rad"}};
+  even["input"]["response"].erase("frequency_response");
+  const double torque = response_of(source_of(even))["motor_torque_Nm"].back();
+  block["motor"]["torque"] = Json::array(
+      {fmt::format("{:.15g} N m", torque), {{"sine", {{"amplitude", "0.002 N m"}, {"frequency", "300 Hz"}}}}});
+  const Json response = response_of(source_of(given));
+  const std::complex<double> found = swing(response, "motor_speed_rpm", frequency) * (std::numbers::pi / 30.0 / 0.002);
+  const Json& expected = response["frequency_response"];
+  const double size = expected["motor_speed_rad_per_s_per_Nm"][0], phase = expected["motor_speed_phase_deg"][0];
+  EXPECT_NEAR(std::abs(found - std::polar(size, phase * std::numbers::pi / 180.0)), 0.0, 5e-3 * size);
 }
 
 TEST(Response, RobotConstantsComeOut) {
