@@ -11,7 +11,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/response/response_analysis.h"
+#include "modules/response/response_analysis.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
 #include "prs/study/response.h"

@@ -8,7 +8,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/response/response_analysis.h"
+#include "modules/response/response_analysis.h"
 #include "prs/study/design_engine.h"
 
 namespace prs {
