@@ -5,7 +5,7 @@ include(FetchContent)
 
 set(headers ${PROJECT_BINARY_DIR}/system)  # Apart from the headers of the system's C library.
 file(MAKE_DIRECTORY ${headers})
-foreach(library eigen3/Eigen boost fast_float fmt nlohmann xsimd Spectra)
+foreach(library eigen3/Eigen eigen3/unsupported boost fast_float fmt nlohmann xsimd Spectra)
   find_path(found_${library} ${library} PATHS /usr/include /usr/local/include
     NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
   cmake_path(GET library FILENAME name)

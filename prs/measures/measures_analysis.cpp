@@ -116,7 +116,7 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
     if (!measures[k] || measures[k]->speeds_to_avoid.empty()) continue;
     std::vector<std::string> each;
     for (const double speed : measures[k]->speeds_to_avoid) each.push_back(significant(shown(speed, "rpm")));
-    each.erase(std::ranges::unique(each).begin(), each.end());
+    each.erase(std::unique(each.begin(), each.end()), each.end());
     speeds += hanging(fmt::format("\n{}: ", names[k]), 2,
                       fmt::format("speeds to avoid {} rpm, at which an order of the parts meets the lowest natural "
                                   "frequency, however small what excites it",

@@ -16,7 +16,7 @@ from rollerscrew.record import Record
 Array = npt.NDArray[np.float64]  #: Read-only.
 
 #: What each design of a study runs through.
-Command = Literal["contact", "solve", "slip", "life", "measures"]
+Command = Literal["contact", "solve", "slip", "life", "measures", "response"]
 
 
 class PerPart(Record):
@@ -1981,6 +1981,252 @@ class Measures(Record):
     shaft_stiffness_N_per_um: float | None
     buckling_load_N: float | None
     critical_speed_rpm: float | None
+
+
+class ResponseLosses(Record):
+    """What friction and damping took over a run, in joules.
+
+    screw_friction: threads and drag
+    motor_friction: dry friction of the motor, brake
+    load_friction: dry friction of the guides
+    coupling: damping of the coupling
+    contact: material damping of the screw
+    end_stop: damping of the end stops
+    viscous: viscous damping of motor and load
+    """
+
+    __slots__ = ()
+    screw_friction: float
+    motor_friction: float
+    load_friction: float
+    coupling: float
+    contact: float
+    end_stop: float
+    viscous: float
+
+
+class ResponseEnergy(Record):
+    """Energies of a run, in joules.
+
+    motor: what the motor put in
+    load: what the external force put in
+    stored_start: kinetic and elastic energy at the start
+    stored_end: the same at the end
+    lost: what friction and damping took
+    residual: motor + load - change of stored energy - all lost
+    turnover: integral of the magnitudes of both powers, plus the stored energy at the start
+    residual_relative: residual over turnover
+    """
+
+    __slots__ = ()
+    motor: float
+    load: float
+    stored_start: float
+    stored_end: float
+    lost: ResponseLosses
+    residual: float
+    turnover: float
+    residual_relative: float
+
+
+class ResponseThread(Record):
+    """The most loaded thread of an interface.
+
+    normal_load_N [N]: of one roller's thread
+    thread: 1 is the first
+    peak_pressure_MPa [MPa]: of this thread
+    """
+
+    __slots__ = ()
+    normal_load_N: float
+    thread: int
+    peak_pressure_MPa: float | None
+
+
+class ResponseForce(Record):
+    """A largest force of a run, and the threads under it.
+
+    force_N [N]: magnitude
+    time_s [s]: when
+    screw: the most loaded thread of the screw by `prs solve` at this force
+    nut: the same of the nut
+    max_normal_load_N [N]: of a thread under this external load, by `prs preload`
+    peak_pressure_MPa [MPa]: larger one of both sides, by `prs preload`
+    """
+
+    __slots__ = ()
+    force_N: float
+    time_s: float
+    screw: ResponseThread | None
+    nut: ResponseThread | None
+    max_normal_load_N: float | None
+    peak_pressure_MPa: float | None
+
+
+class ResponseLargest(Record):
+    """Extremes of a run.
+
+    tension: largest force in tension
+    compression: largest force in compression
+    motor_torque_Nm [N m]: magnitude
+    end_stop_force_N [N]: magnitude
+    """
+
+    __slots__ = ()
+    tension: ResponseForce | None
+    compression: ResponseForce | None
+    motor_torque_Nm: float
+    end_stop_force_N: float | None
+
+
+class FollowingError(Record):
+    """How far a controlled drive is off its reference.
+
+    largest_um [µm]: of the position of the load against its reference
+    largest_rpm [rpm]: of the speed of the motor against its reference
+    time_s [s]: of the largest
+    rms_um [µm]: root of the mean square
+    rms_rpm [rpm]: root of the mean square
+    """
+
+    __slots__ = ()
+    largest_um: float | None
+    largest_rpm: float | None
+    time_s: float
+    rms_um: float | None
+    rms_rpm: float | None
+
+
+class ResponseImpact(Record):
+    """A flank that closes.
+
+    time_s [s]: when the flank closes
+    flank: tension | compression
+    speed_mm_per_s [mm/s]: of closing
+    energy_J [J]: of the reduced mass at that speed
+    largest_force_N [N]: of this flank up to the next impact or the end
+    """
+
+    __slots__ = ()
+    time_s: float
+    flank: str
+    speed_mm_per_s: float
+    energy_J: float
+    largest_force_N: float
+
+
+class Settling(Record):
+    """When the load comes to rest.
+
+    final_position_mm [mm]: of the last sample
+    reference_mm [mm]: of a position loop at the end
+    settled: whether the last sample lies within the band of it
+    time_s [s]: from `after` to the first sample from which on all lie within the band
+    """
+
+    __slots__ = ()
+    final_position_mm: float
+    reference_mm: float | None
+    settled: bool | None
+    time_s: float | None
+
+
+class Resonance(Record):
+    """A natural vibration of the drive.
+
+    frequency_Hz [Hz]: |lambda|/(2 pi)
+    damping_percent [%]: -Re lambda/|lambda|
+    """
+
+    __slots__ = ()
+    frequency_Hz: float
+    damping_percent: float
+
+
+class FrequencyResponse(Record):
+    """Small vibration about a working point.
+
+    frequency_Hz [Hz]: of the force or the torque
+    compliance_um_per_N [µm/N]: position of the load over a force on it
+    phase_deg [deg]: of that, < 0 behind the force
+    stiffness_N_per_um [N/µm]: 1/compliance
+    motor_speed_rad_per_s_per_Nm [rad/s/(N m)]: motor speed over motor torque
+    motor_speed_phase_deg [deg]: of that
+    position_um_per_Nm [µm/(N m)]: position of the load over motor torque
+    position_phase_deg [deg]: of that
+    tangent_stiffness_N_per_um [N/µm]: with the shaft, at the working point
+    resonances: natural vibrations, by frequency
+    """
+
+    __slots__ = ()
+    frequency_Hz: Array
+    compliance_um_per_N: Array | None
+    phase_deg: Array | None
+    stiffness_N_per_um: Array | None
+    motor_speed_rad_per_s_per_Nm: Array | None
+    motor_speed_phase_deg: Array | None
+    position_um_per_Nm: Array | None
+    position_phase_deg: Array | None
+    tangent_stiffness_N_per_um: float
+    resonances: list[Resonance]
+
+
+class Response(Record):
+    """The screw in its drive over time and over frequency, docs/response.md.
+
+    converged: whether the run came to its end
+    status: converged | step_limit | integration_failed
+    stopped_at_s [s]: where a run that did not converge ended
+    duration_s [s]: of the run
+    time_s [s]: of the samples
+    position_mm [mm]: of the load
+    speed_mm_per_s [mm/s]: of the load
+    screw_angle_deg [deg]: not reduced by turns
+    screw_speed_rpm [rpm]: of the screw
+    motor_angle_deg [deg]: not reduced by turns
+    motor_speed_rpm [rpm]: of the motor
+    deflection_um [µm]: of screw and shaft, > 0 in tension
+    force_N [N]: of the screw, > 0 in tension
+    motor_torque_Nm [N m]: behind the current loop
+    coupling_torque_Nm [N m]: between motor and screw
+    external_force_N [N]: on the load
+    end_stop_force_N [N]: magnitude
+    energy_J [J]: over the whole run
+    largest: over the whole run
+    rms_motor_torque_Nm [N m]: root of the mean square
+    lost_motion_um [µm]: largest less least travel of the motor beyond that of the load
+    following_error: of the controller, up to its cut
+    impacts: each instant at which a flank closes
+    settling: with the block `settling`
+    frequency_response: with the block `frequency_response`
+    """
+
+    __slots__ = ()
+    converged: bool
+    status: str
+    stopped_at_s: float | None
+    duration_s: float
+    time_s: Array
+    position_mm: Array
+    speed_mm_per_s: Array
+    screw_angle_deg: Array
+    screw_speed_rpm: Array
+    motor_angle_deg: Array
+    motor_speed_rpm: Array
+    deflection_um: Array
+    force_N: Array
+    motor_torque_Nm: Array
+    coupling_torque_Nm: Array
+    external_force_N: Array
+    end_stop_force_N: Array | None
+    energy_J: ResponseEnergy
+    largest: ResponseLargest
+    rms_motor_torque_Nm: float
+    lost_motion_um: float
+    following_error: FollowingError | None
+    impacts: list[ResponseImpact] | None
+    settling: Settling | None
+    frequency_response: FrequencyResponse | None
 
 
 class FitPrior(Record):
