@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "prs/input/reader.h"
 #include "modules/response/response.h"
+#include "prs/input/reader.h"
 
 namespace {
 

@@ -100,7 +100,7 @@ def faults_of_file(file: Path, rooms: dict[str, Room], graph: dict[str, set[str]
         if not match:
             continue
         folder = str(Path(match[1]).parent)
-        if folder == "." and (file.parent / match[1]).exists():  # C, which is also shipped elsewhere.
+        if folder == "." and (file.parent / match[1]).exists():  # C that is shipped elsewhere too.
             continue
         target = room_of(Path(match[1]), rooms)
         if target == name:

@@ -16,7 +16,8 @@ struct Command {
   void (*needs)(const Case&, Problems&) = nullptr;
 
   // Commands that other parts name. Blocks of searches: see input::unmet.
-  static const Command check, contact, solve, compare, slip, preload, life, measures, response, study, optimize, fit, size;
+  static const Command check, contact, solve, compare, slip, preload, life, measures, response, study, optimize, fit,
+      size;
 
   friend constexpr bool operator==(const Command& a, const Command& b) { return a.word == b.word; }
   friend constexpr auto operator<=>(const Command& a, const Command& b) { return a.word <=> b.word; }

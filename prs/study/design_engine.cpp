@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "modules/response/response_analysis.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
@@ -11,7 +12,6 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "modules/response/response_analysis.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
 #include "prs/study/response.h"

@@ -2,13 +2,13 @@
 
 #include <unordered_set>
 
+#include "modules/response/response_analysis.h"
 #include "prs/input/varied_input.h"
 #include "prs/life/life_record.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "modules/response/response_analysis.h"
 #include "prs/study/design_engine.h"
 
 namespace prs {

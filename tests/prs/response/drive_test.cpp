@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/model/response_input.h"
 #include "modules/response/response.h"
+#include "prs/model/response_input.h"
 
 namespace prs {
 namespace {

@@ -6,8 +6,8 @@
 #include <complex>
 #include <fstream>
 
-#include "prs/export/robot.h"
 #include "modules/response/response_analysis.h"
+#include "prs/export/robot.h"
 #include "prs/run/commands.h"
 
 namespace prs {
