@@ -119,7 +119,7 @@ def test_case_is_complete(folder: Path) -> None:
         assert float(row["uncertainty"]) > 0.0 and row["reason"] and row["unit"]
         assert row["source"].startswith(sources)
         name = row["quantity"].split(".")[-1]
-        stem = re.split(r"_(?:screw|nut|rollers?|accelerate|travel|brake)(?:_|$)", name)[0]
+        stem = re.split(r"_(?:\d+|screw|nut|rollers?|accelerate|travel|brake)(?:_|$)", name)[0]
         stem = re.sub(r"^real_bodies_.*", "real_bodies_", stem)
         assert stem in asked, row["quantity"]
 

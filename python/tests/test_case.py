@@ -73,7 +73,7 @@ def test_dictionaries_are_files(file: Path) -> None:
 
 @pytest.mark.parametrize("file", lessons(), ids=lambda file: file.stem)
 def test_resolved_inputs_are_cases(file: Path) -> None:
-    for command in set(commands(file)) - {"check", "study", "optimize"}:
+    for command in set(commands(file)) - {"check", "study", "optimize", "fit"}:
         result = getattr(lesson(file.stem), command)()
         again = rs.Case(json.loads(result.to_json())["resolved_input"], name=str(file))
         assert body(getattr(again, command)()) == body(result)
@@ -204,7 +204,7 @@ def test_ratios_become_numbers(ureg: Any) -> None:
 @pytest.mark.parametrize("unit", ["Hz", "1/s"])
 def test_frequencies_are_no_angular_speeds(ureg: Any, unit: str) -> None:
     """For pint 1 Hz is 1 rad/s; for people it is one revolution a second."""
-    with pytest.raises(rs.InputError, match=r"not a known unit; use one of the units rpm"):
+    with pytest.raises(rs.InputError, match=r"is the unit of a .*; use one of the units rpm"):
         lesson(10).with_(**{"operation.speed": ureg.Quantity(10, unit)})
 
 
