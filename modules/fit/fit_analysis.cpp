@@ -84,27 +84,27 @@ template <auto member>
 constexpr auto of_estimate = of<[](const FittedUnknown& p) { return (*p.estimate()).*member; }, has_estimate>;
 
 constexpr Quantity<FitParameter::Prior> kPrior[] = {
-    {"mean", always<&FitParameter::Prior::mean>},
-    {"deviation", always<&FitParameter::Prior::deviation>},
+    {"mean", always<&FitParameter::Prior::mean>, "what is believed before the curves"},
+    {"deviation", always<&FitParameter::Prior::deviation>, "standard deviation of that belief"},
 };
 
 constexpr Quantity<FitProfile> kProfile[] = {
-    {"low", of<[](auto& p) { return p.found().profile_low; }>},
-    {"high", of<[](auto& p) { return p.found().profile_high; }>},
+    {"low", of<[](auto& p) { return p.found().profile_low; }>, "absent beyond a bound"},
+    {"high", of<[](auto& p) { return p.found().profile_high; }>, "absent beyond a bound"},
 };
 
 constexpr Quantity<FittedUnknown> kUnknown[] = {
     {"name", always<&FittedUnknown::name>, "path, or `offset of CURVE`"},
-    {"label", of<&FittedUnknown::label, &FittedUnknown::parameter>},
+    {"label", of<&FittedUnknown::label, &FittedUnknown::parameter>, "name for people"},
     {"unit", always<&FittedUnknown::unit>, "that of `from`; of an offset that of the response"},
     {"scale", always<[](auto& p) { return p.parameter() && p.parameter()->is_log ? "log" : "linear"; }>,
      "linear | log"},
-    {"start", always<[](auto& p) { return p.parameter() ? p.parameter()->start : 0.0; }>},
-    {"from", always<[](auto& p) { return p.bound(-1.0); }>},
-    {"to", always<[](auto& p) { return p.bound(1.0); }>},
-    {"prior", of<[](auto& p) { return p.parameter()->prior; }, &FittedUnknown::parameter>},
+    {"start", always<[](auto& p) { return p.parameter() ? p.parameter()->start : 0.0; }>, "where the search began"},
+    {"from", always<[](auto& p) { return p.bound(-1.0); }>, "lower bound"},
+    {"to", always<[](auto& p) { return p.bound(1.0); }>, "upper bound"},
+    {"prior", of<[](auto& p) { return p.parameter()->prior; }, &FittedUnknown::parameter>, "as the file has it"},
     {"identified", always<[](auto& p) { return p.found().is_identified; }>, "whether the data tell it"},
-    {"value", of<[](auto& p) { return p.found().value; }>},
+    {"value", of<[](auto& p) { return p.found().value; }>, "at the least objective"},
     {"standard_deviation", of_estimate<&estimation::Estimate::deviation>, "with `log` times the value"},
     {"low", of_estimate<&estimation::Estimate::low>, "end of the interval"},
     {"high", of_estimate<&estimation::Estimate::high>, "end of the interval"},
@@ -120,23 +120,24 @@ constexpr Quantity<FittedUnknown> kUnknown[] = {
 };
 
 constexpr Quantity<FitMatrix> kMatrix[] = {
-    {"names", always<[](auto& m) { return names_with_deviation(*m.r); }>},
-    {"matrix", always<[](auto& m) { return *m.matrix; }>},
+    {"names", always<[](auto& m) { return names_with_deviation(*m.r); }>, "parameters with a deviation"},
+    {"matrix", always<[](auto& m) { return *m.matrix; }>, "rows and columns as `names`"},
 };
 
 constexpr Quantity<FitCombination> kCombination[] = {
     {"kind", always<[](auto& d) { return d.is_product() ? "product" : "sum"; }>, "sum | product"},
-    {"names", always<&FitDirection::names>},
+    {"names", always<&FitDirection::names>, "of both parameters, a and b"},
     {"factor", always<[](auto& d) { return d.found().factor; }>, "a + factor b, or a b^factor"},
-    {"value", always<[](auto& d) { return d.combination()->value; }>},
-    {"standard_deviation", of<[](auto& d) { return d.combination()->deviation; }, &FitDirection::has_spread>},
-    {"low", of<[](auto& d) { return d.combination()->low; }, &FitDirection::has_spread>},
-    {"high", of<[](auto& d) { return d.combination()->high; }, &FitDirection::has_spread>},
-    {"text", always<&FitDirection::text>},
+    {"value", always<[](auto& d) { return d.combination()->value; }>, "which the data tell"},
+    {"standard_deviation", of<[](auto& d) { return d.combination()->deviation; }, &FitDirection::has_spread>,
+     "of a product times its value"},
+    {"low", of<[](auto& d) { return d.combination()->low; }, &FitDirection::has_spread>, "end of the interval"},
+    {"high", of<[](auto& d) { return d.combination()->high; }, &FitDirection::has_spread>, "end of the interval"},
+    {"text", always<&FitDirection::text>, "with its numbers, for people"},
 };
 
 constexpr Quantity<FitDirection> kDirection[] = {
-    {"names", always<&FitDirection::names>},
+    {"names", always<&FitDirection::names>, "parameters that the data cannot tell apart"},
     {"direction", always<[](auto& d) { return d.found().direction; }>, "of the scaled parameters"},
     {"ratio", always<[](auto& d) { return d.found().ratio; }>, "singular value over the largest"},
     {"combination", of<[](auto& d) { return FitCombination{d}; }, [](auto& d) { return d.combination().has_value(); }>,
@@ -144,8 +145,8 @@ constexpr Quantity<FitDirection> kDirection[] = {
 };
 
 constexpr Quantity<estimation::Runs> kRuns[] = {
-    {"count", always<&estimation::Runs::count>},
-    {"expected", always<&estimation::Runs::expected>},
+    {"count", always<&estimation::Runs::count>, "of equal signs in a row"},
+    {"expected", always<&estimation::Runs::expected>, "of signs without a pattern"},
     {"p_value", always<&estimation::Runs::p_value>, "of so few", "Wald and Wolfowitz 1940"},
 };
 
@@ -163,24 +164,24 @@ constexpr auto command_of_curve = always<[](const FittedCurve& c) { return name(
 constexpr std::string_view kLossNames[] = {"squares", "huber", "cauchy"};
 
 constexpr Quantity<FittedCurve> kCurve[] = {
-    {"name", of_curve<&FitCurve::name>},
-    {"file", of_curve<&FitCurve::file>},
-    {"response", of_curve<&FitCurve::response>},
+    {"name", of_curve<&FitCurve::name>, "as the file has it"},
+    {"file", of_curve<&FitCurve::file>, "CSV of the readings"},
+    {"response", of_curve<&FitCurve::response>, "path in the document of `command`"},
     {"unit", of_curve<&FitCurve::unit>, "of the response, in which all of these are"},
-    {"command", command_of_curve},
-    {"rows", of_curve<&FitCurve::rows>},
+    {"command", command_of_curve, "that computes the response"},
+    {"rows", of_curve<&FitCurve::rows>, "readings"},
     {"use", always<[](auto& c) { return c.is_fitted() ? "fit" : "compare"; }>, "fit | compare"},
     {"loss", always<[](auto& c) { return kLossNames[static_cast<std::size_t>(c.curve().loss.kind)]; }>,
      "squares | huber | cauchy"},
     {"estimated", always<[](auto& c) { return c.is_fitted() && c.curve().deviation.empty(); }>,
      "whether the deviation of its readings was"},
     {"redundancy", of_found<&estimation::CurveResult::redundancy>, "rows less what they determine"},
-    {"rms", of<[](auto& c) { return c.found().rms; }, is_computed>},
-    {"r_squared", of_found<&estimation::CurveResult::r_squared>},
+    {"rms", of<[](auto& c) { return c.found().rms; }, is_computed>, "root of the mean square of the residuals"},
+    {"r_squared", of_found<&estimation::CurveResult::r_squared>, "1 - residual over total sum of squares"},
     {"chi_square", of_found<&estimation::CurveResult::chi_square>, "sum of the squares over the deviations"},
     {"runs", of_found<&estimation::CurveResult::runs>, "of sign of the residuals"},
     {"line", of_curve<&FitCurve::lines>, "of the file"},
-    {"measured", of_curve<&FitCurve::measured>},
+    {"measured", of_curve<&FitCurve::measured>, "readings"},
     {"fitted", of_found<&estimation::CurveResult::fitted>, "with the offset"},
     {"residual", of_found<&estimation::CurveResult::residual>, "measured less fitted"},
     {"standard_deviation", of_found<&estimation::CurveResult::deviation>, "of a reading"},
@@ -190,30 +191,31 @@ constexpr Quantity<FittedCurve> kCurve[] = {
 };
 
 constexpr Quantity<FitCondition> kBandCondition[] = {
-    {"path", always<&FitCondition::path>},
+    {"path", always<&FitCondition::path>, "input that is set"},
     {"values", always<&FitCondition::texts>, "one for each row, or one for all"},
 };
 
 constexpr Quantity<FittedBand> kBand[] = {
-    {"name", of_curve<&FitCurve::name>},
-    {"response", of_curve<&FitCurve::response>},
-    {"unit", of_curve<&FitCurve::unit>},
-    {"command", command_of_curve},
+    {"name", of_curve<&FitCurve::name>, "as the file has it"},
+    {"response", of_curve<&FitCurve::response>, "path in the document of `command`"},
+    {"unit", of_curve<&FitCurve::unit>, "of the response"},
+    {"command", command_of_curve, "that computes the response"},
     {"conditions", always<[](auto& c) {
        std::vector<FitCondition> all = c.curve().conditions;
        for (const auto& [path, value] : c.curve().constants) all.push_back({path, "", {value}});
        return all;
-     }>},
-    {"value", of_found<&estimation::CurveResult::fitted>},
-    {"standard_deviation", of_found<&estimation::CurveResult::band_deviation>},
-    {"low", of_found<&estimation::CurveResult::low>},
-    {"high", of_found<&estimation::CurveResult::high>},
+     }>,
+     "what is set"},
+    {"value", of_found<&estimation::CurveResult::fitted>, "response at the fitted values, one for each row"},
+    {"standard_deviation", of_found<&estimation::CurveResult::band_deviation>, "by the covariance of the values"},
+    {"low", of_found<&estimation::CurveResult::low>, "end of the band"},
+    {"high", of_found<&estimation::CurveResult::high>, "end of the band"},
 };
 
 constexpr Quantity<estimation::StartResult> kStart[] = {
     {"objective", of<&estimation::StartResult::objective>, "S + 2 sum of rows x ln(estimated deviation)"},
-    {"status", always<[](auto& s) { return name(s.status); }>},
-    {"best", always<&estimation::StartResult::is_best>},
+    {"status", always<[](auto& s) { return name(s.status); }>, "how the search ended"},
+    {"best", always<&estimation::StartResult::is_best>, "whether the fit is this one"},
 };
 
 /// The n things of a kind, by their places.
@@ -240,21 +242,23 @@ template <auto member>
 constexpr auto of_fit = always<[](const FitResult& r) { return r.found.*member; }>;
 
 constexpr Quantity<FitResult> kFit[] = {
-    {"converged", always<&FitResult::converged>},
+    {"converged", always<&FitResult::converged>, "whether the status is `converged`"},
     {"status", always<[](auto& r) { return name(r.found.status); }>,
      "converged | not_identifiable | no_redundancy | iteration_limit | no_equilibrium"},
     {"objective", of<[](auto& r) { return r.found.objective; }, &FitResult::has_values>, "S"},
     {"level_percent", always<[](auto& r) { return r.input.level; }>, "of all intervals"},
     {"degrees_of_freedom", of_fit<&estimation::Result::degrees_of_freedom>, "sum of the redundancies"},
     {"chi_square", of<[](auto& r) { return r.found.chi_square; }>, "of the curves with stated deviations and squares"},
-    {"reduced_chi_square", of<[](auto& r) { return r.found.reduced_chi_square; }>},
+    {"reduced_chi_square", of<[](auto& r) { return r.found.reduced_chi_square; }>,
+     "over the sum of their redundancies"},
     {"p_value", of<[](auto& r) { return r.found.p_value; }>, "probability of more"},
     {"evaluations", always<&FitResult::evaluations>, "rows that were computed"},
-    {"iterations", of_fit<&estimation::Result::iterations>},
-    {"parameters", always<unknowns_of>},
+    {"iterations", of_fit<&estimation::Result::iterations>, "of the best search"},
+    {"parameters", always<unknowns_of>, "inputs, then offsets of curves"},
     {"correlation", always<[](auto& r) {
        return FitMatrix{&r, &r.found.correlation};
-     }>},
+     }>,
+     "of the values"},
     {"covariance", always<[](auto& r) {
        return FitMatrix{&r, &r.found.covariance};
      }>,
@@ -262,9 +266,9 @@ constexpr Quantity<FitResult> kFit[] = {
     {"singular_value_ratios", of_fit<&estimation::Result::singular_value_ratios>, "falling"},
     {"unidentified", always<[](auto& r) { return all_of<FitDirection>(r, r.found.unidentified.size()); }>,
      "what the data cannot tell apart"},
-    {"curves", always<curves_of>},
-    {"bands", always<bands_of>},
-    {"starts", of_fit<&estimation::Result::starts>},
+    {"curves", always<curves_of>, "readings and fit, curve by curve"},
+    {"bands", always<bands_of>, "responses that were asked for, with their uncertainty"},
+    {"starts", of_fit<&estimation::Result::starts>, "searches, the file's first"},
 };
 
 // Files.

@@ -256,7 +256,7 @@ TEST(Interrupt, EndsEveryCommandWithStatus130) {
 }
 
 TEST(Explain, SaysWhatAMeasureOrAResultIs) {
-  const Outcome by_name = run_prs("measures --explain critical_speed_rpm");
+  const Outcome by_name = run_prs("measures --explain buckling_load_N");
   EXPECT_EQ(by_name.status, 0);
   EXPECT_THAT(by_name.out, AllOf(StartsWith("measures."), HasSubstr("source: ")));
   // Every command explains every result, by any end of its path and with any index.

@@ -108,7 +108,7 @@ TEST(Export, WrongInputIsToldAndNothingIsWritten) {
   for (const auto& [arguments, words] : std::vector<WrongExport>{
            {screw, {"--fmu, --modelica"}},
            {screw + " --step", {"Python package", "rollerscrew[cad]", "rs.export_step"}},
-           {screw + " --fmu --modelica --output x.fmu", {"one file, for two forms", "a folder"}},
+           {screw + " --fmu --modelica --output x.fmu", {"one file, for several forms", "a folder"}},
            {screw + " --fmu --output x.mo", {"x.mo for --fmu", "a file that ends in .fmu"}},
            {screw + " --fmu --output ''", {"--output: got nothing", "a file or a folder"}},
            {screw + " --modelica --output " + screw, {"which is a file", "another name"}},

@@ -119,7 +119,7 @@ TEST(StudyReader, LoadCasesGoByTheirNames) {
 TEST(StudyReader, SaysWhereARangeBelongs) {
   EXPECT_THAT(error_of("path: mechanism.lead, from: 4 mm, to: 6 mm, steps: 3"),
               HasSubstr("study.factors[0].from: unknown key; expected one of path, values, uniform, "
-                        "log_uniform, normal, within, label, with; write `values: {from: .., to: "
+                        "log_uniform, normal, within, label, together, kept, with; write `values: {from: .., to: "
                         ".., steps: ..}`"));
 }
 
