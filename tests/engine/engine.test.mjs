@@ -37,12 +37,14 @@ function differences(ours, theirs, path = '', scale = 0) {
     return ours === theirs ? [] : [`${path}: ${ours} for ${theirs}`];
   const keys = new Set([...Object.keys(ours), ...Object.keys(theirs)]);
   // Of the threads of a roller, they count together; sums of loads that nearly cancel are small
-  // against the largest of them, friction of contacts that roll is rounding of their loads.
+  // against the largest of them, friction of contacts that roll is rounding of their loads;
+  // deviations of a travel are differences of displacements of some 50 um.
   const ofList = Array.isArray(theirs) ? Math.max(scale, largest(theirs)) : undefined;
   const all = (key) => ofList !== undefined ? ofList
       : key === 'reactions' ? largest(theirs[key])
       : key === 'friction_force_N' ? largest(theirs.normal_load_N)
-      : /\.reactions|\.friction_force_N$/.test(path) ? scale : 0;
+      : key === 'travel' ? 50
+      : /\.reactions|\.friction_force_N$|\.travel\b/.test(path) ? scale : 0;
   return [...keys].filter((key) => !ofTheWay.has(key))
       .flatMap((key) => key in ours && key in theirs
           ? differences(ours[key], theirs[key], `${path}.${key}`, all(key))
