@@ -43,8 +43,8 @@ function differences(ours, theirs, path = '', scale = 0) {
   const all = (key) => ofList !== undefined ? ofList
       : key === 'reactions' ? largest(theirs[key])
       : key === 'friction_force_N' ? largest(theirs.normal_load_N)
-      : key === 'travel' ? 50
-      : /\.reactions|\.friction_force_N$|\.travel\b/.test(path) ? scale : 0;
+      : key === 'travel' || key === 'modes' ? 50
+      : /\.reactions|\.friction_force_N$|\.(travel|modes)\b/.test(path) ? scale : 0;
   return [...keys].filter((key) => !ofTheWay.has(key))
       .flatMap((key) => key in ours && key in theirs
           ? differences(ours[key], theirs[key], `${path}.${key}`, all(key))
