@@ -501,7 +501,8 @@ class FitReader : input::VariedInput {
       column = table.column(its->text, key + ".column");
       unit = in ? in->text : "";
     } else {
-      const auto written = input::split_unit(unquoted(*item.deviation));
+      const std::string text = unquoted(*item.deviation);
+      const auto written = input::split_unit(text);  // Its unit is a part of the text.
       if (!written)
         fail(key,
              "got {}; expected a value, a share of the reading, {{column: .., unit: ..}} or estimated; write for "

@@ -16,6 +16,7 @@ const ofTheWay = new Set(['newton_history', 'factorization', 'iterations', 'rela
 const tolerances = [
   [/depth/, 1e-7],  // Where a curve is flat, its highest point moves by the root of its values.
   [/heat_cycle/, 1e-11],  // A cycle that repeats itself to 1e-10 K.
+  [/\.(travel|modes)\./, 1e-10],  // Loads of threads that open and close over the travel.
   // Of loads of threads, each good to 1e-12 of the force.
   [/^\.candidates\.\d+\.computed\.static_safety$/, 1e-11],
   [/./, 1e-12],
