@@ -2232,8 +2232,8 @@ class Response(Record):
 class FitPrior(Record):
     """What was known before.
 
-    mean: mean
-    deviation: deviation
+    mean: what is believed before the curves
+    deviation: standard deviation of that belief
     """
 
     __slots__ = ()
@@ -2244,8 +2244,8 @@ class FitPrior(Record):
 class FitProfile(Record):
     """Interval of the profile likelihood.
 
-    low: low
-    high: high
+    low: absent beyond a bound
+    high: absent beyond a bound
     """
 
     __slots__ = ()
@@ -2257,15 +2257,15 @@ class FittedParameter(Record):
     """An input that was fitted, or the offset of a curve.
 
     name: path, or `offset of CURVE`
-    label: label
+    label: name for people
     unit: that of `from`; of an offset that of the response
     scale: linear | log
-    start: start
-    from: from
-    to: to
-    prior: prior
+    start: where the search began
+    from: lower bound
+    to: upper bound
+    prior: as the file has it
     identified: whether the data tell it
-    value: value
+    value: at the least objective
     standard_deviation: with `log` times the value
     low: end of the interval
     high: end of the interval
@@ -2297,8 +2297,8 @@ class FittedParameter(Record):
 class FitMatrix(Record):
     """Of the values with a deviation.
 
-    names: names
-    matrix: matrix
+    names: parameters with a deviation
+    matrix: rows and columns as `names`
     """
 
     __slots__ = ()
@@ -2310,13 +2310,13 @@ class FitCombination(Record):
     """What the data tell of two parameters that they cannot tell apart.
 
     kind: sum | product
-    names: names
+    names: of both parameters, a and b
     factor: a + factor b, or a b^factor
-    value: value
-    standard_deviation: standard deviation
-    low: low
-    high: high
-    text: text
+    value: which the data tell
+    standard_deviation: of a product times its value
+    low: end of the interval
+    high: end of the interval
+    text: with its numbers, for people
     """
 
     __slots__ = ()
@@ -2333,7 +2333,7 @@ class FitCombination(Record):
 class FitDirection(Record):
     """Parameters that the data cannot tell apart.
 
-    names: names
+    names: parameters that the data cannot tell apart
     direction: of the scaled parameters
     ratio: singular value over the largest
     combination: what counts of two
@@ -2349,8 +2349,8 @@ class FitDirection(Record):
 class FitRuns(Record):
     """Runs of sign of the residuals.
 
-    count: count
-    expected: expected
+    count: of equal signs in a row
+    expected: of signs without a pattern
     p_value: of so few; Wald and Wolfowitz 1940
     """
 
@@ -2363,22 +2363,22 @@ class FitRuns(Record):
 class FittedCurve(Record):
     """A curve with its fit.
 
-    name: name
-    file: file
-    response: response
+    name: as the file has it
+    file: CSV of the readings
+    response: path in the document of `command`
     unit: of the response, in which all of these are
-    command: command
-    rows: rows
+    command: that computes the response
+    rows: readings
     use: fit | compare
     loss: squares | huber | cauchy
     estimated: whether the deviation of its readings was
     redundancy: rows less what they determine
-    rms: rms
-    r_squared: r squared
+    rms: root of the mean square of the residuals
+    r_squared: 1 - residual over total sum of squares
     chi_square: sum of the squares over the deviations
     runs: of sign of the residuals
     line: of the file
-    measured: measured
+    measured: readings
     fitted: with the offset
     residual: measured less fitted
     standard_deviation: of a reading
@@ -2415,7 +2415,7 @@ class FittedCurve(Record):
 class FitCondition(Record):
     """What a band sets.
 
-    path: path
+    path: input that is set
     values: one for each row, or one for all
     """
 
@@ -2427,15 +2427,15 @@ class FitCondition(Record):
 class FitBand(Record):
     """A response with its uncertainty.
 
-    name: name
-    response: response
-    unit: unit
-    command: command
-    conditions: conditions
-    value: value
-    standard_deviation: standard deviation
-    low: low
-    high: high
+    name: as the file has it
+    response: path in the document of `command`
+    unit: of the response
+    command: that computes the response
+    conditions: what is set
+    value: response at the fitted values, one for each row
+    standard_deviation: by the covariance of the values
+    low: end of the band
+    high: end of the band
     """
 
     __slots__ = ()
@@ -2454,8 +2454,8 @@ class FitStart(Record):
     """A search.
 
     objective: S + 2 sum of rows x ln(estimated deviation)
-    status: status
-    best: best
+    status: how the search ended
+    best: whether the fit is this one
     """
 
     __slots__ = ()
@@ -2467,24 +2467,24 @@ class FitStart(Record):
 class Fit(Record):
     """Unknown inputs from measured curves.
 
-    converged: converged
+    converged: whether the status is `converged`
     status: converged | not_identifiable | no_redundancy | iteration_limit | no_equilibrium
     objective: S
     level_percent [%]: of all intervals
     degrees_of_freedom: sum of the redundancies
     chi_square: of the curves with stated deviations and squares
-    reduced_chi_square: reduced chi square
+    reduced_chi_square: over the sum of their redundancies
     p_value: probability of more
     evaluations: rows that were computed
-    iterations: iterations
-    parameters: parameters
-    correlation: correlation
+    iterations: of the best search
+    parameters: inputs, then offsets of curves
+    correlation: of the values
     covariance: in the units of the values
     singular_value_ratios: falling
     unidentified: what the data cannot tell apart
-    curves: curves
-    bands: bands
-    starts: starts
+    curves: readings and fit, curve by curve
+    bands: responses that were asked for, with their uncertainty
+    starts: searches, the file's first
     """
 
     __slots__ = ()
