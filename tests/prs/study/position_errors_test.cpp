@@ -9,8 +9,8 @@ namespace prs {
 namespace {
 
 StudySummary study_of(const std::vector<std::string>& overrides) {
-  const input::StudyInput in =
-      input::read_study_input(input::load_source(PRS_SOURCE_DIR "/validation/fu_2022/data/position_errors.yaml", overrides));
+  const input::StudyInput in = input::read_study_input(
+      input::load_source(PRS_SOURCE_DIR "/validation/fu_2022/data/position_errors.yaml", overrides));
   const DesignEngine engine(in);
   StudyAnalysis analysis(engine.study());
   analysis.add(engine.evaluate(0, design_count(engine.study())));
