@@ -528,7 +528,7 @@ StudyInput read_study_input(const Source& source) {
     const auto is_list = [&](const Factor& f) { return f.with_previous && f.path.starts_with(item.factors[i].path); };
     if (item.factors[i].kept && item.plan != Plan::tolerances) refused("kept", "only with the plan tolerances");
     if (item.factors[i].together && std::ranges::none_of(input.study.factors, is_list))
-      refused("together", "only beside the path of a list of numbers, two or more");
+      refused("together", "only with the path of a list of two or more numbers");
   }
   if (item.plan == Plan::tolerances)
     for (std::size_t i = 0; i < item.factors.size(); ++i)

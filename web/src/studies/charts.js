@@ -81,9 +81,9 @@ export function heatMap({ rows, columns, responses, title, x, y, z }) {
 }
 
 /**
- * Effects of tolerances about the response of the case, the largest at the top: at the lower end of an
- * input an outline, at the upper one a filled bar, each with its number. `ends`: names of
- * the lower and the upper end in the legend.
+ * Effects of tolerances about the response of the case, the largest at the top. An outlined bar shows the
+ * response at the lower end of an input, a filled bar that at the upper end; both have their numbers beside
+ * them. `ends`: names of the lower and the upper end in the legend.
  */
 export function tornadoChart({ bars, base, title, y, ends }) {
   const rowHeight = 46;
