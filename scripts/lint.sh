@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Order of rooms, shipped engine, width of documents, format, Python's style and types, and whether validation
-# records and the benchmark's page are what the program of build/release gives, by the tools on the PATH and those
-# that scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
+# Order of rooms, shipped engine, width and links of documents, format, Python's style and types, and whether
+# validation records and the benchmark's page are what the program of build/release gives, by the tools on the
+# PATH and those that scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
 # --strict: a missing tool is an error.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -32,6 +32,7 @@ check rooms scripts/check_rooms.py
 check engine scripts/engine.sh --check
 check web scripts/web.sh --check
 check markdown scripts/wrap_markdown.py
+check links scripts/check_links.py
 # A lambda with a return type as a template argument, which clang-format takes for the end of a namespace.
 check namespaces bash -c '! git grep -nE "^[>,]" -- "*.h" "*.cpp"'
 if has clang-format; then
