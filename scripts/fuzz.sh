@@ -6,7 +6,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-targets=(documents force_history journals matrix_cache overrides)
+targets=(documents force_history journals matrix_cache measured_curves overrides)
 root=$PWD
 out=$root/build/fuzz
 kept=$root/tests/fuzz/corpus

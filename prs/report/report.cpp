@@ -465,6 +465,25 @@ std::string studies_html(Findings& all) {
   return text;
 }
 
+/// Records of docs/validation/ of the models that the page is made by.
+std::set<std::string> validation_records(const Findings& all) {
+  std::set<std::string> names;
+  if (all.is_full) names.insert("full_mechanism");
+  for (const CommandAnswer& answer : all.answers) {
+    const std::string command(name(answer.command));
+    if (command == "compare") names.insert({"bars", "refined", "influence"});
+    if (command != "check" && command != "compare" && command != "solve") names.insert(command);
+    if (const Json& bodies = under(under(answer.document, "model"), "bodies"); bodies.is_string())
+      names.insert(bodies.get<std::string>());
+    if (answer.document.contains("heat_cycle")) names.insert("heat");
+    for (const Json& load_case : under(answer.document, "load_cases"))
+      for (const auto& [key, record] :
+           {std::pair{"running", "running"}, {"heat", "heat"}, {"travel", "motion"}, {"modes", "motion"}})
+        if (load_case.contains(key)) names.insert(record);
+  }
+  return names;
+}
+
 /// How each load case was solved, and where all comes from.
 std::string provenance_html(Findings& all) {
   const Json& check = all.check;
@@ -488,6 +507,10 @@ std::string provenance_html(Findings& all) {
     fact("Model of the bodies", html(model.value("bodies", "")));
     fact("What the model means", html(model.value("note", "")));
   }
+  std::string records;
+  for (const std::string& record : validation_records(all))
+    records += fmt::format("{}<code>docs/validation/{}.md</code>", records.empty() ? "" : ", ", record);
+  fact("Validation records of the models", records);
   text += "</dl>\n";
   if (solve) {
     text += folded_html("How the load cases were solved",

@@ -1,6 +1,7 @@
 #include "tests/fuzz/bounds.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "prs/input/case_file.h"
 #include "prs/input/reader.h"
@@ -10,7 +11,30 @@ namespace {
 
 int points(const input::LoadCaseItem& item) {
   const int orbit = item.spatial.orbit ? 2 * item.spatial.orbit->steps : 1;
-  return item.axial_force.steps.value_or(1) * orbit;
+  const int positions =
+      item.travel ? 1 + std::min(std::abs(item.travel->turns), 100) * std::min(item.travel->steps, 100) : 1;
+  return item.axial_force.steps.value_or(1) * orbit * positions;
+}
+
+/// Steps of an integration: the vibrations of what is stiffest and lightest.
+bool vibrates_much(const ResponseInput& in) {
+  const double stiffness = std::max({1e10, in.end_stops.upper ? in.end_stops.upper->stiffness : 0.0,
+                                     in.end_stops.lower ? in.end_stops.lower->stiffness : 0.0});
+  double fastest = std::sqrt(stiffness / std::max(in.load.mass, 1e-9));
+  if (in.coupling) fastest = std::max(fastest, std::sqrt(in.coupling->stiffness / std::max(in.screw.inertia, 1e-12)));
+  if (in.motor.current_loop) fastest = std::max(fastest, 1.0 / std::max(in.motor.current_loop->time_constant, 1e-12));
+  const bool signals = in.load.force.many.size() + in.signal().many.size() > 8;
+  return signals || !(in.duration * fastest < 3e3) || in.duration / in.interval() > 2e3 ||
+         (in.frequency_response && in.frequency_response->points > 200);
+}
+
+/// Rows of curves times passes over them, and what a row costs.
+bool fits_much(const input::FitItem& fit) {
+  const auto slow = [](const input::FitCurveItem& item) {
+    return item.response.find("heat_cycle") != std::string::npos;
+  };
+  return fit.parameters.size() > 3 || fit.curves.size() > 2 || fit.bands.size() > 2 || fit.starts > 2 ||
+         std::ranges::any_of(fit.curves, slow) || std::ranges::any_of(fit.bands, slow);
 }
 
 }  // namespace
@@ -29,6 +53,8 @@ bool asks_for_much(const input::Source& source) try {
   const int threads =
       m.contacts_per_roller <= 50 && m.rollers <= 40 ? m.contacts_per_roller * (full ? m.rollers : 1) : 1000;
   const bool influence = c.model.bodies == ModelOptions::Bodies::influence;
+  if (c.response && vibrates_much(*c.response)) return true;
+  if (file.fit && fits_much(*file.fit)) return true;
   return threads > 100 || loads * (full ? 4 : 1) > 24 || influence || c.model.patch_points > 25;
 } catch (const input::InputError&) {
   return false;

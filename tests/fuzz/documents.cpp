@@ -94,6 +94,19 @@ void expect_consistent(const Json& load_case, bool& converged) {
   }
 }
 
+/// What a drive took in is what it holds and what it lost.
+void expect_energies(const Json& response) {
+  expect(response.at("converged").get<bool>() == (response.at("status") == "converged"), "`converged` is not `status`");
+  if (!response.at("converged").get<bool>()) return;
+  const Json& energy = response.at("energy_J");
+  expect(energy.at("residual_relative").get<double>() < 1e-2, "energies do not close: " + energy.dump());
+  for (const auto& [name, lost] : energy.at("lost").items())
+    expect(lost.get<double>() >= -1e-6 * energy.at("turnover").get<double>(), name + " is won");
+  const std::size_t samples = response.at("time_s").size();
+  for (const auto& [name, series] : response.items())
+    if (series.is_array() && name != "impacts") expect(series.size() == samples, name + " is of another length");
+}
+
 // A run, in all its forms
 
 void expect_told(const input::InputError& error) {
@@ -173,11 +186,22 @@ void run_command(const AnyAnalysis& row, const input::Source& source) {
   if (document.contains("load_cases") && row.command != Command::compare)
     for (const Json& load_case : document.at("load_cases")) expect_consistent(load_case, converged);
   expect(converged || !delivery.converged, "status 0, and a load case did not converge");
+  if (row.command == Command::response) expect_energies(document.at("response"));
+  if (row.command == Command::fit) expect_fitted(document.at("fit"));
   expect_forms(delivery, source.text.size() % 8 == 0);  // Pictures take longest.
   const bool studied = row.command == Command::solve || row.command == Command::slip ||
                        row.command == Command::measures || row.command == Command::contact;
   if (studied && delivery.converged && !in.study && !in.optimize && !in.values.heat)
     expect_study_agrees(source, document, row.command);
+}
+
+/// A file that is no case.
+void run_other(const OtherFile& file, const input::Source& source) {
+  const Delivery delivery = file.run(source);
+  expect_finite(delivery.document(document_info(source, file.command)), "");
+  expect_forms(delivery, source.text.size() % 8 == 0);
+  file.check(source);
+  file.resolved_input(source);
 }
 
 // Many designs
@@ -336,6 +360,20 @@ void expect_finite(const Json& value, const std::string& at) {
       expect_finite(child, at + '/' + key);
 }
 
+void expect_fitted(const Json& fit) {
+  expect(fit.at("converged").get<bool>() == (fit.at("status") == "converged"), "`converged` is not `status`");
+  for (const Json& parameter : fit.at("parameters")) {
+    if (!parameter.contains("value") || !parameter.contains("low")) continue;
+    const double value = parameter.at("value").get<double>();
+    expect(value >= parameter.at("low").get<double>() && value <= parameter.at("high").get<double>(),
+           "a value outside of its interval: " + parameter.dump());
+    if (parameter.at("name").get<std::string>().starts_with("offset of ")) continue;
+    const double from = parameter.at("from").get<double>(), to = parameter.at("to").get<double>();
+    const double slack = 1e-9 * (std::abs(from) + std::abs(to));
+    expect(value >= from - slack && value <= to + slack, "a value beyond its bounds: " + parameter.dump());
+  }
+}
+
 void expect_stored_study(const StudyResult& result, const DocumentInfo& info) {
   expect_finite(study_json(result, info), "");
   expect(!study_table(result).empty(), "an empty table");
@@ -351,13 +389,19 @@ void expect_drawable(const Pictures& pictures) {
   expect_bounded(expect_bounded, to_json(figures(pictures)), "");
 }
 
+const char* const kBench =
+    "n_rpm,M_Nm,F_kN,x_um\n100,4.1,-8,-21\n300,4.3,-4,-17\n500,4.2,-1,-12\n700,4.5,1,11.5\n900,4.4,4,16\n1100,4.6,8,"
+    "22\n";
+const char* const kMaker =
+    "screw,screw_diameter_mm,lead_mm,starts,dynamic_capacity_kN,static_capacity_kN,efficiency,back_driving_efficiency\n"
+    "24x12,24,12,6,77,132,0.77,0.77\n30x10,30,10,5,105,180,0.8,0.75\n";
 const char* const kFlight = "time_s,force_kN,position_mm\n0,1,0\n1,12.5,3\n2,-7,5\n3,19.7,-2\n4,2,0\n";
 
 bool documents(std::string_view input) {
   const std::size_t end = std::min(input.find('\n'), input.size());
   const std::string_view line = input.substr(0, end);
   input::Source source = input::source_of_text("case.yaml", std::string(input), {});
-  source.files.emplace().emplace("flight.csv", kFlight);
+  source.files = {{"flight.csv", kFlight}, {"bench.csv", kBench}, {"maker.csv", kMaker}};
   if (input.size() > kLongest || asks_for_much(source)) return false;
   const std::string_view command = line.starts_with("# ") ? line.substr(2) : "solve";
   try {
@@ -366,6 +410,11 @@ bool documents(std::string_view input) {
     if (command == "export") return run_export(source);
     for (const char* page : {"report", "write"})
       if (command == page) return run_on_engine(page, source);
+    for (const OtherFile& file : other_files())
+      if (name(file.command) == command) {
+        run_other(file, source);
+        return true;
+      }
     for (const AnyAnalysis& row : analyses())
       if (row.run && name(row.command) == command) {
         run_command(row, source);

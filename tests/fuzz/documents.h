@@ -18,6 +18,9 @@ void expect_drawable(const Pictures& pictures);
 /// Makes every form of a study's rows.
 void expect_stored_study(const StudyResult& result, const DocumentInfo& info);
 
+/// Values of a fit lie within their bounds, and in their intervals.
+void expect_fitted(const nlohmann::ordered_json& fit);
+
 /// A force history in kN over s, with a position in mm: `flight.csv` of the cases.
 extern const char* const kFlight;
 

@@ -12,6 +12,7 @@
 #include "prs/input/document.h"
 #include "prs/input/schema.h"
 #include "prs/input/units.h"
+#include "prs/run/commands.h"
 #include "tests/fuzz/targets.h"
 
 namespace prs::fuzz {
@@ -209,8 +210,14 @@ std::optional<Json> parsed(std::string_view text) try {
   return std::nullopt;
 }
 
-constexpr const char* kCommands[] = {"check",    "contact", "solve",  "solve", "slip",    "compare",  "life",
-                                     "measures", "study",   "report", "write", "preload", "optimize", "export"};
+constexpr const char* kCommands[] = {"check",    "contact",  "solve",    "solve",  "slip",  "compare",
+                                     "life",     "measures", "study",    "report", "write", "preload",
+                                     "optimize", "export",   "response", "fit"};
+
+const Json& requirement() {
+  static const Json schema = other_files().front().schema();
+  return schema;
+}
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -271,9 +278,10 @@ std::string mutated_document(std::string_view input, std::size_t most, std::uint
   const std::string_view line = input.substr(0, input.find('\n'));
   if (line.starts_with("# ") && !one_in(6, random)) first = line;
   random.gentle = one_in(2, random);
+  const Json& schema = first == "# size" ? requirement() : case_schema();
   std::optional<Json> json = parsed(input);
-  if (!json || !json->is_object()) json = random_value(case_schema(), random);
-  for (std::size_t left = 1 + below(4, random); left > 0; --left) change(*json, case_schema(), random);
+  if (!json || !json->is_object()) json = random_value(schema, random);
+  for (std::size_t left = 1 + below(4, random); left > 0; --left) change(*json, schema, random);
   const std::string text = first + '\n' + dumped(*json) + '\n';
   return text.size() <= most ? text : std::string(input);
 }

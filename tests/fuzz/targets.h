@@ -27,6 +27,9 @@ bool documents(std::string_view input);
 /// A force history of lesson 14's kind through `life`: lines of a CSV.
 bool force_history(std::string_view input);
 
+/// Readings of a bench, lines of a CSV, through `fit`.
+bool measured_curves(std::string_view input);
+
 /// Up to three journals of shards of one study, each behind its length: read, continued, merged.
 bool journals(std::string_view input);
 
@@ -58,9 +61,9 @@ std::string mutated_cache(std::string_view input, std::size_t most, std::uint32_
 inline constexpr std::size_t kLongest = 16'000;
 
 inline constexpr Target kTargets[] = {
-    {"documents", documents, mutated_document},  {"force_history", force_history},
-    {"journals", journals, mutated_journals},    {"matrix_cache", matrix_cache, mutated_cache},
-    {"overrides", overrides, mutated_overrides},
+    {"documents", documents, mutated_document}, {"force_history", force_history},
+    {"journals", journals, mutated_journals},   {"matrix_cache", matrix_cache, mutated_cache},
+    {"measured_curves", measured_curves},       {"overrides", overrides, mutated_overrides},
 };
 
 }  // namespace prs::fuzz

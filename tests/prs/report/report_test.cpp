@@ -179,6 +179,29 @@ std::string between(const std::string& text, const std::string& from, const std:
   return text.substr(begin, text.find(to, begin + from.size()) - begin);
 }
 
+/// Names of the records that the page cites.
+std::set<std::string> cited_records(const std::string& html) {
+  static const std::regex place("<code>docs/validation/([a-z_]+)\\.md</code>");
+  std::set<std::string> names;
+  for (std::sregex_iterator k(html.begin(), html.end(), place), end; k != end; ++k) names.insert((*k)[1]);
+  return names;
+}
+
+TEST(Report, CitesTheRecordsOfTheModelsThatItUsed) {
+  const auto cited = [](const char* lesson) {
+    return cited_records(make_report(lesson_source(lesson), {.live = false}).html);
+  };
+  EXPECT_EQ(cited("07_contact_geometry.yaml"), (std::set<std::string>{"contact"}));
+  EXPECT_THAT(cited("13_three_models.yaml"), testing::IsSupersetOf({"bars", "refined", "influence"}));
+  EXPECT_THAT(cited("24_misalignment.yaml"), testing::Contains("full_mechanism"));
+  EXPECT_THAT(cited("30_duty_cycle.yaml"), testing::IsSupersetOf({"slip", "heat"}));
+  EXPECT_THAT(cited("33_tolerances.yaml"), testing::Contains("motion"));
+  EXPECT_THAT(cited("31_running_screw.yaml"), testing::IsSupersetOf({"life", "running"}));
+  for (const char* lesson : {"12_preload.yaml", "14_flight_spectrum.yaml", "18_design_measures.yaml"})
+    for (const std::string& record : cited(lesson))
+      EXPECT_TRUE(std::filesystem::exists(fmt::format(PRS_SOURCE_DIR "/docs/validation/{}.md", record))) << record;
+}
+
 TEST(Report, ADutyCycleIsToldApartFromSteadyStates) {
   const Report report = make_report(lesson_source("30_duty_cycle.yaml"), {.live = false});
   const auto& cycle = report.data["results"]["slip"]["heat_cycle"];
