@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <xsimd/xsimd.hpp>
 
 #include "simd/dual.h"
@@ -19,9 +20,9 @@ template <class Arch>
   using Bits = xsimd::batch<std::uint64_t, Arch>;
   constexpr std::uint64_t kOne = 0x3ff0000000000000, kRootOfHalf = 0x3fe6a09e667f3bcd, kFraction = 0x000fffffffffffff,
                           kTwoTo52 = 0x4330000000000000;
-  const Bits bits = xsimd::bitwise_cast<Bits>(Batch(x + root)) + Bits(kOne - kRootOfHalf);
-  const Batch exponent = xsimd::bitwise_cast<Batch>((bits >> 52) | Bits(kTwoTo52)) - Batch(4503599627370496.0 + 1023.0);
-  const Batch m = xsimd::bitwise_cast<Batch>((bits & Bits(kFraction)) + Bits(kRootOfHalf));
+  const Bits bits = std::bit_cast<Bits>(Batch(x + root)) + Bits(kOne - kRootOfHalf);
+  const Batch exponent = std::bit_cast<Batch>((bits >> 52) | Bits(kTwoTo52)) - Batch(4503599627370496.0 + 1023.0);
+  const Batch m = std::bit_cast<Batch>((bits & Bits(kFraction)) + Bits(kRootOfHalf));
   const auto small = exponent == Batch(0.0);
   const Batch s = select(small, x, m - 1.0) / (select(small, root, m) + 1.0);
   const Batch z = s * s;
