@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Finds lines of Markdown longer than 150 characters; with --write, wraps the paragraphs that hold
-them at 120. Tables, code, and words without blanks (links) stay as they are."""
+"""Finds lines of Markdown longer than 120 characters; with --write, wraps the paragraphs that have
+them. Tables, code, and words without blanks (links) stay as they are."""
 
 import re
 import subprocess
@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-MOST, WIDTH = 150, 120
+WIDTH = 120
 ITEM = re.compile(r"( *)([-*+]|\d+\.) +")
 # At the start of a line these would begin a list, a title, a quotation or a table.
 MARK = re.compile(r"([-+*=|>#]+|\d+[.)])$")
@@ -66,7 +66,16 @@ def paragraphs(lines: list[str]) -> Iterator[list[str]]:
 
 
 def is_long(line: str) -> bool:
-    return len(line) > MOST and " " in line.strip() and is_text(line)
+    return len(line) > WIDTH and " " in line.strip() and is_text(line)
+
+
+def wrap(text: str) -> str:
+    """The text, with paragraphs that have long lines wrapped."""
+    result: list[str] = []
+    for part in paragraphs(text.splitlines()):
+        code = part[0].startswith("    ") and not ITEM.match(part[0])
+        result += wrapped(part) if not code and any(map(is_long, part)) else part
+    return "\n".join(result) + "\n"
 
 
 def main() -> int:
@@ -76,18 +85,14 @@ def main() -> int:
     found = 0
     for name in listed.stdout.split():
         path = ROOT / name
-        lines = path.read_text().splitlines()
-        result: list[str] = []
-        for part in paragraphs(lines):
-            code = part[0].startswith("    ") and not ITEM.match(part[0])
-            long = not code and any(map(is_long, part))
-            result += wrapped(part) if long else part
-        if result != lines:
+        text = path.read_text()
+        result = wrap(text)
+        if result.splitlines() != text.splitlines():
             found += 1
             if "--write" in sys.argv:
-                path.write_text("\n".join(result) + "\n")
+                path.write_text(result)
             else:
-                print(f"{name}: lines of more than {MOST} characters", file=sys.stderr)
+                print(f"{name}: lines of more than {WIDTH} characters", file=sys.stderr)
     if found and "--write" not in sys.argv:
         print("scripts/wrap_markdown.py --write wraps them", file=sys.stderr)
         return 1
