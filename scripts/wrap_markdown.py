@@ -45,36 +45,38 @@ def wrapped(lines: list[str]) -> Iterator[str]:
     yield line.rstrip()
 
 
-def paragraphs(lines: list[str]) -> Iterator[list[str]]:
-    """Paragraphs and items of lists; anything else line by line."""
-    fenced, after_blank, inside = False, True, []
+def paragraphs(lines: list[str]) -> Iterator[tuple[bool, list[str]]]:
+    """Paragraphs and items of lists, which are text; anything else line by line."""
+    fenced, after_blank, indented, inside = False, True, False, []
     for line in lines:
-        indented_code = after_blank and line.startswith("    ") and not ITEM.match(line)
+        # A list in an indented block, as YAML has them, is code; a nested list is not.
+        if line.strip():
+            started = indented or not ITEM.match(line)
+            indented = after_blank and line.startswith("    ") and started
         if line.lstrip().startswith("```"):
             fenced = not fenced
-        code = fenced or line.lstrip().startswith("```") or (indented_code and not inside)
+        code = fenced or line.lstrip().startswith("```") or (indented and not inside and bool(line.strip()))
         if inside and (code or not is_text(line) or ITEM.match(line)):
-            yield inside
+            yield True, inside
             inside = []
         if code or not is_text(line):
-            yield [line]
+            yield False, [line]
         else:
             inside.append(line)
         after_blank = not line.strip() or (code and after_blank)
     if inside:
-        yield inside
+        yield True, inside
 
 
 def is_long(line: str) -> bool:
-    return len(line) > WIDTH and " " in line.strip() and is_text(line)
+    return len(line) > WIDTH and " " in line.strip()
 
 
 def wrap(text: str) -> str:
     """The text, with paragraphs that have long lines wrapped."""
     result: list[str] = []
-    for part in paragraphs(text.splitlines()):
-        code = part[0].startswith("    ") and not ITEM.match(part[0])
-        result += wrapped(part) if not code and any(map(is_long, part)) else part
+    for is_paragraph, lines in paragraphs(text.splitlines()):
+        result += wrapped(lines) if is_paragraph and any(map(is_long, lines)) else lines
     return "\n".join(result) + "\n"
 
 
