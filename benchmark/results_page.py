@@ -15,8 +15,8 @@ import run_prs
 BENCHMARK = Path(__file__).resolve().parent
 HEAD = """# This program against the benchmark
 
-Written by `results_page.py`; `prs` {version}. Ratios are deviation over the uncertainty of the expected number: up to 1 is
-within. What is below 0.01 agrees to far more digits than the benchmark claims.
+Written by `results_page.py`; `prs` {version}. Ratios are deviation over the uncertainty of the expected number: a number
+with a ratio up to 1 is within. A ratio below 0.01 means agreement to far more digits than the benchmark claims.
 
 ![Deviation over uncertainty of all numbers](results.svg)
 
@@ -26,8 +26,8 @@ within. What is below 0.01 agrees to far more digits than the benchmark claims.
 INFORMATION = """
 ## For information: bars against real bodies
 
-These numbers do not count. Cases 04 and 08 to 11 are bars and beams by definition; the second column is what elastic
-bodies do, by CalculiX. The program's `refined` and `influence` models come nearer
+These numbers do not count. Cases 04 and 08 to 11 are bars and beams by definition; the column "finite elements" is the
+answer for elastic bodies, by CalculiX. The program's models `refined` and `influence` are nearer to it
 ([full_mechanism.md](../docs/full_mechanism.md), [influence.md](../docs/influence.md)).
 
 | case | quantity | finite elements | bars here | bars less elements |
@@ -36,8 +36,8 @@ bodies do, by CalculiX. The program's `refined` and `influence` models come near
 REFINED = """
 ## Case 06 by the one-dimensional model
 
-Case 06 above is by `bodies: influence`, which is within the error bars. The one-dimensional model `refined`, fast enough
-for studies, is not:
+Case 06 above is computed with `bodies: influence`, which is within the error bars. The one-dimensional model `refined`,
+which is fast enough for studies, is not:
 
 | quantity | finite elements | `refined` | ratio |
 | --- | --- | --- | --- |

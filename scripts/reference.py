@@ -13,6 +13,8 @@ import sys
 import textwrap
 from pathlib import Path
 
+from wrap_markdown import wrap
+
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference"
 PYTHON = ROOT / "python/rollerscrew"
@@ -311,7 +313,7 @@ def reference(
         "Every quantity of the results, with its formula and source; units stand at the end of the "
         f"keys:\n\n{links}"
     )
-    files = {PAGES / name: text for name, text in pages.items()}
+    files = {PAGES / name: wrap(text) for name, text in pages.items()}
     studied = inputs["input"]["properties"]["study"]["properties"]["command"]["enum"]
     files[PYTHON / "records.py"] = python_records(results["records"], studied)
     files[PYTHON / "results.py"] = python_results(results, documents)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Finds lines of Markdown longer than 150 characters; with --write, wraps the paragraphs that hold
-them at 120. Tables, code, and words without blanks (links) stay as they are."""
+"""Finds lines of Markdown longer than 120 characters; with --write, wraps the paragraphs that have
+them. Tables, code, and words without blanks (links) stay as they are."""
 
 import re
 import subprocess
@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-MOST, WIDTH = 150, 120
+WIDTH = 120
 ITEM = re.compile(r"( *)([-*+]|\d+\.) +")
 # At the start of a line these would begin a list, a title, a quotation or a table.
 MARK = re.compile(r"([-+*=|>#]+|\d+[.)])$")
@@ -45,28 +45,39 @@ def wrapped(lines: list[str]) -> Iterator[str]:
     yield line.rstrip()
 
 
-def paragraphs(lines: list[str]) -> Iterator[list[str]]:
-    """Paragraphs and items of lists; anything else line by line."""
-    fenced, after_blank, inside = False, True, []
+def paragraphs(lines: list[str]) -> Iterator[tuple[bool, list[str]]]:
+    """Paragraphs and items of lists, which are text; anything else line by line."""
+    fenced, after_blank, indented, inside = False, True, False, []
     for line in lines:
-        indented_code = after_blank and line.startswith("    ") and not ITEM.match(line)
+        # A list in an indented block, as YAML has them, is code; a nested list is not.
+        if line.strip():
+            started = indented or not ITEM.match(line)
+            indented = after_blank and line.startswith("    ") and started
         if line.lstrip().startswith("```"):
             fenced = not fenced
-        code = fenced or line.lstrip().startswith("```") or (indented_code and not inside)
+        code = fenced or line.lstrip().startswith("```") or (indented and not inside and bool(line.strip()))
         if inside and (code or not is_text(line) or ITEM.match(line)):
-            yield inside
+            yield True, inside
             inside = []
         if code or not is_text(line):
-            yield [line]
+            yield False, [line]
         else:
             inside.append(line)
         after_blank = not line.strip() or (code and after_blank)
     if inside:
-        yield inside
+        yield True, inside
 
 
 def is_long(line: str) -> bool:
-    return len(line) > MOST and " " in line.strip() and is_text(line)
+    return len(line) > WIDTH and " " in line.strip()
+
+
+def wrap(text: str) -> str:
+    """The text, with paragraphs that have long lines wrapped."""
+    result: list[str] = []
+    for is_paragraph, lines in paragraphs(text.splitlines()):
+        result += wrapped(lines) if is_paragraph and any(map(is_long, lines)) else lines
+    return "\n".join(result) + "\n"
 
 
 def main() -> int:
@@ -76,18 +87,14 @@ def main() -> int:
     found = 0
     for name in listed.stdout.split():
         path = ROOT / name
-        lines = path.read_text().splitlines()
-        result: list[str] = []
-        for part in paragraphs(lines):
-            code = part[0].startswith("    ") and not ITEM.match(part[0])
-            long = not code and any(map(is_long, part))
-            result += wrapped(part) if long else part
-        if result != lines:
+        text = path.read_text()
+        result = wrap(text)
+        if result.splitlines() != text.splitlines():
             found += 1
             if "--write" in sys.argv:
-                path.write_text("\n".join(result) + "\n")
+                path.write_text(result)
             else:
-                print(f"{name}: lines of more than {MOST} characters", file=sys.stderr)
+                print(f"{name}: lines of more than {WIDTH} characters", file=sys.stderr)
     if found and "--write" not in sys.argv:
         print("scripts/wrap_markdown.py --write wraps them", file=sys.stderr)
         return 1
