@@ -55,7 +55,7 @@ def paragraphs(lines: list[str]) -> Iterator[tuple[bool, list[str]]]:
             indented = after_blank and line.startswith("    ") and started
         if line.lstrip().startswith("```"):
             fenced = not fenced
-        code = fenced or line.lstrip().startswith("```") or (indented and not inside and bool(line.strip()))
+        code = fenced or line.lstrip().startswith("```") or (indented and not inside)
         if inside and (code or not is_text(line) or ITEM.match(line)):
             yield True, inside
             inside = []

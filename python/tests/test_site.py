@@ -1,6 +1,7 @@
-"""Links of documents, and what stands on the site of all of them."""
+"""Links and widths of documents, and what stands on the site of all of them."""
 
 import re
+import runpy
 import subprocess
 import sys
 from pathlib import Path
@@ -35,6 +36,14 @@ def test_links_of_a_site_that_lead_nowhere_are_found(tmp_path: Path) -> None:
         "a.html#bottom: no such heading",
         "a%20b.png: no such file",
     ]
+
+
+def test_long_lines_are_wrapped_in_text_only() -> None:
+    wrap = runpy.run_path(str(ROOT / "scripts/wrap_markdown.py"))["wrap"]
+    words = "word " * 30
+    code = f"```yaml\nload: 1 kN  # {words}\n```\n\n    list:\n      - {words}\n\n| {words}|\n"
+    assert wrap(code) == code
+    assert wrap(f"- {words}\n") == f"- {'word ' * 22}word\n  {'word ' * 6}word\n"
 
 
 def test_every_document_is_on_the_site(tmp_path: Path) -> None:
