@@ -431,6 +431,27 @@ void prs_scales(const PrsRun* run, double scale[PRS_STATES]) {
   scale[PRS_TORQUE] = r * force;
 }
 
+double prs_fastest(const PrsRun* run) {
+  const PrsDrive* const d = run->drive;
+  const double r = run->reach, load = 1.0 / d->mass;
+  double steepest = 0.0, turns = 0.0, twists = 0.0;
+  int i;
+  for (i = 0; i < 2; ++i) {
+    const PrsBranch* const branch = i == 0 ? &d->curves.tension : &d->curves.compression;
+    const size_t last = branch->count - 1;
+    const double slope = branch->slope[last] / (branch->root ? 2.0 * branch->at[last] : 1.0);
+    steepest = largest_of(steepest, slope);
+  }
+  if (d->coupled) {
+    turns = r * r / d->screw_inertia;
+    twists = 1.0 / d->screw_inertia + (d->by == PRS_BY_SPEED ? 0.0 : 1.0 / d->motor_inertia);
+  } else if (d->by != PRS_BY_SPEED) {
+    turns = r * r / (d->screw_inertia + d->motor_inertia);
+  }
+  return sqrt(steepest * (load + turns) + d->coupling_stiffness * twists +
+              largest_of(d->stop[PRS_UPPER].stiffness, d->stop[PRS_LOWER].stiffness) * load);
+}
+
 double prs_stored_energy(const PrsRun* run, const PrsView* v) {
   const PrsDrive* const d = run->drive;
   double c, slope, energy;

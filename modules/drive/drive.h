@@ -150,6 +150,8 @@ double prs_friction_torque(const PrsCurves* curves, double force, double speed, 
 /* Sizes of the states from which errors of an integration count: those that a thousandth of the
    largest force brings about. */
 void prs_scales(const PrsRun* run, double scale[PRS_STATES]);
+/* Bound of the angular frequency of its vibrations [rad/s]. */
+double prs_fastest(const PrsRun* run);
 /* Energy that the drive holds [J]. */
 double prs_stored_energy(const PrsRun* run, const PrsView* view);
 
