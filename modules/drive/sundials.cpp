@@ -32,7 +32,7 @@ void grow(double scales[PRS_STATES], const Values& values) {
 class Explicit {
  public:
   Explicit(const DriveRun& run, PrsRun& core) {
-    prs_dormand_prince_start(&method_, &core, kShare * run.tolerance);
+    prs_dormand_prince_start(&method_, &core, std::max(kShare * run.tolerance, 1e-13));
     method_.largest = std::min(method_.largest, largest_step(run));
     plain_ = prs_dormand_prince_stepper(&method_);
   }
@@ -65,7 +65,7 @@ bool is_stiff(const DriveRun& run, const PrsRun& core) {
 /// BDF of CVODE with Newton's method.
 class Cvode {
  public:
-  Cvode(const DriveRun& run, PrsRun& core) : core_(core), tolerance_(kShare * run.tolerance) {
+  Cvode(const DriveRun& run, PrsRun& core) : core_(core), tolerance_(std::max(kShare * run.tolerance, 1e-12)) {
     SUNContext_Create(nullptr, &context_);
     y_ = N_VNew_Serial(PRS_STATES, context_);
     memory_ = CVodeCreate(CV_BDF, context_);

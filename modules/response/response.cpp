@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/force_history.h"
 #include "prs/model/check_case.h"
 #include "prs/preload/preloaded_mechanism.h"
@@ -90,6 +91,40 @@ void put_under_preload(const Conditions& conditions, const Contacts& contacts,
       if (const std::optional<double> pressure = result.peak_pressure(loads))
         largest[d]->peak_pressure = std::max(largest[d]->peak_pressure.value_or(0.0), *pressure);
     }
+  }
+}
+
+/// What friction takes of a preload under no load, as `prs slip` has it: of a running screw.
+std::optional<double> torque_at_zero_load(const Case& c, const std::string& load_case) {
+  Case one = c;
+  const auto pattern = std::ranges::find(c.load_cases, load_case, &LoadCase::name);
+  if (pattern != c.load_cases.end())
+    one.load_cases = {*pattern};
+  else
+    one.load_cases.resize(1);
+  LoadCase& load = one.load_cases.front();
+  load.axial_force = 0.0;
+  if (load_case.empty()) load.position = c.preload->position;  // As the curves.
+  if (!load.direction) load.direction = Direction::tension;
+  if (!slip_takes_running_loads(c.model, load.share) || !missing(one, Command::slip).empty()) return {};
+  try {
+    const Result result = analyze_heat(one, {.detail = Detail::numbers});
+    const std::optional<SlipResult>& slip = result.load_cases.front().slip;
+    if (slip && slip->converged()) return std::abs(slip->torque_screw);
+  } catch (const CaseError&) {  // What slip refuses has no value.
+  }
+  return {};
+}
+
+/// What the curves say of their torque, as the drive takes it.
+void tell_of_preload(const Case& c, const std::string& load_case, std::vector<Warning>& warnings) {
+  for (Warning& warning : warnings) {
+    if (warning.code != "torque_without_preload") continue;
+    warning.fix = "state it in `response.screw.drag_torque`";
+    const std::optional<double> torque = torque_at_zero_load(c, load_case);
+    if (!torque) continue;
+    warning.what += ", {value} by `prs slip` at zero load";
+    warning = std::move(warning).with(torque, {}, text_unit::newton_metre);
   }
 }
 
@@ -192,10 +227,10 @@ ResponseInput with_signal_files(const Case& c, const input::Source& source) {
     const SignalTerm::File file = *term.file;
     const std::string block = path + ".file";
     const std::string text = input::named_file_text(file.name, block + ".name", source);
-    const input::Dimension& dimension = is_force                              ? input::unit::force
-                                        : path.ends_with("motor.torque")      ? input::unit::torque
-                                        : path.find(".position") != path.npos ? input::unit::length
-                                                                              : input::unit::rotational_speed;
+    const input::Dimension& dimension = is_force                                    ? input::unit::force
+                                        : path.starts_with("response.motor.torque") ? input::unit::torque
+                                        : path.find(".position") != path.npos       ? input::unit::length
+                                                                                    : input::unit::rotational_speed;
     std::vector<double> time, value;
     std::vector<input::WantedColumn> columns = {{"time", &file.time, &input::unit::duration, &time},
                                                 {"value", &file.value, &dimension, &value}};
@@ -284,8 +319,7 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
   r.has_preload = c.preload.has_value();
   const SystemCurves curves = response_curves(c);
   r.warnings = curves.warnings;
-  for (Warning& warning : r.warnings)
-    if (warning.code == "torque_without_preload") warning.fix = "state it in `response.screw.drag_torque`";
+  tell_of_preload(c, curves.load_case, r.warnings);
   const PrsDrive drive = drive_of(c, r.input, curves);
   r.can_open = drive.curves.tension.root != 0 || drive.curves.compression.root != 0;
   DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.force.terms())};

@@ -56,6 +56,8 @@ void check_term(const std::string& path, const SignalTerm& term, Problems& probl
                    first, kForms);
     first = form;
   }
+  if (first.empty() && std::isnan(term.constant))
+    problems.add(path, "got no form; expected {}; write one of them", kForms);
   if (const auto* places = places_of(term))
     for (std::size_t k = 1; k < places->size(); ++k)
       if (!((*places)[k].at > (*places)[k - 1].at)) {

@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import rollerscrew as rs
-from conftest import lesson
+from conftest import CONFIGS, lesson
 
 
 @pytest.fixture(scope="module")
@@ -241,5 +241,11 @@ def test_joints_have_the_constants_of_the_drive(tmp_path: Path) -> None:
     dynamics = ElementTree.parse(tmp_path / "axis.urdf").find(".//dynamics")
     assert dynamics is not None
     assert dynamics.attrib["friction"] == joint.attrib["frictionloss"]
+    odd = tmp_path / "a--b---c.yaml"
+    odd.write_text((CONFIGS / "35_emergency_stop.yaml").read_text())
+    rs.Case.from_yaml(odd).export_mjcf(tmp_path / "odd.xml")
+    rs.Case.from_yaml(odd).export_urdf(tmp_path / "odd.urdf")
+    for file in ("odd.xml", "odd.urdf"):
+        ElementTree.parse(tmp_path / file)
     with pytest.raises(rs.InputError, match="response"):
         lesson(5).export_mjcf(tmp_path / "none.xml")

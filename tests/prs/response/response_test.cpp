@@ -120,6 +120,7 @@ TEST(Response, EachWrongValueIsRefused) {
       {torque, "response.motor.inertia=0 kg m^2", "response.motor.inertia"},
       {torque, "response.brake={torque: -1 N m, at: 1 ms}", "response.brake.torque"},
       {torque, "response.load.force=[]", "response.load.force"},
+      {torque, "response.load.force={}", "response.load.force: got no form"},
       {torque, "response.load.force={steps: []}", "response.load.force.steps"},
       {torque, "response.load.force={square: 3 N}", "response.load.force.square"},
       {torque, "response.load.force={points: [{at: 0 s, value: 1 N}], sine: {amplitude: 1 N, frequency: 2 Hz}}",
@@ -162,6 +163,27 @@ TEST(Response, ASumOfSignalsIsWhatItsTermsAre) {
   const std::vector<double> one = sum["external_force_N"],
                             two = response_of(source_of(given, {sine}))["external_force_N"];
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(one[k], two[k], 1e-9);
+}
+
+TEST(Response, SignalsFromFilesAreThoseOfTheirPoints) {
+  input::Source source = source_of(solved()["cases"][0]);
+  const Json points = response_of(source);
+  source.overrides = {
+      "response.motor.torque=[{file: {name: torque.csv, time: {column: t, unit: ms}, value: {column: torque, unit: N "
+      "m}}}, 1 N m]"};
+  source.files = {{"torque.csv", "t,torque\n0,3\n15,3\n25,-6\n50,-6\n"}};
+  EXPECT_EQ(response_of(source)["motor_torque_Nm"], points["motor_torque_Nm"]);
+}
+
+TEST(Response, APreloadIsSaidToTakeTheTorqueOfSlipAtZeroLoad) {
+  const Json& given = solved()["cases"][2];
+  const Json slip = run(analysis_of(Command::slip), source_of(given, {"load_cases[0].axial_force=0 N"}))
+                        .document({})["load_cases"][0]["slip"];
+  const Json document = run(analysis_of(Command::response), source_of(given)).document({});
+  const Json& warnings = document["warnings"];
+  const auto found = std::ranges::find(warnings, "torque_without_preload", [](const Json& w) { return w["code"]; });
+  ASSERT_NE(found, warnings.end()) << warnings;
+  EXPECT_NEAR((*found)["value"], slip["torque_screw_Nm"], 1e-9);
 }
 
 /// Rolling evenly takes the torque that `prs slip` has for that force and speed.
