@@ -299,7 +299,7 @@ DRIVE = dict(lead=0.005, constant=flank_constant(5, 4, (1.004195841e10, 1.140204
 def case_19(rows):
     """A step of torque, a reversal through the play, rest."""
     drive, part, why = Drive(**DRIVE).run(), 1e-5, "events and rounding"
-    for k, (time, y) in enumerate(zip(drive.samples, drive.sampled)):
+    for k, y in enumerate(drive.sampled):
         rows.relative(f"position_{k + 1}_mm", "mm", 1e3 * y[X], part, why, TWO)
         if k < 3:
             rows.relative(f"screw_speed_{k + 1}_rpm", "rpm", y[OMEGA] / RPM, part, why, TWO)

@@ -168,7 +168,23 @@ FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput&
   return r;
 }
 
+/// The largest forces in place of those at which the curves end.
+void warn_of_pressure(ResponseResult& r) {
+  std::erase_if(r.warnings, [](const Warning& w) {
+    return w.code.ends_with("_peak_pressure") || w.code.ends_with("_running_pressure");
+  });
+  for (const Direction d : kDirections)
+    if (const auto& largest = r.largest[d]; largest && largest->peak_pressure.value_or(0.0) > kStaticPressureLimit)
+      r.warnings.push_back(
+          Warning{"response", fmt::format("{}_peak_pressure", name(d)),
+                  fmt::format("peak pressure {{value}} exceeds {{limit}}, under {:.4g} kN in {} at {:.6g} ms",
+                              1e-3 * largest->force, name(d), 1e3 * largest->time),
+                  "lower speed or torque, soften what stops the load, or take more contacts"}
+              .with(largest->peak_pressure, kStaticPressureLimit, text_unit::gigapascal));
+}
+
 void add_warnings(const Case& c, const SystemCurves& curves, ResponseResult& r) {
+  warn_of_pressure(r);
   const FrictionTable& friction = curves.friction;
   const double force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
   if (r.run.largest_force > force * (1.0 + 1e-9))
@@ -214,7 +230,14 @@ SystemCurves response_curves(const Case& c, const CurveOptions& asked) {
     const ResponseInput::Curves& curves = c.response->curves;
     if (!options.force) options.force = curves.force;
     if (!options.speed) options.speed = curves.speed;
-    if (!options.load_case) options.load_case = curves.load_case;
+    if (!options.load_case && curves.load_case) {
+      options.load_case = curves.load_case;
+      if (std::ranges::find(c.load_cases, *curves.load_case, &LoadCase::name) == c.load_cases.end())
+        throw CaseError("response.curves.load_case",
+                        fmt::format("got `{}`; expected the name of a load case of this file; change it, or leave it "
+                                    "out",
+                                    *curves.load_case));
+    }
   }
   return system_curves(stated, options);
 }
@@ -232,9 +255,9 @@ ResponseInput with_signal_files(const Case& c, const input::Source& source) {
                                         : path.find(".position") != path.npos       ? input::unit::length
                                                                                     : input::unit::rotational_speed;
     std::vector<double> time, value;
-    std::vector<input::WantedColumn> columns = {{"time", &file.time, &input::unit::duration, &time},
-                                                {"value", &file.value, &dimension, &value}};
-    input::read_columns(text, input::name_in_messages(file.name, source), block, columns, source);
+    std::vector<input::WantedColumn> columns = {{"file.time", &file.time, &input::unit::duration, &time},
+                                                {"file.value", &file.value, &dimension, &value}};
+    input::read_columns(text, input::name_in_messages(file.name, source), path, columns, source);
     term.points.emplace();
     for (std::size_t k = 0; k < time.size(); ++k) {
       if (k > 0 && !(time[k] > time[k - 1]))

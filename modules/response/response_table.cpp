@@ -13,16 +13,26 @@ std::string largest_text(const LargestForce& l) {
 }
 
 std::string impact_text(const DriveImpact& i) {
-  return fmt::format("{} at {:.6g} ms, {:.4g} mm/s, {:.3g} J", fixed_with_unit(i.force.value, "kN", 3), 1e3 * i.time,
-                     1e3 * i.speed, i.energy);
+  return fmt::format("{:.6g} ms, {:.4g} mm/s, {:.3g} J, up to {}", 1e3 * i.time, 1e3 * i.speed, i.energy,
+                     fixed_with_unit(i.force.value, "kN", 3));
 }
 
-std::string impacts_text(const std::vector<DriveImpact>& all) {
-  if (all.empty()) return line("impacts", "none");
+/// Below this share of the largest force of all is rounding or a touch.
+constexpr double kTouch = 1e-3;
+
+std::string impacts_text(const DriveResult& run) {
+  const double least = kTouch * run.largest_force;
+  std::vector<DriveImpact> all;
+  std::ranges::copy_if(run.impacts, std::back_inserter(all), [&](auto& i) { return i.force.value >= least; });
+  const std::size_t touches = run.impacts.size() - all.size();
+  std::string text = line("impacts", (all.empty() ? std::string("none") : fmt::format("{}", all.size())) +
+                                         (touches > 0 ? fmt::format(", and {} below {:.3g} N", touches, least) : ""));
+  if (all.empty()) return text;
   const auto fastest = std::ranges::max_element(all, {}, &DriveImpact::speed);
   const auto hardest = std::ranges::max_element(all, {}, [](const DriveImpact& i) { return i.force.value; });
-  return line("impacts", fmt::format("{}", all.size())) + line("  fastest", impact_text(*fastest)) +
-         line("  hardest", impact_text(*hardest));
+  text += line("  fastest", impact_text(*fastest));
+  if (hardest != fastest) text += line("  hardest", impact_text(*hardest));
+  return text;
 }
 
 std::string energies_text(const ResponseResult& r) {
@@ -56,11 +66,12 @@ std::string response_table(const ResponseResult& r) {
   if (!r.converged())
     text += fmt::format("NOT CONVERGED ({}): stopped at {:.6g} s\n", name(r.run.status), r.run.stopped_at);
   for (const Direction d : kDirections)
-    if (r.largest[d]) text += line(fmt::format("largest force in {}", name(d)), largest_text(*r.largest[d]));
+    if (r.largest[d] && r.largest[d]->force >= kTouch * r.run.largest_force)
+      text += line(fmt::format("largest force in {}", name(d)), largest_text(*r.largest[d]));
   text += line("motor torque", fmt::format("{} at the most, {} rms", fixed_with_unit(r.run.torque.value, "N m", 3),
                                            fixed_with_unit(r.rms_torque(), "N m", 3)));
   if (r.has_stops()) text += line("largest force of an end stop", fixed_with_unit(r.run.stop.value, "kN", 3));
-  if (r.can_open) text += impacts_text(r.run.impacts);
+  if (r.can_open) text += impacts_text(r.run);
   text += line("lost motion", fixed_with_unit(r.run.lost_motion, "µm", 3));
   if (const auto& f = r.following_error)
     text += line("following error", f->of_position

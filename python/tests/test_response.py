@@ -177,6 +177,47 @@ def test_unit_is_the_run(exported: tuple[Duty, str], parts: int, tmp_path: Path)
         np.testing.assert_allclose(found[ends], expected[ends], rtol=0, atol=atol, err_msg=key)
 
 
+def test_unit_starts_where_initialization_ends(tmp_path: Path) -> None:
+    """Inputs that are set behind it do not move the start: speeds go straight, forces step."""
+    pytest.importorskip("fmpy")
+    from fmpy import extract, read_model_description
+    from fmpy.fmi2 import FMU2Slave
+
+    block = {
+        "duration": "10 ms",
+        "motor": {"speed": "0 rpm"},
+        "coupling": {"stiffness": "2000 N m/rad", "damping": "0.1 N m s/rad"},
+        "screw": {"inertia": "3 kg cm^2"},
+        "load": {"mass": "45 kg"},
+        "material_damping": {"time": "50 us"},
+    }
+    case = lesson(36).with_(response=block)
+    case.export_fmu(tmp_path / "drive.fmu")
+    description = read_model_description(str(tmp_path / "drive.fmu"))
+    reference = {v.name: v.valueReference for v in description.modelVariables}
+    unit: Any = FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=extract(str(tmp_path / "drive.fmu"), str(tmp_path / "unit")),
+        modelIdentifier=description.coSimulation.modelIdentifier,
+        instanceName="drive",
+    )
+    unit.instantiate()
+    unit.setupExperiment(startTime=0.0)
+    unit.enterInitializationMode()
+    unit.exitInitializationMode()
+    unit.setReal([reference["motor_speed"], reference["external_force"]], [50.0, 1000.0])
+    unit.doStep(0.0, 5e-3)
+    angle, force = unit.getReal([reference["motor_angle"], reference["force"]])
+    unit.terminate()
+    unit.freeInstance()
+    assert angle == pytest.approx(0.125, rel=1e-9)
+    ramp = {"points": [{"at": "0 s", "value": "0 rad/s"}, {"at": "5 ms", "value": "50 rad/s"}]}
+    step = {"steps": [{"at": "-1 s", "value": "0 N"}, {"at": "1 ns", "value": "1 kN"}]}
+    changes = {"response.motor.speed": ramp, "response.load.force": step}
+    run = case.with_({**changes, "response.sample_interval": "5 ms"}).response().response
+    assert force == pytest.approx(run.force_N[1], abs=1e-4 * np.ptp(run.force_N) + 1.0)
+
+
 @pytest.fixture(scope="module")
 def axis() -> rs.Case:
     """The drive of lesson 35 under an even torque, without stops."""

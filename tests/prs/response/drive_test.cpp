@@ -166,6 +166,21 @@ TEST(Drive, HertzianFlanksStopAMass) {
   EXPECT_NEAR(r.tension.value, expected, 1e-5 * expected);
 }
 
+/// The loss of material damping begins with the root of the time behind each impact.
+TEST(Drive, EnergiesOfADampedMassThatBouncesClose) {
+  for (const double beta : {2e-5, 2e-4}) {
+    PlainDrive d;
+    d.set_hertz(5e10, 20e-6);
+    d.drive.material_damping = beta;
+    d.drive.start_speed = 0.03;
+    d.drive.start_deflection = 0.0;
+    const DriveResult r = d.run(0.05, 1e-3);
+    EXPECT_GE(r.impacts.size(), 3U);
+    EXPECT_GT(r.contact, 0.1 * r.stored_start);
+    EXPECT_LT(residual(r), 1e-6) << beta;
+  }
+}
+
 TEST(Drive, AStopTakesTheWholeSpeed) {
   PlainDrive d;
   d.set_stiffness(2e8, 0.1);  // The load is free.

@@ -8,6 +8,7 @@
 
 #include "modules/response/response_analysis.h"
 #include "prs/export/robot.h"
+#include "prs/input/echo.h"
 #include "prs/run/commands.h"
 
 namespace prs {
@@ -184,6 +185,40 @@ TEST(Response, APreloadIsSaidToTakeTheTorqueOfSlipAtZeroLoad) {
   const auto found = std::ranges::find(warnings, "torque_without_preload", [](const Json& w) { return w["code"]; });
   ASSERT_NE(found, warnings.end()) << warnings;
   EXPECT_NEAR((*found)["value"], slip["torque_screw_Nm"], 1e-9);
+}
+
+TEST(Response, SpeedsAlongTheAxisAreTurnedByTheLead) {
+  const Json& given = solved()["cases"][4];
+  const std::string controller = "response.motor.controller={speed_gain: 0.5 N m s/rad, largest_torque: 5 N m, ";
+  const auto speeds = [&](const std::string& speed) {
+    return response_of(source_of(given, {controller + speed + "}", "response.settling=null"}))["motor_speed_rpm"];
+  };
+  EXPECT_EQ(speeds("speed: [{steps: [{at: 0 s, value: 25 mm/s}]}, 50 mm/s]"),
+            speeds("speed: [{steps: [{at: 0 s, value: 300 rpm}]}, 600 rpm]"));
+}
+
+TEST(Response, PressureAboveTheStaticLimitIsAWarning) {
+  const Json& given = solved()["cases"][0];
+  const auto codes = [&](std::vector<std::string> overrides) {
+    std::vector<std::string> all;
+    for (const Json& w :
+         run(analysis_of(Command::response), source_of(given, std::move(overrides))).document({})["warnings"])
+      all.push_back(w["code"]);
+    return all;
+  };
+  EXPECT_EQ(std::ranges::count(codes({}), "tension_peak_pressure"), 0);
+  const auto hard = codes({"response.motor.torque=40 N m", "response.load.force={steps: [{at: 20 ms, value: 60 kN}]}"});
+  EXPECT_EQ(std::ranges::count(hard, "tension_peak_pressure"), 1);
+}
+
+TEST(Response, HashOfTheInputCoversFilesOfSignals) {
+  input::Source source = source_of(solved()["cases"][0]);
+  source.overrides = {
+      "response.load.force={file: {name: force.csv, time: {column: t, unit: s}, value: {column: f, unit: N}}}"};
+  source.files = {{"force.csv", "t,f\n0,50\n1,50\n"}};
+  const std::string one = input::input_sha256(source);
+  source.files = {{"force.csv", "t,f\n0,50\n1,51\n"}};
+  EXPECT_NE(input::input_sha256(source), one);
 }
 
 /// Rolling evenly takes the torque that `prs slip` has for that force and speed.
