@@ -74,7 +74,6 @@ typedef struct {
   double t;
   double y[PRS_STATES];
   PrsModes modes;
-  int began;
 } PrsState;
 
 enum { PRS_EVENTS = 16 };

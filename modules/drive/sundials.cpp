@@ -151,7 +151,7 @@ class Cvode {
   SUNLinearSolver linear_ = nullptr;
 };
 
-constexpr long kMostSteps = 20'000'000;
+constexpr long kMostSteps = 5'000'000;
 
 void integrate(const DriveRun& run, DriveResult& result) {
   PrsRun core{};
@@ -165,6 +165,7 @@ void integrate(const DriveRun& run, DriveResult& result) {
   const PrsObserver observer = recorder.observer();
   constexpr DriveStatus kStatus[] = {DriveStatus::converged, DriveStatus::integration_failed, DriveStatus::step_limit,
                                      DriveStatus::left_shaft};
+  result.fastest = prs_fastest(&core);
   result.status = kStatus[prs_run_to(&core, &stepper, &observer, run.duration)];
   recorder.finish();
 }

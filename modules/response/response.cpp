@@ -119,6 +119,9 @@ std::optional<double> torque_at_zero_load(const Case& c, const std::string& load
 /// What the curves say of their torque, as the drive takes it.
 void tell_of_preload(const Case& c, const std::string& load_case, std::vector<Warning>& warnings) {
   for (Warning& warning : warnings) {
+    constexpr std::string_view kOther = " for `slip`";
+    if (const std::size_t at = warning.what.find(kOther); warning.code == "no_friction" && at != warning.what.npos)
+      warning.what.erase(at, kOther.size());
     if (warning.code != "torque_without_preload") continue;
     warning.fix = "state it in `response.screw.drag_torque`";
     const std::optional<double> torque = torque_at_zero_load(c, load_case);
@@ -183,29 +186,41 @@ void warn_of_pressure(ResponseResult& r) {
               .with(largest->peak_pressure, kStaticPressureLimit, text_unit::gigapascal));
 }
 
-void add_warnings(const Case& c, const SystemCurves& curves, ResponseResult& r) {
+void add_warnings(const Case& c, ResponseResult& r) {
   warn_of_pressure(r);
-  const FrictionTable& friction = curves.friction;
-  const double force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
-  if (r.run.largest_force > force * (1.0 + 1e-9))
+  const auto& point = r.input.frequency_response;
+  const double force = std::max(r.run.largest_force, point ? std::abs(point->force.value_or(0.0)) : 0.0);
+  const double speed = std::max(r.run.largest_speed, point ? std::abs(point->speed.value_or(0.0)) : 0.0);
+  if (force > r.curves_force * (1.0 + 1e-9))
     r.warnings.push_back(
         Warning{"response.curves.force", "beyond_force",
                 "the largest force is {value}, the curves end at {limit}: beyond, the force goes on in "
                 "a straight line and friction grows with it",
                 "raise `response.curves.force`"}
-            .with(r.run.largest_force, force, text_unit::kilonewton));
-  if (!friction.speed.empty() && r.run.largest_speed > friction.speed.back() * (1.0 + 1e-9))
+            .with(force, r.curves_force, text_unit::kilonewton));
+  if (r.curves_speed > 0.0 && speed > r.curves_speed * (1.0 + 1e-9))
     r.warnings.push_back(
         Warning{"response.curves.speed", "beyond_speed",
                 fmt::format("the screw reaches {:.0f} rpm, the table of friction ends at {:.0f} rpm, whose "
                             "values stay",
-                            r.run.largest_speed * per_si::revolution_per_minute,
-                            friction.speed.back() * per_si::revolution_per_minute),
+                            speed * per_si::revolution_per_minute, r.curves_speed * per_si::revolution_per_minute),
                 "raise `response.curves.speed`"});
   if (!(c.response->screw.inertia > 0.0))
     r.warnings.push_back({"response.screw.inertia", "no_screw_inertia",
-                          "the screw has no inertia of its own: shaft, spin and orbit of the rollers are left out",
-                          "see `equivalent_inertia` of `prs measures`"});
+                          "the screw has no inertia of its own: its shaft, spin and orbit of the rollers are left out",
+                          "add up what `prs measures` has of the turning part, without what travels"});
+  constexpr std::size_t kMany = 20;
+  if (!c.response->material_damping && r.run.impacts.size() > kMany)
+    r.warnings.push_back({"response.material_damping", "no_material_damping",
+                          fmt::format("flanks close {} times: without damping their vibration dies away by friction "
+                                      "alone",
+                                      r.run.impacts.size()),
+                          "write `material_damping: {loss_factor: 3 %, at_frequency: 300 Hz}`, for example"});
+  if (r.run.status == DriveStatus::step_limit)
+    r.warnings.push_back({"response", "step_limit",
+                          fmt::format("the drive vibrates with up to {:.4g} Hz, too fast for {:.6g} s",
+                                      r.run.fastest / kTurn, r.input.duration),
+                          "shorten `duration`, or check masses, inertias and stiffnesses and their units"});
 }
 
 }  // namespace
@@ -344,6 +359,9 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
   r.warnings = curves.warnings;
   tell_of_preload(c, curves.load_case, r.warnings);
   const PrsDrive drive = drive_of(c, r.input, curves);
+  r.load_case = curves.load_case;
+  r.curves_force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
+  if (!curves.friction.speed.empty()) r.curves_speed = curves.friction.speed.back();
   r.can_open = drive.curves.tension.root != 0 || drive.curves.compression.root != 0;
   DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.force.terms())};
   if (r.input.frequency_response) r.frequency_response = frequency_response(drive, r.input);
@@ -379,7 +397,7 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
         FollowingError{r.input.motor.controller->position.has_value(), r.run.error.value, r.run.error.time,
                        std::sqrt(r.run.error_squared / std::min(r.input.duration, drive.cut_at))};
   if (r.input.settling && r.converged()) r.settling = settling_of(r.input, r.run);
-  add_warnings(c, curves, r);
+  add_warnings(c, r);
   return r;
 }
 

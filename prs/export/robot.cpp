@@ -93,6 +93,7 @@ std::string joint(std::string_view form, const ResponseInput& in, const RobotCon
   const auto& controller = in.motor.controller;
   const double torque = controller ? controller->largest_torque.value_or(0.0) : 0.0;
   return fmt::format(fmt::runtime(form), fmt::arg("remarks", remarks(r, text)), fmt::arg("name", text.name),
+                     fmt::arg("start", in.start.position), fmt::arg("start_speed", in.start.speed),
                      fmt::arg("reflected", r.reflected_mass), fmt::arg("friction", r.friction_loss),
                      fmt::arg("damping", r.damping), fmt::arg("mass", in.load.mass),
                      fmt::arg("range", limited ? bounds("limited", "range", least, most) : ""),

@@ -279,6 +279,9 @@ def test_joints_have_the_constants_of_the_drive(tmp_path: Path) -> None:
     reach = 0.005 / (2.0 * np.pi)
     assert float(joint.attrib["armature"]) == pytest.approx(9.5e-4 / reach**2)
     assert joint.attrib["range"].split() == ["0", "0.0089999999999999993"]
+    key = ElementTree.parse(tmp_path / "axis.xml").find(".//key")
+    assert key is not None
+    assert float(key.attrib["qpos"]) == pytest.approx(6e-3)
     dynamics = ElementTree.parse(tmp_path / "axis.urdf").find(".//dynamics")
     assert dynamics is not None
     assert dynamics.attrib["friction"] == joint.attrib["frictionloss"]
