@@ -205,6 +205,27 @@ def case_18(run, folder):
     return values
 
 
+def case_19(run, folder):
+    response, values = run("response", folder)["response"], {}
+    for k, position in enumerate(response["position_mm"][1:], 1):
+        values[f"position_{k}_mm"] = position
+    for k in (1, 2, 3):
+        values[f"screw_speed_{k}_rpm"] = response["screw_speed_rpm"][k]
+    for k, impact in enumerate(response["impacts"], 1):
+        for name, factor, key in (("time_ms", 1e3, "time_s"), ("speed_mm_per_s", 1.0, "speed_mm_per_s"),
+                                  ("largest_force_N", 1.0, "largest_force_N")):
+            values[f"impact_{k}_{name}"] = factor * impact[key]
+    for sense in ("tension", "compression"):
+        values[f"largest_{sense}_N"] = response["largest"][sense]["force_N"]
+    values["lost_motion_um"] = response["lost_motion_um"]
+    values["rms_torque_Nm"] = response["rms_motor_torque_Nm"]
+    energy = response["energy_J"]
+    lost = {key: energy["lost"][key] for key in ("screw_friction", "motor_friction", "load_friction", "coupling", "contact")}
+    for key, value in ({"motor": energy["motor"], "load": energy["load"], "stored": energy["stored_end"]} | lost).items():
+        values[f"energy_{key}_J"] = value
+    return values
+
+
 def case_20(run, folder):
     values = {}
     for axis, file in (("horizontal", "case.yaml"), ("vertical", "case_vertical.yaml"),
@@ -226,7 +247,7 @@ def case_20(run, folder):
 
 CASES = {"01": case_01, "02": case_02, "03": sectors, "04": case_04, "05": sectors, "06": case_06, "07": full,
          "08": full, "09": full, "10": full, "11": full, "12": case_12, "13": case_13, "14": case_14, "15": case_15,
-         "16": case_16, "17": case_17, "18": case_18, "20": case_20}
+         "16": case_16, "17": case_17, "18": case_18, "19": case_19, "20": case_20}
 
 
 def expected(folder):

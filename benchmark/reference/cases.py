@@ -1,4 +1,4 @@
-"""The nineteen cases in numbers: what each expects, how sure that is, and where it comes from.
+"""The twenty cases in numbers: what each expects, how sure that is, and where it comes from.
 
 Nothing here uses the program that the benchmark was made beside. Case NN is the function `case_NN`; it fills rows
 (quantity, unit, value, uncertainty, reason, source, counts).
@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import running
+from drive import OMEGA, SUMS, Drive, X, flank_constant
 from hertz import Contact, effective_modulus
 from mechanism import Mechanism
 from sector import Sector, gaps
@@ -287,6 +288,33 @@ def case_18(rows):
     for k in range(10):
         rows.relative(f"frequency_{k + 1}_Hz", "Hz", omega[k] / (2 * pi), 1e-6, why, TWO)
         rows.add(f"effective_mass_x_{k + 1}_kg", "kg", part[k] ** 2, 1e-8, "1e-8 kg: " + why, TWO)
+
+
+DRIVE = dict(lead=0.005, constant=flank_constant(5, 4, (1.004195841e10, 1.140204802e10), 45.0), play=20e-6, mass=20.0,
+             screw_inertia=1e-4, motor_inertia=2e-4, stiffness=900.0, damping=0.02, beta=20e-6,
+             friction=(40.0, 0.1, 0.05), torque=((0.0, 2.0), (0.020, -2.0), (0.035, 0.0)), force=30.0,
+             samples=(0.010, 0.020, 0.030, 0.040, 0.050, 0.060))
+
+
+def case_19(rows):
+    """A step of torque, a reversal through the play, rest."""
+    drive, part, why = Drive(**DRIVE).run(), 1e-5, "events and rounding"
+    for k, y in enumerate(drive.sampled):
+        rows.relative(f"position_{k + 1}_mm", "mm", 1e3 * y[X], part, why, TWO)
+        if k < 3:
+            rows.relative(f"screw_speed_{k + 1}_rpm", "rpm", y[OMEGA] / RPM, part, why, TWO)
+    for k, (time, _, speed, force) in enumerate(drive.impacts, 1):
+        rows.relative(f"impact_{k}_time_ms", "ms", 1e3 * time, part, why, TWO)
+        rows.relative(f"impact_{k}_speed_mm_per_s", "mm/s", 1e3 * speed, part, why, TWO)
+        rows.relative(f"impact_{k}_largest_force_N", "N", force, part, why, TWO)
+    for sense, name in ((1, "tension"), (-1, "compression")):
+        rows.relative(f"largest_{name}_N", "N", drive.peak[sense][1], part, why, TWO)
+    rows.relative("lost_motion_um", "um", 1e6 * sum(drive.lag), part, why, TWO)
+    energies = dict(zip(SUMS, drive.end[6:]))
+    rows.relative("rms_torque_Nm", "N m", sqrt(energies.pop("torque_squared") / drive.samples[-1]), part, why, TWO)
+    for name, value in energies.items():
+        rows.relative(f"energy_{name}_J", "J", value, part, why, TWO)
+    rows.relative("energy_stored_J", "J", drive.stored(drive.end), part, why, TWO)
 
 
 # --- 12 to 15: the screw turns

@@ -144,6 +144,19 @@ def modes():
     return figure
 
 
+def reversal():
+    drive = cases.Drive(**cases.DRIVE).run(1e-9)
+    figure, ax = plt.subplots(figsize=(7, 2.8))
+    for times, force in drive.pieces:
+        ax.plot(1e3 * times, force, color=BLUE, linewidth=1.2)
+    for time, *_ in drive.impacts:
+        ax.axvline(1e3 * time, color=ORANGE, linestyle=":", linewidth=1)
+    ax.set_xlabel("time, ms")
+    ax.set_ylabel("force of the screw, N")
+    ax.grid(alpha=0.3)
+    return figure
+
+
 def contacts():
     fig, axes = plt.subplots(1, 2, figsize=(9.0, 3.0))
     *points, _ = cases.standard_threads(0.015, 0.005, 0.025, 0.010, 5, 7.07e-3, 0.020)
@@ -276,6 +289,7 @@ def draw(number):
         "11": lambda: around("11", "roller 1 is thicker", thick=(0,)),
         "17": travel,
         "18": modes,
+        "19": reversal,
         "12": lambda: slip_case("12", ("coulomb", "film", "mixed")),
         "13": lambda: slip_case("13", ("screw_drives", "load_drives", "self_locking")),
         "14": lambda: sector_case("14", running, 0.012, 0.0, [("at_rest.", "at rest"), ("screw_drives.", "screw drives"),

@@ -5,7 +5,7 @@
 
 #define TURN 6.283185307179586476925287
 
-enum { EVENT_FLANK = 6, EVENT_STOP = 8, EVENT_BOUND = 10 };
+enum { EVENT_FLANK = 6, EVENT_STOP = 8, EVENT_BOUND = 10, EVENT_SPEED = 12, EVENT_WIND = 14, EVENT_LIFT = 15 };
 
 const double prs_places[PRS_POINTS] = {0.0, 0.17267316464601142810, 0.5, 0.82732683535398857190, 1.0};
 
@@ -171,6 +171,12 @@ double prs_elastic_energy(const PrsCurves* curves, double u) {
   return energy;
 }
 
+/* Whether the closed flank is one that can open. */
+static int is_loose(const PrsRun* run) {
+  const int flank = run->state.modes.flank;
+  return flank != 0 && run->can_open[flank < 0];
+}
+
 static int can_open(const PrsRun* run) { return run->can_open[0] || run->can_open[1]; }
 
 /* Whether a place can stick at all. */
@@ -184,7 +190,7 @@ static int has_friction(const PrsRun* run, int place) {
 }
 
 /* The reference of the speed loop and its slope. */
-static double wanted_speed(const PrsRun* run, const PrsInputs* in, const PrsView* v, double* slope) {
+static double wanted_speed(const PrsRun* run, const PrsInputs* in, PrsView* v, double* slope) {
   const PrsDrive* const d = run->drive;
   double speed = in->motor;
   *slope = in->slope;
@@ -199,11 +205,10 @@ static double wanted_speed(const PrsRun* run, const PrsInputs* in, const PrsView
       *slope += in->curve / r;
     }
   }
-  if (fabs(speed) > d->largest_speed) {
-    *slope = 0.0;
-    return sign_of(speed) * d->largest_speed;
-  }
-  return speed;
+  v->asked = speed;
+  if (run->state.modes.clipped == 0) return speed;
+  *slope = 0.0;
+  return run->state.modes.clipped * d->largest_speed;
 }
 
 /* What the controller or the signal commands. */
@@ -245,6 +250,7 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
 
   /* Force of the screw. */
   v->left_shaft = !prs_shaft_compliance(d, v->x, &compliance, &compliance_slope);
+  v->pressed = 0.0;
   if (can_open(run) && (m->flank == 0 ? run->play[0] + run->play[1] > 0.0 : m->flank * v->delta < 0.0)) {
     v->static_force = v->tangent = v->force = 0.0;
     v->u = v->delta;
@@ -252,9 +258,13 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
     v->static_force = prs_series_force(&d->curves, v->delta, compliance, &v->u, &v->tangent);
     bending = d->material_damping * v->tangent * v->delta_rate;
     v->force = v->static_force + bending;
-    if (v->static_force > 0.0 ? run->can_open[0] && v->force < 0.0
-                              : v->static_force < 0.0 && run->can_open[1] && v->force > 0.0)
+    v->pressed = m->flank * v->force;
+    if (is_loose(run)) {
+      if (m->lifted) v->force = 0.0;
+    } else if (v->static_force > 0.0 ? run->can_open[0] && v->force < 0.0
+                                     : v->static_force < 0.0 && run->can_open[1] && v->force > 0.0) {
       v->force = 0.0;
+    }
   }
   v->shaft_force = 0.5 * v->static_force * v->static_force * compliance_slope;
 
@@ -275,7 +285,7 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
 
   /* Motor. */
   v->coupling_torque = rigid ? 0.0 : d->coupling_stiffness * v->theta + d->coupling_damping * v->theta_rate;
-  v->wanted = v->speed_error = 0.0;
+  v->wanted = v->speed_error = v->asked = 0.0;
   command = commanded_torque(run, &in, y, v, &reference_slope);
   if (all && m->bound == 0 && d->by >= PRS_SPEED_LOOP && fabs(command) > d->largest_torque)
     command = sign_of(command) * d->largest_torque; /* By rounding, at the event itself. */
@@ -351,7 +361,7 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
     if (d->integral_time > 0.0 && !m->cut) {
       if (m->bound == 2 || m->bound == -2)
         rate[PRS_INTEGRAL] = -d->integral_time * v->speed_error_rate;
-      else if (m->bound == 0 || v->wanted * v->speed_error <= 0.0)
+      else if (m->bound == 0 || m->winds)
         rate[PRS_INTEGRAL] = v->speed_error;
     }
     rate[PRS_TORQUE] = d->time_constant > 0.0 ? (command - y[PRS_TORQUE]) / d->time_constant : 0.0;
@@ -393,7 +403,12 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
       v->event[EVENT_FLANK + 1] = v->delta + run->play[1];
     }
   }
-  v->event[EVENT_BOUND] = v->event[EVENT_BOUND + 1] = 1.0;
+  v->event[EVENT_SPEED] = v->event[EVENT_SPEED + 1] = 1.0;
+  if (d->by >= PRS_SPEED_LOOP && !m->cut && d->largest_speed < HUGE_VAL) {
+    v->event[EVENT_SPEED] = m->clipped != 0 ? m->clipped * v->asked - d->largest_speed : d->largest_speed - v->asked;
+    if (m->clipped == 0) v->event[EVENT_SPEED + 1] = d->largest_speed + v->asked;
+  }
+  v->event[EVENT_BOUND] = v->event[EVENT_BOUND + 1] = v->event[EVENT_WIND] = 1.0;
   if (d->by >= PRS_SPEED_LOOP && !m->cut && d->largest_torque < HUGE_VAL) {
     const double sense = m->bound < 0 ? -1.0 : 1.0;
     if (m->bound == 0) {
@@ -405,7 +420,11 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
       v->event[EVENT_BOUND] = -sense * v->speed_error_rate;
       v->event[EVENT_BOUND + 1] = sense * (v->speed_error + d->integral_time * v->speed_error_rate);
     }
+    if (d->integral_time > 0.0 && (m->bound == 1 || m->bound == -1))
+      v->event[EVENT_WIND] = (m->winds ? -m->bound : m->bound) * v->speed_error;
   }
+  v->event[EVENT_LIFT] = 1.0;
+  if (d->material_damping > 0.0 && is_loose(run)) v->event[EVENT_LIFT] = m->lifted ? -v->pressed : v->pressed;
 }
 
 void prs_rates(const PrsRun* run, double t, const double y[PRS_STATES], double rate[PRS_STATES]) {
@@ -429,6 +448,27 @@ void prs_scales(const PrsRun* run, double scale[PRS_STATES]) {
   scale[PRS_THETA] = d->coupled ? r * force / d->coupling_stiffness : 1.0;
   scale[PRS_INTEGRAL] = way / r;
   scale[PRS_TORQUE] = r * force;
+}
+
+double prs_fastest(const PrsRun* run) {
+  const PrsDrive* const d = run->drive;
+  const double r = run->reach, load = 1.0 / d->mass;
+  double steepest = 0.0, turns = 0.0, twists = 0.0;
+  int i;
+  for (i = 0; i < 2; ++i) {
+    const PrsBranch* const branch = i == 0 ? &d->curves.tension : &d->curves.compression;
+    const size_t last = branch->count - 1;
+    const double slope = branch->slope[last] / (branch->root ? 2.0 * branch->at[last] : 1.0);
+    steepest = largest_of(steepest, slope);
+  }
+  if (d->coupled) {
+    turns = r * r / d->screw_inertia;
+    twists = 1.0 / d->screw_inertia + (d->by == PRS_BY_SPEED ? 0.0 : 1.0 / d->motor_inertia);
+  } else if (d->by != PRS_BY_SPEED) {
+    turns = r * r / (d->screw_inertia + d->motor_inertia);
+  }
+  return sqrt(steepest * (load + turns) + d->coupling_stiffness * twists +
+              largest_of(d->stop[PRS_UPPER].stiffness, d->stop[PRS_LOWER].stiffness) * load);
 }
 
 double prs_stored_energy(const PrsRun* run, const PrsView* v) {
@@ -526,6 +566,9 @@ static int settle(PrsRun* run, const int fired[PRS_EVENTS]) {
       m->place[i] = PRS_STICKS;
     }
   }
+  evaluate(run, s->t, s->y, 0, &v, 0);
+  m->clipped = v.asked > d->largest_speed ? 1 : v.asked < -d->largest_speed ? -1 : 0;
+  m->lifted = v.pressed < 0.0;
   if (m->bound == 0 || m->cut) set_bound(run, fired[EVENT_BOUND] || fired[EVENT_BOUND + 1]);
   evaluate(run, s->t, s->y, 0, &v, 1);
   for (i = 0; i < PRS_PLACES; ++i) {
@@ -534,6 +577,7 @@ static int settle(PrsRun* run, const int fired[PRS_EVENTS]) {
     if (v.drive[i] < -v.down[i]) m->place[i] = -1;
   }
   set_bound(run, fired[EVENT_BOUND] || fired[EVENT_BOUND + 1]);
+  m->winds = sign_of(m->bound) * v.speed_error <= 0.0;
   return closed;
 }
 

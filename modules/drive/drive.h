@@ -64,6 +64,9 @@ typedef struct {
   int flank;   /* Which is closed: 1 in tension, -1 in compression, 0 none or not known yet */
   int stop[2]; /* Whether the load is in it */
   int bound;   /* T at the bound of its sign: 1, -1 with a frozen integral, 2, -2 along it */
+  int winds;   /* The integral goes on although T is at its bound, as the error has the other sign. */
+  int clipped; /* The reference of the speed loop is the largest speed, with its sign. */
+  int lifted;  /* Damping would make a closed flank pull: it carries nothing. */
   int cut, braked;
 } PrsModes;
 
@@ -71,10 +74,9 @@ typedef struct {
   double t;
   double y[PRS_STATES];
   PrsModes modes;
-  int began;
 } PrsState;
 
-enum { PRS_EVENTS = 12 };
+enum { PRS_EVENTS = 16 };
 
 /* All quantities of an instant. */
 typedef struct {
@@ -85,6 +87,7 @@ typedef struct {
   double reference, error; /* Of the controller: its signal, and what following misses */
   double theta, delta_rate, theta_rate;
   double wanted, speed_error, speed_error_rate; /* T before its bound, e, e' */
+  double asked, pressed; /* Speed before its bound; force of the closed flank before it is lifted */
   double drive[PRS_PLACES], up[PRS_PLACES], down[PRS_PLACES];
   double event[PRS_EVENTS]; /* > 0 until it happens */
   int left_shaft;
@@ -150,6 +153,8 @@ double prs_friction_torque(const PrsCurves* curves, double force, double speed, 
 /* Sizes of the states from which errors of an integration count: those that a thousandth of the
    largest force brings about. */
 void prs_scales(const PrsRun* run, double scale[PRS_STATES]);
+/* Bound of the angular frequency of its vibrations [rad/s]. */
+double prs_fastest(const PrsRun* run);
 /* Energy that the drive holds [J]. */
 double prs_stored_energy(const PrsRun* run, const PrsView* view);
 

@@ -18,6 +18,15 @@ double integral(const PrsView points[PRS_POINTS], const Value& value) {
   return sum * (points[PRS_POINTS - 1].t - points[0].t);
 }
 
+/// The same where the points stand evenly in the root of the time behind `start`, at which what is
+/// integrated begins with a root.
+template <class Value>
+double integral_behind(double start, const PrsView points[PRS_POINTS], const Value& value) {
+  double sum = 0.0;
+  for (int k = 0; k < PRS_POINTS; ++k) sum += kWeights[k] * value(points[k]) * 2.0 * std::sqrt(points[k].t - start);
+  return sum * (std::sqrt(points[PRS_POINTS - 1].t - start) - std::sqrt(points[0].t - start));
+}
+
 /// Mass that a closing flank stops.
 double reduced_mass(const PrsDrive& d, double reach) {
   if (d.coupled == 0 && d.by == PRS_BY_SPEED) return d.mass;
@@ -166,6 +175,7 @@ void Recorder::sample(const PrsView& v) {
 }
 
 void Recorder::begin(const PrsView& view, int closed) {
+  if (closed != 0) closed_ = view.t;
   if (closed != 0 && view.t > 0.0) {
     if (!result_.impacts.empty()) result_.impacts.back().force = peaks_[kImpact];
     const double speed = std::abs(view.delta_rate);
@@ -182,7 +192,20 @@ void Recorder::step(const PrsView points[PRS_POINTS]) {
   DriveResult& r = result_;
   const PrsDrive& d = run_.drive;
   const double from = points[0].t, to = points[PRS_POINTS - 1].t;
-  const auto add = [&](double& sum, const auto& value) { sum += integral(points, value); };
+  // Behind a closing flank force and damping begin with the root of the time.
+  const bool roots = from - closed_ < 8.0 * (to - from);
+  PrsView even[PRS_POINTS];
+  if (roots) {
+    const double first = std::sqrt(from - closed_), last = std::sqrt(to - closed_);
+    even[0] = points[0], even[PRS_POINTS - 1] = points[PRS_POINTS - 1];
+    for (int k = 1; k + 1 < PRS_POINTS; ++k) {
+      const double root = first + prs_places[k] * (last - first);
+      even[k] = at(closed_ + root * root);
+    }
+  }
+  const auto add = [&](double& sum, const auto& value) {
+    sum += roots ? integral_behind(closed_, even, value) : integral(points, value);
+  };
   add(r.motor, motor_power);
   add(r.load, load_power);
   add(r.screw_friction, [](const PrsView& v) { return v.screw_friction * v.omega; });

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "modules/drive/response_module.h"
 
 namespace prs {
@@ -33,6 +35,7 @@ class Recorder {
   const PrsStepper& stepper_;
   DriveResult& result_;
   double follow_until_, reduced_mass_;
+  double closed_ = -HUGE_VAL;  ///< When a flank closed last.
   DrivePeak peaks_[kAll];
 };
 

@@ -45,6 +45,7 @@ struct DriveResult {
   DrivePeak tension, compression, torque, stop, error;
   double lost_motion = 0.0, torque_squared = 0.0, error_squared = 0.0;
   double largest_force = 0.0, largest_speed = 0.0;  ///< Of the screw, magnitudes.
+  double fastest = 0.0;                             ///< Bound of the frequency of vibrations [rad/s].
   double last_reference = 0.0;                      ///< Of the controller, before a jump at the end.
   std::vector<DriveImpact> impacts;
 };

@@ -20,7 +20,7 @@ struct SignalForm {
     Spacing spacing = Spacing::logarithmic;
   };
 
-  double constant = 0.0;
+  double constant = 0.0;  ///< NaN of a map without a form.
   std::optional<std::vector<Point>> steps, points;
   std::optional<Sine> sine;
   std::optional<Sweep> sweep;

@@ -3,51 +3,90 @@
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
-#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 
+#include "modules/drive/dormand_prince.h"
 #include "modules/drive/recorder.h"
 
 namespace prs {
 namespace {
 
-/// Steps of CVODE: the method of Adams, or BDF with Newton's method where something is stiff.
+constexpr double kShare = 0.005;  ///< Errors of steps add up; this keeps their sum at the tolerance.
+
+/// The longest step that sees each sine of the signals.
+double largest_step(const DriveRun& run) {
+  const double share = 0.05 * run.duration;
+  return run.fastest > 0.0 ? std::min(share, 0.05 / run.fastest) : share;
+}
+
+/// Errors count from the largest value that each state has had.
+template <class Values>
+void grow(double scales[PRS_STATES], const Values& values) {
+  for (int k = 0; k < PRS_STATES; ++k) scales[k] = std::max(scales[k], std::abs(values[k]));
+}
+
+/// The method of order 8 that units bring too, for what is not stiff.
+class Explicit {
+ public:
+  Explicit(const DriveRun& run, PrsRun& core) {
+    prs_dormand_prince_start(&method_, &core, std::max(kShare * run.tolerance, 1e-13));
+    method_.largest = std::min(method_.largest, largest_step(run));
+    plain_ = prs_dormand_prince_stepper(&method_);
+  }
+  PrsStepper stepper() {
+    PrsStepper stepper = plain_;
+    stepper.step = [](void* self, double stop, double* from, double* to) {
+      auto& own = *static_cast<PrsDormandPrince*>(self);
+      const int done = prs_dormand_prince_stepper(&own).step(self, stop, from, to);
+      grow(own.scale, own.y);
+      return done;
+    };
+    return stepper;
+  }
+
+ private:
+  PrsDormandPrince method_;
+  PrsStepper plain_{};
+};
+
+/// Whether something dies away much faster than it vibrates.
+bool is_stiff(const DriveRun& run, const PrsRun& core) {
+  const PrsDrive& d = run.drive;
+  const double fastest = prs_fastest(&core);
+  double decay = std::max(d.material_damping * fastest * fastest, d.load_damping / d.mass);
+  if (d.time_constant > 0.0) decay = std::max(decay, 1.0 / d.time_constant);
+  if (d.coupled != 0) decay = std::max(decay, d.coupling_damping / d.coupling_stiffness * fastest * fastest);
+  return decay > 20.0 * fastest;
+}
+
+/// BDF of CVODE with Newton's method.
 class Cvode {
  public:
-  Cvode(const DriveRun& run, PrsRun& core) : core_(core), tolerance_(kShare * run.tolerance) {
+  Cvode(const DriveRun& run, PrsRun& core) : core_(core), tolerance_(std::max(kShare * run.tolerance, 1e-12)) {
     SUNContext_Create(nullptr, &context_);
     y_ = N_VNew_Serial(PRS_STATES, context_);
-    const bool stiff = is_stiff(run);
-    memory_ = CVodeCreate(stiff ? CV_BDF : CV_ADAMS, context_);
+    memory_ = CVodeCreate(CV_BDF, context_);
     N_VConst(0.0, y_);
     CVodeInit(memory_, rates, 0.0, y_);
     CVodeSetUserData(memory_, this);
     CVodeWFtolerances(memory_, weights);
-    if (stiff) {
-      matrix_ = SUNDenseMatrix(PRS_STATES, PRS_STATES, context_);
-      linear_ = SUNLinSol_Dense(y_, matrix_, context_);
-      CVodeSetLinearSolver(memory_, linear_, matrix_);
-    } else {
-      solver_ = SUNNonlinSol_FixedPoint(y_, 0, context_);
-      CVodeSetNonlinearSolver(memory_, solver_);
-    }
+    matrix_ = SUNDenseMatrix(PRS_STATES, PRS_STATES, context_);
+    linear_ = SUNLinSol_Dense(y_, matrix_, context_);
+    CVodeSetLinearSolver(memory_, linear_, matrix_);
     CVodeSetErrHandlerFn(
         memory_, [](int, const char*, const char*, char*, void*) {}, nullptr);
-    double largest = 0.05 * run.duration;
-    if (run.fastest > 0.0) largest = std::min(largest, 0.05 / run.fastest);
-    CVodeSetMaxStep(memory_, largest);
+    CVodeSetMaxStep(memory_, largest_step(run));
     prs_scales(&core, scales_);
   }
   Cvode(const Cvode&) = delete;
   Cvode& operator=(const Cvode&) = delete;
   ~Cvode() {
     CVodeFree(&memory_);
-    if (solver_ != nullptr) SUNNonlinSolFree(solver_);
-    if (linear_ != nullptr) SUNLinSolFree(linear_);
-    if (matrix_ != nullptr) SUNMatDestroy(matrix_);
+    SUNLinSolFree(linear_);
+    SUNMatDestroy(matrix_);
     N_VDestroy(y_);
     SUNContext_Free(&context_);
   }
@@ -61,11 +100,6 @@ class Cvode {
   }
 
  private:
-  static constexpr double kShare = 0.005;  ///< Errors of steps add up; this keeps their sum at the tolerance.
-
-  /// Whether something dies away much faster than it vibrates.
-  static bool is_stiff(const DriveRun& run) { return run.drive.time_constant > 0.0 && run.drive.time_constant < 2e-5; }
-
   static int rates(double t, N_Vector y, N_Vector rate, void* self) {
     prs_rates(&static_cast<Cvode*>(self)->core_, t, N_VGetArrayPointer(y), N_VGetArrayPointer(rate));
     return 0;
@@ -91,8 +125,7 @@ class Cvode {
     CVodeGetLastStep(memory_, &h);
     from = to - h;
     reached_ = to;
-    const double* const values = N_VGetArrayPointer(y_);
-    for (int k = 0; k < PRS_STATES; ++k) scales_[k] = std::max(scales_[k], std::abs(values[k]));
+    grow(scales_, N_VGetArrayPointer(y_));
     return 1;
   }
   void at(double t, double* y) {
@@ -116,21 +149,23 @@ class Cvode {
   void* memory_ = nullptr;
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver linear_ = nullptr;
-  SUNNonlinearSolver solver_ = nullptr;
 };
 
-constexpr long kMostSteps = 20'000'000;
+constexpr long kMostSteps = 5'000'000;
 
 void integrate(const DriveRun& run, DriveResult& result) {
   PrsRun core{};
   core.steps_left = kMostSteps;
   prs_run_start(&core, &run.drive, run.signals, 1e-12 * run.duration);
-  Cvode cvode(run, core);
-  const PrsStepper stepper = cvode.stepper();
+  std::optional<Explicit> explicit_method;
+  std::optional<Cvode> cvode;
+  const PrsStepper stepper =
+      is_stiff(run, core) ? cvode.emplace(run, core).stepper() : explicit_method.emplace(run, core).stepper();
   Recorder recorder(run, core, stepper, result);
   const PrsObserver observer = recorder.observer();
   constexpr DriveStatus kStatus[] = {DriveStatus::converged, DriveStatus::integration_failed, DriveStatus::step_limit,
                                      DriveStatus::left_shaft};
+  result.fastest = prs_fastest(&core);
   result.status = kStatus[prs_run_to(&core, &stepper, &observer, run.duration)];
   recorder.finish();
 }

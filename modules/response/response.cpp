@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/force_history.h"
 #include "prs/model/check_case.h"
 #include "prs/preload/preloaded_mechanism.h"
@@ -93,6 +94,43 @@ void put_under_preload(const Conditions& conditions, const Contacts& contacts,
   }
 }
 
+/// What friction takes of a preload under no load, as `prs slip` has it: of a running screw.
+std::optional<double> torque_at_zero_load(const Case& c, const std::string& load_case) {
+  Case one = c;
+  const auto pattern = std::ranges::find(c.load_cases, load_case, &LoadCase::name);
+  if (pattern != c.load_cases.end())
+    one.load_cases = {*pattern};
+  else
+    one.load_cases.resize(1);
+  LoadCase& load = one.load_cases.front();
+  load.axial_force = 0.0;
+  if (load_case.empty()) load.position = c.preload->position;  // As the curves.
+  if (!load.direction) load.direction = Direction::tension;
+  if (!slip_takes_running_loads(c.model, load.share) || !missing(one, Command::slip).empty()) return {};
+  try {
+    const Result result = analyze_heat(one, {.detail = Detail::numbers});
+    const std::optional<SlipResult>& slip = result.load_cases.front().slip;
+    if (slip && slip->converged()) return std::abs(slip->torque_screw);
+  } catch (const CaseError&) {  // What slip refuses has no value.
+  }
+  return {};
+}
+
+/// What the curves say of their torque, as the drive takes it.
+void tell_of_preload(const Case& c, const std::string& load_case, std::vector<Warning>& warnings) {
+  for (Warning& warning : warnings) {
+    constexpr std::string_view kOther = " for `slip`";
+    if (const std::size_t at = warning.what.find(kOther); warning.code == "no_friction" && at != warning.what.npos)
+      warning.what.erase(at, kOther.size());
+    if (warning.code != "torque_without_preload") continue;
+    warning.fix = "state it in `response.screw.drag_torque`";
+    const std::optional<double> torque = torque_at_zero_load(c, load_case);
+    if (!torque) continue;
+    warning.what += ", {value} by `prs slip` at zero load";
+    warning = std::move(warning).with(torque, {}, text_unit::newton_metre);
+  }
+}
+
 SettlingResult settling_of(const ResponseInput& input, const DriveResult& run) {
   const ResponseInput::Settling& block = *input.settling;
   SettlingResult s{run.x.back()};
@@ -133,28 +171,56 @@ FrequencyResponse frequency_response(const PrsDrive& drive, const ResponseInput&
   return r;
 }
 
-void add_warnings(const Case& c, const SystemCurves& curves, ResponseResult& r) {
-  const FrictionTable& friction = curves.friction;
-  const double force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
-  if (r.run.largest_force > force * (1.0 + 1e-9))
+/// The largest forces in place of those at which the curves end.
+void warn_of_pressure(ResponseResult& r) {
+  std::erase_if(r.warnings, [](const Warning& w) {
+    return w.code.ends_with("_peak_pressure") || w.code.ends_with("_running_pressure");
+  });
+  for (const Direction d : kDirections)
+    if (const auto& largest = r.largest[d]; largest && largest->peak_pressure.value_or(0.0) > kStaticPressureLimit)
+      r.warnings.push_back(
+          Warning{"response", fmt::format("{}_peak_pressure", name(d)),
+                  fmt::format("peak pressure {{value}} exceeds {{limit}}, under {:.4g} kN in {} at {:.6g} ms",
+                              1e-3 * largest->force, name(d), 1e3 * largest->time),
+                  "lower speed or torque, soften what stops the load, or take more contacts"}
+              .with(largest->peak_pressure, kStaticPressureLimit, text_unit::gigapascal));
+}
+
+void add_warnings(const Case& c, ResponseResult& r) {
+  warn_of_pressure(r);
+  const auto& point = r.input.frequency_response;
+  const double force = std::max(r.run.largest_force, point ? std::abs(point->force.value_or(0.0)) : 0.0);
+  const double speed = std::max(r.run.largest_speed, point ? std::abs(point->speed.value_or(0.0)) : 0.0);
+  if (force > r.curves_force * (1.0 + 1e-9))
     r.warnings.push_back(
         Warning{"response.curves.force", "beyond_force",
                 "the largest force is {value}, the curves end at {limit}: beyond, the force goes on in "
                 "a straight line and friction grows with it",
                 "raise `response.curves.force`"}
-            .with(r.run.largest_force, force, text_unit::kilonewton));
-  if (!friction.speed.empty() && r.run.largest_speed > friction.speed.back() * (1.0 + 1e-9))
+            .with(force, r.curves_force, text_unit::kilonewton));
+  if (r.curves_speed > 0.0 && speed > r.curves_speed * (1.0 + 1e-9))
     r.warnings.push_back(
         Warning{"response.curves.speed", "beyond_speed",
                 fmt::format("the screw reaches {:.0f} rpm, the table of friction ends at {:.0f} rpm, whose "
                             "values stay",
-                            r.run.largest_speed * per_si::revolution_per_minute,
-                            friction.speed.back() * per_si::revolution_per_minute),
+                            speed * per_si::revolution_per_minute, r.curves_speed * per_si::revolution_per_minute),
                 "raise `response.curves.speed`"});
   if (!(c.response->screw.inertia > 0.0))
     r.warnings.push_back({"response.screw.inertia", "no_screw_inertia",
-                          "the screw has no inertia of its own: shaft, spin and orbit of the rollers are left out",
-                          "see `equivalent_inertia` of `prs measures`"});
+                          "the screw has no inertia of its own: its shaft, spin and orbit of the rollers are left out",
+                          "add up what `prs measures` has of the turning part, without what travels"});
+  constexpr std::size_t kMany = 20;
+  if (!c.response->material_damping && r.run.impacts.size() > kMany)
+    r.warnings.push_back({"response.material_damping", "no_material_damping",
+                          fmt::format("flanks close {} times: without damping their vibration dies away by friction "
+                                      "alone",
+                                      r.run.impacts.size()),
+                          "write `material_damping: {loss_factor: 3 %, at_frequency: 300 Hz}`, for example"});
+  if (r.run.status == DriveStatus::step_limit)
+    r.warnings.push_back({"response", "step_limit",
+                          fmt::format("the drive vibrates with up to {:.4g} Hz, too fast for {:.6g} s",
+                                      r.run.fastest / kTurn, r.input.duration),
+                          "shorten `duration`, or check masses, inertias and stiffnesses and their units"});
 }
 
 }  // namespace
@@ -179,7 +245,14 @@ SystemCurves response_curves(const Case& c, const CurveOptions& asked) {
     const ResponseInput::Curves& curves = c.response->curves;
     if (!options.force) options.force = curves.force;
     if (!options.speed) options.speed = curves.speed;
-    if (!options.load_case) options.load_case = curves.load_case;
+    if (!options.load_case && curves.load_case) {
+      options.load_case = curves.load_case;
+      if (std::ranges::find(c.load_cases, *curves.load_case, &LoadCase::name) == c.load_cases.end())
+        throw CaseError("response.curves.load_case",
+                        fmt::format("got `{}`; expected the name of a load case of this file; change it, or leave it "
+                                    "out",
+                                    *curves.load_case));
+    }
   }
   return system_curves(stated, options);
 }
@@ -192,14 +265,14 @@ ResponseInput with_signal_files(const Case& c, const input::Source& source) {
     const SignalTerm::File file = *term.file;
     const std::string block = path + ".file";
     const std::string text = input::named_file_text(file.name, block + ".name", source);
-    const input::Dimension& dimension = is_force                              ? input::unit::force
-                                        : path.ends_with("motor.torque")      ? input::unit::torque
-                                        : path.find(".position") != path.npos ? input::unit::length
-                                                                              : input::unit::rotational_speed;
+    const input::Dimension& dimension = is_force                                    ? input::unit::force
+                                        : path.starts_with("response.motor.torque") ? input::unit::torque
+                                        : path.find(".position") != path.npos       ? input::unit::length
+                                                                                    : input::unit::rotational_speed;
     std::vector<double> time, value;
-    std::vector<input::WantedColumn> columns = {{"time", &file.time, &input::unit::duration, &time},
-                                                {"value", &file.value, &dimension, &value}};
-    input::read_columns(text, input::name_in_messages(file.name, source), block, columns, source);
+    std::vector<input::WantedColumn> columns = {{"file.time", &file.time, &input::unit::duration, &time},
+                                                {"file.value", &file.value, &dimension, &value}};
+    input::read_columns(text, input::name_in_messages(file.name, source), path, columns, source);
     term.points.emplace();
     for (std::size_t k = 0; k < time.size(); ++k) {
       if (k > 0 && !(time[k] > time[k - 1]))
@@ -284,9 +357,11 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
   r.has_preload = c.preload.has_value();
   const SystemCurves curves = response_curves(c);
   r.warnings = curves.warnings;
-  for (Warning& warning : r.warnings)
-    if (warning.code == "torque_without_preload") warning.fix = "state it in `response.screw.drag_torque`";
+  tell_of_preload(c, curves.load_case, r.warnings);
   const PrsDrive drive = drive_of(c, r.input, curves);
+  r.load_case = curves.load_case;
+  r.curves_force = std::min(curves.senses.tension.force.back(), curves.senses.compression.force.back());
+  if (!curves.friction.speed.empty()) r.curves_speed = curves.friction.speed.back();
   r.can_open = drive.curves.tension.root != 0 || drive.curves.compression.root != 0;
   DriveSignals signals{BoundSignal(r.input.signal().terms()), BoundSignal(r.input.load.force.terms())};
   if (r.input.frequency_response) r.frequency_response = frequency_response(drive, r.input);
@@ -322,7 +397,7 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
         FollowingError{r.input.motor.controller->position.has_value(), r.run.error.value, r.run.error.time,
                        std::sqrt(r.run.error_squared / std::min(r.input.duration, drive.cut_at))};
   if (r.input.settling && r.converged()) r.settling = settling_of(r.input, r.run);
-  add_warnings(c, curves, r);
+  add_warnings(c, r);
   return r;
 }
 

@@ -58,6 +58,8 @@ struct ResponseResult {
   std::optional<SettlingResult> settling;
   std::optional<FrequencyResponse> frequency_response;
   bool can_open = true;
+  std::string load_case = {};                     ///< Whose position and conditions the curves have.
+  double curves_force = 0.0, curves_speed = 0.0;  ///< Where the curves end [N], [rad/s]; speed 0 without friction.
   std::vector<Warning> warnings;
 
   bool converged() const { return run.status == DriveStatus::converged; }

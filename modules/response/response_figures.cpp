@@ -3,13 +3,22 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kMostPoints = 4000;
+constexpr std::size_t kMostPoints = 8000;
 
-/// A series over time, thinned where it has more points than a picture shows.
+/// A series over time; of more points than a picture shows the least and the largest of each part.
 Series over_time(std::size_t style, const DriveResult& run, const std::vector<double>& values, double factor) {
   Series line{style};
-  const std::size_t step = 1 + run.time.size() / kMostPoints;
-  for (std::size_t k = 0; k < run.time.size(); k += step) line.add(1e3 * run.time[k], factor * values[k]);
+  const std::size_t step = 1 + 2 * run.time.size() / kMostPoints;
+  for (std::size_t k = 0; k < run.time.size(); k += step) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto [least, most] =
+        std::minmax_element(first, first + static_cast<std::ptrdiff_t>(std::min(step, run.time.size() - k)));
+    const auto add = [&](auto at) {
+      line.add(1e3 * run.time[static_cast<std::size_t>(at - values.begin())], factor * *at);
+    };
+    add(std::min(least, most));
+    if (least != most) add(std::max(least, most));
+  }
   return line;
 }
 

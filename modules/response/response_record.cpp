@@ -177,10 +177,13 @@ PRS_RECORD(ResponseResult, "Response", "The screw in its drive over time and ove
 
 std::string response_csv(const ResponseResult& result, const CsvStyle& style) {
   CsvWriter csv(style);
-  series_header<ResponseResult>(csv);
+  std::vector<const Quantity<ResponseResult>*> columns;
+  for (const Quantity<ResponseResult>& q : kResponse)
+    if (q.value.series && !q.value.series(result).empty()) columns.push_back(&q);
+  for (const auto* q : columns) csv.text(q->key);
   csv.end_row();
   for (std::size_t k = 0; k < result.run.time.size(); ++k) {
-    series_fields(csv, result, k);
+    for (const auto* q : columns) csv.number(q->value.series(result)[k], q->unit.factor);
     csv.end_row();
   }
   return csv.take();
@@ -197,8 +200,12 @@ std::vector<Headline> headlines(const ResponseResult& r) {
   if (r.largest.compression && (!*larger || (*larger)->force < r.largest.compression->force))
     larger = &r.largest.compression;
   if (!*larger) return {};
-  std::vector<Headline> all{{"Largest force", "force_N", (*larger)->force}};
-  if ((*larger)->peak_pressure) all.push_back({"Its peak pressure", "peak_pressure_MPa", *(*larger)->peak_pressure});
+  std::vector<Headline> all{
+      {"Largest force", "force_N", (*larger)->force, larger == &r.largest.tension ? "tension" : "compression"}};
+  if (const std::optional<double> pressure = (*larger)->peak_pressure)
+    all.push_back({"Its peak pressure", "peak_pressure_MPa", *pressure,
+                   fmt::format("limit {:g} GPa{}", kStaticPressureLimit * per_si::gigapascal,
+                               *pressure > kStaticPressureLimit ? ", not met" : "")});
   return all;
 }
 

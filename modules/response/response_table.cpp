@@ -13,16 +13,26 @@ std::string largest_text(const LargestForce& l) {
 }
 
 std::string impact_text(const DriveImpact& i) {
-  return fmt::format("{} at {:.6g} ms, {:.4g} mm/s, {:.3g} J", fixed_with_unit(i.force.value, "kN", 3), 1e3 * i.time,
-                     1e3 * i.speed, i.energy);
+  return fmt::format("{:.6g} ms, {:.4g} mm/s, {:.3g} J, up to {}", 1e3 * i.time, 1e3 * i.speed, i.energy,
+                     fixed_with_unit(i.force.value, "kN", 3));
 }
 
-std::string impacts_text(const std::vector<DriveImpact>& all) {
-  if (all.empty()) return line("impacts", "none");
+/// Below this share of the largest force of all is rounding or a touch.
+constexpr double kTouch = 1e-3;
+
+std::string impacts_text(const DriveResult& run) {
+  const double least = kTouch * run.largest_force;
+  std::vector<DriveImpact> all;
+  std::ranges::copy_if(run.impacts, std::back_inserter(all), [&](auto& i) { return i.force.value >= least; });
+  const std::size_t touches = run.impacts.size() - all.size();
+  std::string text = line("impacts", (all.empty() ? std::string("none") : fmt::format("{}", all.size())) +
+                                         (touches > 0 ? fmt::format(", and {} below {:.3g} N", touches, least) : ""));
+  if (all.empty()) return text;
   const auto fastest = std::ranges::max_element(all, {}, &DriveImpact::speed);
   const auto hardest = std::ranges::max_element(all, {}, [](const DriveImpact& i) { return i.force.value; });
-  return line("impacts", fmt::format("{}", all.size())) + line("  fastest", impact_text(*fastest)) +
-         line("  hardest", impact_text(*hardest));
+  text += line("  fastest", impact_text(*fastest));
+  if (hardest != fastest) text += line("  hardest", impact_text(*hardest));
+  return text;
 }
 
 std::string energies_text(const ResponseResult& r) {
@@ -43,10 +53,29 @@ std::string energies_text(const ResponseResult& r) {
   return text + line("residual", fmt::format("{:.1e} J of {:.4g} J turned over", r.residual(), d.turnover));
 }
 
-std::string settling_text(const SettlingResult& s) {
+std::string settling_text(const SettlingResult& s, double band) {
   const std::string where = fixed_with_unit(s.final_position, "mm", 4);
-  if (!s.time) return "not within the band: ends at " + where;
-  return fmt::format("{:.5g} ms, at {}", 1e3 * *s.time, where);
+  if (s.time) return fmt::format("{:.5g} ms, at {}", 1e3 * *s.time, where);
+  return fmt::format("not settled: ends at {}, {} off its reference, band {}", where,
+                     fixed_with_unit(std::abs(s.final_position - s.reference.value_or(0.0)), "µm", 1),
+                     fixed_with_unit(band, "µm", 1));
+}
+
+std::string curves_text(const ResponseResult& r) {
+  std::string text = fmt::format("to {}", fixed_with_unit(r.curves_force, "kN", 1));
+  if (r.curves_speed > 0.0) text += fmt::format(", {:.4g} rpm", r.curves_speed * per_si::revolution_per_minute);
+  if (!r.load_case.empty()) text += fmt::format(", load case `{}`", r.load_case);
+  return text;
+}
+
+std::string motion_text(const DriveResult& d) {
+  const auto [least, most] = std::ranges::minmax(d.x);
+  double speed = 0.0;
+  for (const double v : d.v) speed = std::max(speed, std::abs(v));
+  return fmt::format("{} to {}, ends at {}; up to {:.4g} mm/s, {:.4g} rpm of the screw",
+                     fixed_with_unit(least, "mm", 3), fixed_with_unit(most, "mm", 3),
+                     fixed_with_unit(d.x.back(), "mm", 3), speed * per_si::millimetre,
+                     d.largest_speed * per_si::revolution_per_minute);
 }
 
 }  // namespace
@@ -55,12 +84,15 @@ std::string response_table(const ResponseResult& r) {
   std::string text = fmt::format("Screw in its drive, {:.6g} s, {} samples\n", r.input.duration, r.run.time.size());
   if (!r.converged())
     text += fmt::format("NOT CONVERGED ({}): stopped at {:.6g} s\n", name(r.run.status), r.run.stopped_at);
+  text += line("curves", curves_text(r));
+  if (!r.run.x.empty()) text += line("position", motion_text(r.run));
   for (const Direction d : kDirections)
-    if (r.largest[d]) text += line(fmt::format("largest force in {}", name(d)), largest_text(*r.largest[d]));
+    if (r.largest[d] && r.largest[d]->force >= kTouch * r.run.largest_force)
+      text += line(fmt::format("largest force in {}", name(d)), largest_text(*r.largest[d]));
   text += line("motor torque", fmt::format("{} at the most, {} rms", fixed_with_unit(r.run.torque.value, "N m", 3),
                                            fixed_with_unit(r.rms_torque(), "N m", 3)));
   if (r.has_stops()) text += line("largest force of an end stop", fixed_with_unit(r.run.stop.value, "kN", 3));
-  if (r.can_open) text += impacts_text(r.run.impacts);
+  if (r.can_open) text += impacts_text(r.run);
   text += line("lost motion", fixed_with_unit(r.run.lost_motion, "µm", 3));
   if (const auto& f = r.following_error)
     text += line("following error", f->of_position
@@ -70,7 +102,7 @@ std::string response_table(const ResponseResult& r) {
                                                       f->largest * per_si::revolution_per_minute, 1e3 * f->time,
                                                       f->rms * per_si::revolution_per_minute));
   text += energies_text(r);
-  if (r.settling) text += line("settled after", settling_text(*r.settling));
+  if (r.settling) text += line("settled after", settling_text(*r.settling, r.input.settling->band));
   if (r.frequency_response) {
     text += line("tangent stiffness", fixed_with_unit(r.frequency_response->tangent_stiffness, "N/µm", 1));
     for (const Resonance& resonance : r.frequency_response->resonances)

@@ -510,7 +510,7 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
     return;
   }
   require_rolling(c, contacts);
-  if (c.preload)
+  if (c.preload && !c.preload->backlash)
     if (std::optional<Warning> note = torque_of_preloaded(c, pattern, options.load_case.has_value()))
       curves.warnings.push_back(std::move(*note));
   const Running parts = running(c, contacts, pattern);

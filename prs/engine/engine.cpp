@@ -197,7 +197,8 @@ Answer report_answer(const Question& question) {
   }
   text += "},\n\"head\": ";
   append_quoted(text, found.head);
-  text += fmt::format(",\n\"threads\": {},\n\"all_follow\": {}}}", found.threads.dump(), found.all_follow);
+  text += fmt::format(",\n\"threads\": {},\n\"kept\": {},\n\"all_follow\": {}}}", found.threads.dump(),
+                      Json(found.kept).dump(), found.all_follow);
   return {.status = found.converged ? kDone : kNotConverged,
           .messages = std::move(found.notes),
           .document_text = std::move(text)};

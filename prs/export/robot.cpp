@@ -1,6 +1,7 @@
 #include "prs/export/robot.h"
 
 #include <cmath>
+#include <regex>
 
 #include "modules/response/response.h"
 #include "prs/embed.h"
@@ -32,8 +33,8 @@ std::string remarks(const RobotConstants& r, const ModelText& text) {
       "  Friction is that under a load of {:.6g} N. Of the threads alone it is {:.6g} N + {:.6g} of the load\n"
       "  + {:.6g} N s/m of the speed, off by {:.4g} N at the most and {:.4g} N rms.\n"
       "  Lost: play ({:.4g} um), elasticity, friction that grows with the load and differs by sense.\n",
-      html(text.case_file), text.case_sha256, kVersion, r.friction_load, r.no_load, r.per_load, r.per_speed,
-      r.largest_error, r.rms_error, r.play * per_si::micrometre);
+      std::regex_replace(html(text.case_file), std::regex("--"), "-&#45;"), text.case_sha256, kVersion, r.friction_load,
+      r.no_load, r.per_load, r.per_speed, r.largest_error, r.rms_error, r.play * per_si::micrometre);
 }
 
 }  // namespace
@@ -92,6 +93,7 @@ std::string joint(std::string_view form, const ResponseInput& in, const RobotCon
   const auto& controller = in.motor.controller;
   const double torque = controller ? controller->largest_torque.value_or(0.0) : 0.0;
   return fmt::format(fmt::runtime(form), fmt::arg("remarks", remarks(r, text)), fmt::arg("name", text.name),
+                     fmt::arg("start", in.start.position), fmt::arg("start_speed", in.start.speed),
                      fmt::arg("reflected", r.reflected_mass), fmt::arg("friction", r.friction_loss),
                      fmt::arg("damping", r.damping), fmt::arg("mass", in.load.mass),
                      fmt::arg("range", limited ? bounds("limited", "range", least, most) : ""),

@@ -44,7 +44,7 @@ typedef struct {
   double before; /* Motor speed at the end of the last step */
   double value[kDriveVariables];
   PrsState drive;
-  int moves; /* A step was made. */
+  int begun; /* Initialization has ended. */
 } State;
 
 typedef struct {
@@ -159,10 +159,28 @@ static PrsSignals signals_of(Unit* unit) {
   return signals;
 }
 
+static void warn_once(Unit* unit, int beyond, int* warned, const char* message) {
+  if (!beyond || *warned) return;
+  *warned = 1;
+  tell(&unit->callbacks, unit->name, fmi2Warning, message);
+}
+
+static void warn_of_curves(Unit* unit, const PrsView* view) {
+  const PrsCurves* const c = &unit->curves;
+  int beyond;
+  double stiffness;
+  prs_force(c, view->u, &stiffness, &beyond);
+  warn_once(unit, beyond, &unit->warned_of_deflection,
+            "force: beyond the computed range; it goes on in a straight line, and friction grows with it");
+  warn_once(unit, c->speeds > 0 && fabs(view->omega) > c->speed[c->speeds - 1] * (1.0 + 1e-9), &unit->warned_of_torque,
+            "screw_velocity: beyond the computed range; friction stays that of the largest speed");
+}
+
 static void take_values(Unit* unit) {
   double* const value = unit->state.value;
   PrsView view;
   prs_view(&unit->run, unit->run.state.t, unit->run.state.y, NULL, &view);
+  warn_of_curves(unit, &view);
   memcpy(value, unit->state.input, sizeof unit->state.input);
   if (unit->drive.by != PRS_BY_TORQUE) value[kMotorTorque] = view.motor_torque;
   value[kPosition] = view.x;
@@ -214,7 +232,7 @@ static const char* load_drive(Unit* unit, const char* resources) {
 static fmi2Status step_drive(Unit* unit, double time, double step) {
   const PrsStepper stepper = prs_dormand_prince_stepper(&unit->method);
   int end;
-  if (!unit->state.moves) {
+  if (!unit->state.begun) {
     unit->time = time;
     start_drive(unit);
   } else if (!unit->run.drive) { /* The state is that of another unit. */
@@ -222,7 +240,7 @@ static fmi2Status step_drive(Unit* unit, double time, double step) {
     start_drive(unit);
     unit->state = taken;
   }
-  unit->state.moves = 1;
+  unit->state.begun = 1;
   unit->from = time;
   unit->to = time + step;
   unit->run.state = unit->state.drive;
@@ -261,12 +279,6 @@ static void forget(Unit* unit) {
   set_start(unit);
   unit->time = 0.0;
   unit->warned_of_deflection = unit->warned_of_torque = 0;
-}
-
-static void warn_once(Unit* unit, int beyond, int* warned, const char* message) {
-  if (!beyond || *warned) return;
-  *warned = 1;
-  tell(&unit->callbacks, unit->name, fmi2Warning, message);
 }
 
 static void evaluate(Unit* unit, double value[kVariables]) {
@@ -332,7 +344,9 @@ FMI2(fmi2Status, fmi2EnterInitializationMode)(fmi2Component c) {
   return fmi2OK;
 }
 FMI2(fmi2Status, fmi2ExitInitializationMode)(fmi2Component c) {
-  (void)c;
+  Unit* const unit = (Unit*)c;
+  if (unit->has_drive) start_drive(unit);
+  unit->state.begun = 1;
   return fmi2OK;
 }
 FMI2(fmi2Status, fmi2Terminate)(fmi2Component c) {
@@ -350,7 +364,7 @@ FMI2(fmi2Status, fmi2GetReal)
   double value[kDriveVariables];
   size_t k;
   if (unit->has_drive) {
-    if (!unit->state.moves) start_drive(unit);
+    if (!unit->state.begun) start_drive(unit);
     memcpy(value, unit->state.value, sizeof value);
     memcpy(value, unit->state.input, sizeof unit->state.input);
     if (unit->drive.by != PRS_BY_TORQUE) value[kMotorTorque] = unit->state.value[kMotorTorque];

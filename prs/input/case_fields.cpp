@@ -1285,7 +1285,11 @@ Value value_of(SignalTerm& term, const OneOrSum& kind) {
   };
   return {OneOr{.form = OneOr::Form::signal,
                 .one = [&term, kind] { return input::value_of(term.constant, kind.quantity); },
-                .several = [forms] { return Value{map_of(forms)}; },
+                .several =
+                    [&term, forms] {
+                      if (!term.has_form()) term.constant = std::nan("");
+                      return Value{map_of(forms)};
+                    },
                 .others = ", or a map with one of steps, points, sine, sweep, file, or a list of these",
                 .are_several = term.has_form() || term.file}};
 }

@@ -431,13 +431,6 @@ std::optional<std::string> history_text(const HistorySource& history, const Sour
   }
 }
 
-/// The history that a source names.
-std::optional<HistorySource> history_of(const Source& source) {
-  ErrorList errors(source);
-  const CaseFile file = read_case_file(read_document(source, errors), errors);
-  return file.values.life ? file.values.life->history : std::nullopt;
-}
-
 /// The history with the place of its file, wherever the case is written to, and its hash.
 Json located(const Json& history, const HistorySource& read, const Source& source) {
   const std::optional<std::string> text = history_text(read, source);
@@ -491,9 +484,19 @@ Json resolved_input(const Source& source) {
 }
 
 std::string input_sha256(const Source& source) {
-  const std::optional<HistorySource> history = history_of(source);
-  const std::optional<std::string> text = history ? history_text(*history, source) : std::optional<std::string>();
-  return input_sha256(source, text ? std::vector{*text} : std::vector<std::string>());
+  ErrorList errors(source);
+  Case values = read_case_file(read_document(source, errors), errors).values;
+  std::vector<std::string> files;
+  if (values.life && values.life->history)
+    if (std::optional<std::string> text = history_text(*values.life->history, source)) files.push_back(*text);
+  if (values.response)
+    values.response->for_each_signal([&](const std::string& path, const Signal& signal) {
+      for (const SignalTerm& term : signal.many.empty() ? std::vector{signal.one} : signal.many) try {
+          if (term.file) files.push_back(named_file_text(term.file->name, path, source));
+        } catch (const InputError&) {  // What the command tells.
+        }
+    });
+  return input_sha256(source, files);
 }
 
 std::string input_sha256(const Source& source, const std::vector<std::string>& files) {

@@ -492,12 +492,28 @@ bool turn_speeds(Node& root) {
       any = true;
     }
   };
+  const std::function<void(Node&)> turn_signal = [&](Node& node) {
+    const std::optional<double> travel = parse_quantity(node.text, unit::travel_speed).value;
+    if (node.kind == Node::Kind::scalar && travel) {
+      node.text = fmt::format("{} rad/s", rotation(*travel, lead));
+      any = true;
+    }
+    std::ranges::for_each(node.children, turn_signal);
+  };
+  const std::function<void(Node&)> turn_signals = [&](Node& block) {
+    for (Node& part : block.children) {
+      if (part.key == "controller") turn_signals(part);
+      if (part.key == "speed" || part.key == "largest_speed") turn_signal(part);
+    }
+  };
   for (Node& block : root.children) {
     if (block.key == "operation") turn(block);
     if (block.key == "load_cases") std::ranges::for_each(block.children, turn);
-    if (block.key == "response")
-      for (Node& part : block.children)
-        if (part.key == "curves" || part.key == "frequency_response") turn(part);
+    if (block.key != "response") continue;
+    for (Node& part : block.children) {
+      if (part.key == "motor") turn_signals(part);
+      if (part.key == "curves" || part.key == "frequency_response") turn(part);
+    }
   }
   return any;
 }

@@ -56,6 +56,8 @@ void check_term(const std::string& path, const SignalTerm& term, Problems& probl
                    first, kForms);
     first = form;
   }
+  if (first.empty() && std::isnan(term.constant))
+    problems.add(path, "got no form; expected {}; write one of them", kForms);
   if (const auto* places = places_of(term))
     for (std::size_t k = 1; k < places->size(); ++k)
       if (!((*places)[k].at > (*places)[k - 1].at)) {
@@ -155,10 +157,9 @@ void check_response(const Case& c, Problems& problems) {
     problems.add("response.settling.after",
                  "got {:.6g} s; expected a time before the end, {:.6g} s; take an earlier one", r.settling->after,
                  r.duration);
-  const bool has_signal = r.motor.torque || r.motor.speed ||
-                          (r.motor.controller && (r.motor.controller->speed || r.motor.controller->position));
   const bool knows_load = !has_file(r.load.force);
-  if (r.motor.speed && has_signal && !has_file(*r.motor.speed)) check_prescribed(r, reach, problems);
+  const bool is_prescribed = r.motor.speed && !r.motor.torque && !r.motor.controller;
+  if (is_prescribed && !has_file(*r.motor.speed)) check_prescribed(r, reach, problems);
   if (const auto& f = r.frequency_response) {
     if (!(f->to > f->from))
       problems.add("response.frequency_response.to", "got {:.6g} Hz; expected more than `from`, {:.6g} Hz; swap them",

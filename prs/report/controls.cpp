@@ -471,9 +471,14 @@ std::map<Command, std::string> unmoved(const input::Source& report, const input:
 }
 
 LiveAnswer answer_of(Findings& all, const LiveQuestion& question) {
-  LiveAnswer answer{Json::object(), {}, nullptr, all.unmoved.empty(), all.notes, all.converged};
+  const bool all_follow = all.unmoved.empty() && all.lacking.empty();
+  LiveAnswer answer{Json::object(), {}, nullptr, all_follow, {}, all.notes, all.converged};
   for (const SectionRow& row : section_rows()) {
     if (!is_wanted(question, row)) continue;
+    if (std::ranges::any_of(all.lacking, [&](Command c) { return name(c) == row.id; })) {
+      answer.kept.emplace_back(row.id);
+      continue;
+    }
     std::string body = section_of(all, row).body;
     for (const auto& [command, why] : all.unmoved)
       if (name(command) == row.id && !body.empty())

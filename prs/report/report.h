@@ -70,7 +70,8 @@ struct LiveAnswer {
   Json sections;                   ///< HTML, by their names; empty where nothing is to be shown.
   std::string head;                ///< HTML above them; empty in a quick answer.
   Json threads;                    ///< As in `ReportParts`; null in a quick answer.
-  bool all_follow = true;          ///< Whether no section keeps loads of its own.
+  bool all_follow = true;          ///< Whether no section keeps loads of its own, or stays.
+  std::vector<std::string> kept;   ///< Sections that stay as the report has them: their module is not here.
   std::vector<std::string> notes;  ///< What could not be computed.
   bool converged = true;
 };

@@ -371,7 +371,7 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
     return attempts.back().delivery != nullptr;
   };
   if (!attempt(Command::measures) || takes_long) attempt(Command::solve);
-  for (const Command command : {Command::slip, Command::life}) attempt(command);
+  for (const Command command : {Command::slip, Command::life, Command::response}) attempt(command);
   result.verdict = verdict_by(in, attempts);
   return result;
 }
@@ -388,6 +388,8 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
     facts.measures = measures;
     facts.loads = &measures->analysis;
     facts.contacts = &measures->analysis.contacts;
+  } else if (const auto* response = delivery.result<ResponseResult>()) {
+    facts.response = response;
   } else if (const auto* life = delivery.result<LifeResult>()) {
     facts.life = life;
   } else if (const auto* check = delivery.result<CheckResult>()) {

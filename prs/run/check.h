@@ -1,5 +1,6 @@
 #pragma once
 
+#include "modules/response/response.h"
 #include "prs/life/analyze_life.h"
 #include "prs/measures/measures.h"
 #include "prs/record/analysis.h"
@@ -61,6 +62,7 @@ struct VerdictFacts {
   const Result* slip = nullptr;
   const LifeResult* life = nullptr;
   const MeasuresResult* measures = nullptr;
+  const ResponseResult* response = nullptr;
   /// Why commands were not run: what to add, or what they found wrong. One that is neither here nor
   /// above was not asked; what it would have given is left out.
   std::map<Command, std::string> lacking = {};

@@ -93,8 +93,13 @@ Found static_safety(const VerdictFacts& f) {
 }
 
 Found peak_pressure(const VerdictFacts& f) {
-  if (!f.loads && !f.life) return without(f, Command::solve, Sense::greatest);
+  if (!f.loads && !f.life && !f.response) return without(f, Command::solve, Sense::greatest);
   Found found{Sense::greatest};
+  if (f.response)
+    for (const Direction d : kDirections)
+      if (const auto& largest = f.response->largest[d]; largest && largest->peak_pressure)
+        found.take(*largest->peak_pressure * per_si::megapascal, "response",
+                   fmt::format("largest force in {}", name(d)));
   const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
   for (const Result* result : {f.loads, f.slip})  // Slip has the loads of warm parts.
     for (std::size_t k = 0; result && k < result->load_cases.size(); ++k)

@@ -147,6 +147,14 @@ test('hostile texts are refused, and the next question is answered', () => {
   assert.equal(answerTo(questionOn('solve', '01_config_1_to_3.yaml')).status, 0);
 });
 
+test('a page keeps the section of a command that needs a module', () => {
+  const {document} = answerTo(questionOn('report', '34_reversal.yaml', {report: {}}));
+  assert.deepEqual(document.kept, ['response']);
+  assert.equal(document.all_follow, false);
+  assert.ok(!('response' in document.sections));
+  assert.ok(document.sections.preload.length > 0);
+});
+
 test('a case is known by its SHA-256, whatever its length', () => {
   const text = textOf('01_config_1_to_3.yaml');
   for (let length = 0; length <= 128; ++length) {

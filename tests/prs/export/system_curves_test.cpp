@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,11 @@ Evaluated at(const SystemCurves& curves, double deflection) {
   return e;
 }
 
-/// Forces between the nodes, tension > 0.
-std::vector<double> forces_up_to(double largest) {
+/// Forces between the nodes, tension > 0; as many more drawn ones.
+std::vector<double> forces_up_to(double largest, int drawn = 0) {
   std::vector<double> forces;
+  std::mt19937 random(7);
+  for (int k = 0; k < drawn; ++k) forces.push_back(largest * std::uniform_real_distribution(-1.0, 1.0)(random));
   for (const double share : {0.0007, 0.0048, 0.013, 0.07, 0.19, 0.41, 0.66, 0.93})
     for (const double sign : {1.0, -1.0}) forces.push_back(sign * share * largest);
   return forces;
@@ -52,7 +55,7 @@ TEST(SystemCurves, HaveTheForcesOfSolveBetweenTheirNodes) {
   const SystemCurves curves = system_curves(c, {.force = 50e3});
   const LoadCase pattern = c.load_cases.front();
   c.load_cases.clear();
-  for (const double force : forces_up_to(50e3)) {
+  for (const double force : forces_up_to(50e3, 100)) {
     c.load_cases.push_back(pattern);
     c.load_cases.back().axial_force = std::abs(force);
     c.load_cases.back().direction = force > 0.0 ? Direction::tension : Direction::compression;

@@ -166,6 +166,21 @@ TEST(Drive, HertzianFlanksStopAMass) {
   EXPECT_NEAR(r.tension.value, expected, 1e-5 * expected);
 }
 
+/// The loss of material damping begins with the root of the time behind each impact.
+TEST(Drive, EnergiesOfADampedMassThatBouncesClose) {
+  for (const double beta : {2e-5, 2e-4}) {
+    PlainDrive d;
+    d.set_hertz(5e10, 20e-6);
+    d.drive.material_damping = beta;
+    d.drive.start_speed = 0.03;
+    d.drive.start_deflection = 0.0;
+    const DriveResult r = d.run(0.05, 1e-3);
+    EXPECT_GE(r.impacts.size(), 3U);
+    EXPECT_GT(r.contact, 0.1 * r.stored_start);
+    EXPECT_LT(residual(r), 1e-6) << beta;
+  }
+}
+
 TEST(Drive, AStopTakesTheWholeSpeed) {
   PlainDrive d;
   d.set_stiffness(2e8, 0.1);  // The load is free.
@@ -300,6 +315,81 @@ TEST(Drive, PositionOfTheStartDoesNotMatter) {
   EXPECT_GT(here.stop.value, 100.0);
   EXPECT_NEAR(there.tension.value, here.tension.value, 1e-5 * here.tension.value);
   for (std::size_t i = 0; i < here.time.size(); ++i) EXPECT_NEAR(there.x[i] - 0.75, here.x[i], 1e-5 * 2e-3);
+}
+
+/// The rotor alone: below the bound J omega' = k (largest - omega).
+TEST(Drive, ThePositionLoopAsksForNoMoreThanTheLargestSpeed) {
+  PlainDrive d;
+  d.set_stiffness(2e8, 0.1);  // The load takes no part.
+  d.drive.start_deflection = 0.0;
+  d.drive.by = PRS_POSITION_LOOP;
+  d.drive.motor_inertia = 4e-4;
+  d.drive.position_gain = 60.0, d.drive.speed_gain = 0.2, d.drive.largest_speed = 50.0;
+  d.motor = constant(20e-3);
+  const DriveResult r = d.run(0.1, 1e-3);
+  for (std::size_t i = 0; i < r.time.size(); ++i) {
+    EXPECT_NEAR(r.omega_m[i], 50.0 * (1.0 - std::exp(-0.2 / 4e-4 * r.time[i])), 1e-6 * 50.0);
+    EXPECT_LE(r.omega_m[i], 50.0 * (1.0 + 1e-9));
+  }
+  EXPECT_LT(kReach * (50.0 + 1.0), 60.0 * (20e-3 - kReach * r.phi_m.back()));  // Without the bound it is faster.
+}
+
+TEST(Drive, ALoadDrawnTowardsTheBearingStandsStiffer) {
+  PlainDrive d;
+  const double force = 3000.0, speed = 400.0, rigidity = 2e7, length = 0.2, beta = 2e-4;
+  d.drive.has_shaft = 1;
+  d.drive.shaft_length = length, d.drive.shaft_rigidity = rigidity;
+  d.drive.start_speed = kReach * speed;
+  d.drive.material_damping = beta;
+  d.motor = constant(speed);
+  d.force = constant(force);
+  const DriveResult r = d.run(0.2, 0.1);
+  const auto expected = [&](double x) {
+    const double compliance = 1.0 / 2e8 + (length - x) / rigidity;
+    const double of_energy = 0.5 * force * force / rigidity, of_damping = beta * force / rigidity / compliance * r.v[1];
+    return (force + of_energy + of_damping) * compliance;
+  };
+  for (const std::size_t i : {1, 2}) EXPECT_NEAR(r.delta[i], expected(r.x[i]), 1e-6 * expected(r.x[i]));
+  EXPECT_LT(r.delta[2], 0.8 * r.delta[0]);
+}
+
+TEST(Drive, ASumOfSignalsIsTheSumOfEachAlone) {
+  const double turn = 2.0 * std::numbers::pi;
+  std::vector<SignalForm> forms(5);
+  forms[0].steps = {{0.1, 2.0}, {0.3, -1.0}};
+  forms[1].points = {{0.05, 1.0}, {0.25, 3.0}};
+  forms[2].sine = SignalForm::Sine{0.4, 1.5, 7.0, 0.3};
+  forms[3].sweep = SignalForm::Sweep{0.2, 0.7, 2.0, 20.0, 0.3, SignalForm::Spacing::logarithmic};
+  forms[4].sweep = SignalForm::Sweep{0.0, 0.3, 20.0, 5.0, 0.3, SignalForm::Spacing::linear};
+  const auto expected = [&](std::size_t k, double t) {
+    const double s = std::min(t, 0.3), over = t - s;
+    switch (k) {
+      case 0:
+        return t < 0.1 ? 0.0 : t < 0.3 ? 2.0 : -1.0;
+      case 1:
+        return 1.0 + 10.0 * (std::clamp(t, 0.05, 0.25) - 0.05);
+      case 2:
+        return 0.4 + 1.5 * std::sin(turn * 7.0 * t + 0.3);
+      case 3:
+        return 0.2 +
+               0.7 * std::sin(turn * (2.0 * 0.3 / std::log(10.0) * (std::pow(10.0, s / 0.3) - 1.0) + 20.0 * over));
+      default:
+        return 0.3 * std::sin(turn * (20.0 * s - 0.5 * 15.0 / 0.3 * s * s + 5.0 * over));
+    }
+  };
+  BoundSignal all(forms);
+  for (double t = 0.0; t < 0.5; t += 0.01 + 1e-5) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < forms.size(); ++k) {
+      BoundSignal one({forms[k]});
+      one.bind(t);
+      EXPECT_NEAR(one.at(t).value, expected(k, t), 1e-12) << k << " at " << t;
+      sum += expected(k, t);
+    }
+    all.bind(t);
+    EXPECT_NEAR(all.at(t).value, sum, 1e-12);
+    EXPECT_NEAR(all.at(t).slope, (all.at(t + 1e-6).value - all.at(t - 1e-6).value) / 2e-6, 1e-4);
+  }
 }
 
 TEST(Drive, FlanksThatTouchAtRestBeginToCarryWithoutAnImpact) {

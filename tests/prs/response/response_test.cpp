@@ -8,6 +8,7 @@
 
 #include "modules/response/response_analysis.h"
 #include "prs/export/robot.h"
+#include "prs/input/echo.h"
 #include "prs/run/commands.h"
 
 namespace prs {
@@ -120,6 +121,7 @@ TEST(Response, EachWrongValueIsRefused) {
       {torque, "response.motor.inertia=0 kg m^2", "response.motor.inertia"},
       {torque, "response.brake={torque: -1 N m, at: 1 ms}", "response.brake.torque"},
       {torque, "response.load.force=[]", "response.load.force"},
+      {torque, "response.load.force={}", "response.load.force: got no form"},
       {torque, "response.load.force={steps: []}", "response.load.force.steps"},
       {torque, "response.load.force={square: 3 N}", "response.load.force.square"},
       {torque, "response.load.force={points: [{at: 0 s, value: 1 N}], sine: {amplitude: 1 N, frequency: 2 Hz}}",
@@ -164,6 +166,117 @@ TEST(Response, ASumOfSignalsIsWhatItsTermsAre) {
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(one[k], two[k], 1e-9);
 }
 
+TEST(Response, SignalsFromFilesAreThoseOfTheirPoints) {
+  input::Source source = source_of(solved()["cases"][0]);
+  const Json points = response_of(source);
+  source.overrides = {
+      "response.motor.torque=[{file: {name: torque.csv, time: {column: t, unit: ms}, value: {column: torque, unit: N "
+      "m}}}, 1 N m]"};
+  source.files = {{"torque.csv", "t,torque\n0,3\n15,3\n25,-6\n50,-6\n"}};
+  EXPECT_EQ(response_of(source)["motor_torque_Nm"], points["motor_torque_Nm"]);
+}
+
+TEST(Response, APreloadIsSaidToTakeTheTorqueOfSlipAtZeroLoad) {
+  const Json& given = solved()["cases"][2];
+  const Json slip = run(analysis_of(Command::slip), source_of(given, {"load_cases[0].axial_force=0 N"}))
+                        .document({})["load_cases"][0]["slip"];
+  const Json document = run(analysis_of(Command::response), source_of(given)).document({});
+  const Json& warnings = document["warnings"];
+  const auto found = std::ranges::find(warnings, "torque_without_preload", [](const Json& w) { return w["code"]; });
+  ASSERT_NE(found, warnings.end()) << warnings;
+  EXPECT_NEAR((*found)["value"], slip["torque_screw_Nm"], 1e-9);
+}
+
+TEST(Response, SpeedsAlongTheAxisAreTurnedByTheLead) {
+  const Json& given = solved()["cases"][4];
+  const std::string controller = "response.motor.controller={speed_gain: 0.5 N m s/rad, largest_torque: 5 N m, ";
+  const auto speeds = [&](const std::string& speed) {
+    return response_of(source_of(given, {controller + speed + "}", "response.settling=null"}))["motor_speed_rpm"];
+  };
+  EXPECT_EQ(speeds("speed: [{steps: [{at: 0 s, value: 25 mm/s}]}, 50 mm/s]"),
+            speeds("speed: [{steps: [{at: 0 s, value: 300 rpm}]}, 600 rpm]"));
+}
+
+TEST(Response, PressureAboveTheStaticLimitIsAWarning) {
+  const Json& given = solved()["cases"][0];
+  const auto codes = [&](std::vector<std::string> overrides) {
+    std::vector<std::string> all;
+    for (const Json& w :
+         run(analysis_of(Command::response), source_of(given, std::move(overrides))).document({})["warnings"])
+      all.push_back(w["code"]);
+    return all;
+  };
+  EXPECT_EQ(std::ranges::count(codes({}), "tension_peak_pressure"), 0);
+  const auto hard = codes({"response.motor.torque=40 N m", "response.load.force={steps: [{at: 20 ms, value: 60 kN}]}"});
+  EXPECT_EQ(std::ranges::count(hard, "tension_peak_pressure"), 1);
+}
+
+TEST(Response, HashOfTheInputCoversFilesOfSignals) {
+  input::Source source = source_of(solved()["cases"][0]);
+  source.overrides = {
+      "response.load.force={file: {name: force.csv, time: {column: t, unit: s}, value: {column: f, unit: N}}}"};
+  source.files = {{"force.csv", "t,f\n0,50\n1,50\n"}};
+  const std::string one = input::input_sha256(source);
+  source.files = {{"force.csv", "t,f\n0,50\n1,51\n"}};
+  EXPECT_NE(input::input_sha256(source), one);
+}
+
+/// Rolling evenly takes the torque that `prs slip` has for that force and speed.
+TEST(Response, SteadyRollingTakesTheTorqueOfSlip) {
+  for (const char* friction : {"friction={coulomb: 0.08}", "friction={model: {mixed: {boundary: 0.11, exponent: 2}}}"})
+    for (const auto& [force, speed] : {std::pair{9e3, -700.0}, std::pair{-4e3, -300.0}}) {
+      Json given = solved()["cases"][1];
+      given["input"]["load_cases"] = {{{"name", "rolls"},
+                                       {"axial_force", fmt::format("{} N", std::abs(force))},
+                                       {"direction", force < 0.0 ? "compression" : "tension"},
+                                       {"position", "12 mm"},
+                                       {"speed", fmt::format("{} rpm", speed)}}};
+      given["input"]["response"] = {
+          {"duration", "30 ms"},
+          {"motor", {{"speed", fmt::format("{} rpm", speed)}}},
+          {"load", {{"mass", "30 kg"}, {"force", fmt::format("{} N", force)}}},
+          {"start", {{"speed", fmt::format("{:.17g} mm/s", speed / 12.0)}}},
+          {"curves", {{"force", "15 kN"}, {"speed", "1500 rpm"}}},
+      };
+      const double found = response_of(source_of(given, {friction}))["motor_torque_Nm"].back();
+      const Json slip = run(analysis_of(Command::slip), source_of(given, {friction, "model={loads: static}"}))
+                            .document({})["load_cases"][0]["slip"];
+      const double largest = 15e3 * 0.005 / (2.0 * std::numbers::pi);
+      EXPECT_NEAR(found, slip["torque_screw_Nm"].get<double>(), 1e-4 * largest) << friction << force << ' ' << speed;
+    }
+}
+
+TEST(Response, WhatIsNotSelfLockingRunsAwayWithoutABrake) {
+  Json given = solved()["cases"][0];
+  Json& block = given["input"]["response"];
+  block["motor"]["torque"] = "0 N m";
+  block["load"]["force"] = "3 kN";
+  const Json free = response_of(source_of(given));
+  EXPECT_LT(free["position_mm"].back().get<double>(), -1.0);
+  const Json held = response_of(source_of(given, {"response.brake={torque: 5 N m, at: 0 ms}"}));
+  EXPECT_EQ(held["motor_speed_rpm"].back(), 0.0);
+  EXPECT_GT(held["position_mm"].back().get<double>(), -0.01);
+}
+
+TEST(Response, SettlingWithoutAControllerIsAboutTheLastSample) {
+  const Json response =
+      response_of(source_of(solved()["cases"][0], {"response.settling={after: 10 ms, band: 0.4 mm}"}));
+  const std::vector<double> time = response["time_s"], x = response["position_mm"];
+  std::size_t last = 0;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (time[k] >= 10e-3 && std::abs(x[k] - x.back()) > 0.4) last = k;
+  ASSERT_GT(last, 0U);
+  EXPECT_EQ(response["settling"], (Json{{"final_position_mm", x.back()}, {"time_s", time[last + 1] - 10e-3}}));
+}
+
+TEST(Response, EnergiesOfEachLessonClose) {
+  for (const char* lesson : {"34_reversal", "35_emergency_stop", "36_servo_axis"}) {
+    SCOPED_TRACE(lesson);
+    const std::string file = fmt::format("{}/configs/{}.yaml", PRS_SOURCE_DIR, lesson);
+    EXPECT_LT(response_of(input::load_source(file, {}))["energy_J"]["residual_relative"], 1e-6);
+  }
+}
+
 TEST(Response, ALeftHandedScrewTurnsTheOtherWay) {
   const Json& given = solved()["cases"][0];
   const Json right = response_of(source_of(given));
@@ -174,6 +287,8 @@ TEST(Response, ALeftHandedScrewTurnsTheOtherWay) {
   for (std::size_t k = 0; k < right["time_s"].size(); k += 10) {
     EXPECT_NEAR(left["position_mm"][k], right["position_mm"][k].get<double>(), 1e-4);
     EXPECT_NEAR(left["screw_speed_rpm"][k], -right["screw_speed_rpm"][k].get<double>(), 0.05);
+    EXPECT_NEAR(left["coupling_torque_Nm"][k], -right["coupling_torque_Nm"][k].get<double>(), 0.01);
+    EXPECT_NEAR(left["force_N"][k], right["force_N"][k].get<double>(), 10.0);
   }
 }
 
@@ -185,6 +300,11 @@ TEST(Response, ResonancesAreWhereTheComplianceIsLargest) {
   const double resonance = response["resonances"][0]["frequency_Hz"],
                zeta = response["resonances"][0]["damping_percent"];
   EXPECT_NEAR(response["frequency_Hz"][most], resonance * std::sqrt(1.0 - 2e-4 * zeta * zeta), 0.5);
+  // Of one mass on a held screw.
+  const double k = 1e6 * response["tangent_stiffness_N_per_um"].get<double>(), m = 80.0;
+  const double w = std::sqrt(k / m), damping = 60e-6 * k + 150.0;
+  EXPECT_NEAR(resonance, w / (2.0 * std::numbers::pi), 1e-9 * resonance);
+  EXPECT_NEAR(zeta, 100.0 * damping / (2.0 * m * w), 1e-9 * zeta);
 }
 
 /// Amplitude and phase of a series at a frequency over its second half.
@@ -246,10 +366,14 @@ TEST(Response, FrequencyResponseOfTheMotorIsThatOfASmallSine) {
   block["motor"]["torque"] = Json::array(
       {fmt::format("{:.15g} N m", torque), {{"sine", {{"amplitude", "0.002 N m"}, {"frequency", "300 Hz"}}}}});
   const Json response = response_of(source_of(given));
-  const std::complex<double> found = swing(response, "motor_speed_rpm", frequency) * (std::numbers::pi / 30.0 / 0.002);
-  const Json& expected = response["frequency_response"];
-  const double size = expected["motor_speed_rad_per_s_per_Nm"][0], phase = expected["motor_speed_phase_deg"][0];
-  EXPECT_NEAR(std::abs(found - std::polar(size, phase * std::numbers::pi / 180.0)), 0.0, 5e-3 * size);
+  const auto expect = [&](const char* series, double factor, const char* size_key, const char* phase_key) {
+    const std::complex<double> found = swing(response, series, frequency) * factor / 0.002;
+    const Json& expected = response["frequency_response"];
+    const double size = expected[size_key][0], phase = expected[phase_key][0];
+    EXPECT_NEAR(std::abs(found - std::polar(size, phase * std::numbers::pi / 180.0)), 0.0, 5e-3 * size) << series;
+  };
+  expect("motor_speed_rpm", std::numbers::pi / 30.0, "motor_speed_rad_per_s_per_Nm", "motor_speed_phase_deg");
+  expect("position_mm", 1e3, "position_um_per_Nm", "position_phase_deg");
 }
 
 TEST(Response, RobotConstantsComeOut) {

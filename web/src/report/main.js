@@ -92,6 +92,9 @@ function show(answer, asked) {
   if (document.body.classList.toggle('is-wrong', wrong) !== wasWrong) showChanges();
   if (wrong) return;
   for (const [id, html] of Object.entries(answer.document.sections)) showSection(id, html, asked.report.quick);
+  // What this engine cannot compute stays as the report has it, in grey where values have moved.
+  for (const id of answer.document.kept ?? [])
+    element(id).querySelector('.body').classList.toggle('stale', changes.size > 0);
   showHead(answer.document.head);
   if (answer.document.threads) takeThreads(answer.document.threads);
 }
