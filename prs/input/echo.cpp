@@ -402,7 +402,9 @@ Json json_of(const Node* node, const MapValue& map) {
 
 Json json_of(const Node* node, const ChoiceUnderKey& under) {
   const Node* choice = node ? find(*node, under.key) : nullptr;
-  return {{under.key, json_of(choice ? choice : node, under.choice)}};
+  // As it was written, so that paths into it stay what they are.
+  if (node && !choice) return json_of(node, under.choice);
+  return {{under.key, json_of(choice, under.choice)}};
 }
 
 Json json_of(const Node* node, const ListValue& items) {
