@@ -433,13 +433,6 @@ std::optional<std::string> history_text(const HistorySource& history, const Sour
   }
 }
 
-/// The history that a source names.
-std::optional<HistorySource> history_of(const Source& source) {
-  ErrorList errors(source);
-  const CaseFile file = read_case_file(read_document(source, errors), errors);
-  return file.values.life ? file.values.life->history : std::nullopt;
-}
-
 /// The history with the place of its file, wherever the case is written to, and its hash.
 Json located(const Json& history, const HistorySource& read, const Source& source) {
   const std::optional<std::string> text = history_text(read, source);
@@ -492,10 +485,16 @@ Json resolved_input(const Source& source) {
   return json;
 }
 
-std::string input_sha256(const Source& source) {
-  const std::optional<HistorySource> history = history_of(source);
-  const std::optional<std::string> text = history ? history_text(*history, source) : std::optional<std::string>();
-  return input_sha256(source, text ? std::vector{*text} : std::vector<std::string>());
+std::string input_sha256(const Source& source, bool with_curves) {
+  ErrorList errors(source);
+  const CaseFile file = read_case_file(read_document(source, errors), errors);
+  std::vector<std::string> texts;
+  if (file.values.life && file.values.life->history)
+    if (const auto text = history_text(*file.values.life->history, source)) texts.push_back(*text);
+  if (with_curves && file.fit)
+    for (std::size_t k = 0; k < file.fit->curves.size(); ++k)
+      texts.push_back(named_file_text(file.fit->curves[k].file, fmt::format("fit.curves[{}].file", k), source, false));
+  return input_sha256(source, texts);
 }
 
 std::string input_sha256(const Source& source, const std::vector<std::string>& files) {

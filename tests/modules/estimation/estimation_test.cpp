@@ -132,6 +132,41 @@ TEST(Estimation, CutCurvesAndOtherOrdersChangeNothing) {
   EXPECT_NEAR(a.low, b.low, 1e-9);
 }
 
+TEST(Estimation, LogarithmsMoveNoOptimum) {
+  Bench linear = line(), log = line();
+  for (Bench* b : {&linear, &log}) {
+    b->problem.unknowns[0].from = 0.1;
+    b->problem.curves[0].deviation.assign(6, 0.5);
+    b->model = [](const auto& u, std::size_t, double x) { return 3.0 * std::sqrt(u[0]) * x; };
+  }
+  log.problem.unknowns[0].is_log = true;
+  const Result a = linear.solved(), b = log.solved();
+  EXPECT_NEAR(*a.unknowns[0].value, std::pow(slope_of(kX, kY).value / 3.0, 2), 1e-8);
+  EXPECT_NEAR(*b.unknowns[0].value, *a.unknowns[0].value, 1e-8);
+  EXPECT_NEAR(b.objective, a.objective, 1e-9);
+  EXPECT_NEAR(b.unknowns[0].estimate->deviation, a.unknowns[0].estimate->deviation, 1e-5);
+}
+
+/// A curve that feels the second unknown only beyond 2, which the first one alone leads to.
+TEST(Estimation, WhatACurveFeelsAwayFromTheStartAloneCounts) {
+  Bench b = line();
+  b.problem.unknowns[0] = {.from = 0.0, .to = 10.0, .start = 0.5};
+  b.problem.curves[0].deviation.assign(6, 0.5);
+  std::vector<double> beyond;
+  for (const double x : kX) beyond.push_back(0.5 * x);
+  b.add(kX, beyond, std::vector<double>(6, 1e-3));
+  b.model = [](const auto& u, std::size_t c, double x) { return (c == 0 ? u[0] : std::max(0.0, u[0] - 1.5)) * x; };
+  for (const double start : {0.5, 5.0}) {
+    b.problem.unknowns[0].start = start;
+    const Result r = b.solved();
+    ASSERT_EQ(r.status, Status::converged);
+    // Weighted mean of both slopes.
+    const double w1 = 1.0 / 0.25, w2 = 1e6;
+    EXPECT_NEAR(*r.unknowns[0].value, (w1 * slope_of(kX, kY).value + w2 * 2.0) / (w1 + w2), 1e-8) << start;
+    EXPECT_NEAR(r.unknowns[0].estimate->deviation, 1.0 / std::sqrt((w1 + w2) * slope_of(kX, kY).sum), 1e-9) << start;
+  }
+}
+
 TEST(Estimation, RowsThatStandTwiceHalveTheVariance) {
   Bench once = line(), twice = line();
   once.problem.curves[0].deviation.assign(6, 0.5);
