@@ -32,6 +32,7 @@ struct FitCurve {
 
   std::string name, file, response, unit, at;  ///< `at`: path in the document, `fit.curves[0]`.
   Command command = Command::solve;
+  bool is_usual_command = true;  ///< That of such responses.
   Use use = Use::fit;
   modules::fit::Loss loss;
   bool has_offset = false;

@@ -186,8 +186,9 @@ struct FitEvaluation::Parts {
         check_document(group);
     } catch (const UnknownResponse& error) {
       // One that the program knows may have no answer at the start.
-      if (const std::string& path = input.curves[group.curves[error.index()]].response; result_number(path)) {
-        group.without_answer = "no " + path;
+      const FitCurve& curve = input.curves[group.curves[error.index()]];
+      if (curve.is_usual_command && result_number(curve.response)) {
+        group.without_answer = "no " + curve.response;
         return;
       }
       input::fail_at(input.source, input.curves[group.curves[error.index()]].at + ".response", error.what());

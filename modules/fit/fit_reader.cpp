@@ -11,6 +11,10 @@
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
 #include "prs/input/varied_input.h"
+#include "prs/losses/life_analysis.h"
+#include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
+#include "prs/measures/measures_analysis.h"
 #include "prs/record/record_table.h"
 
 namespace prs {
@@ -73,6 +77,16 @@ std::string units_like(std::string_view unit) {
   if (unit.empty()) return "no unit, or \"%\"";
   const input::Dimension* d = dimension_with(unit);
   return d ? input::unit_list(*d) : std::string(unit);
+}
+
+/// Those that studies record.
+std::vector<std::string_view> usual_responses() {
+  std::vector<std::string_view> all;
+  const auto add = [&](const auto& analysis) {
+    all.insert(all.end(), analysis.responses.begin(), analysis.responses.end());
+  };
+  add(solve_analysis()), add(slip_analysis()), add(life_analysis()), add(measures_analysis()), add(response_analysis());
+  return all;
 }
 
 /// Paths of the numbers that a document states.
@@ -249,6 +263,8 @@ class FitReader : input::VariedInput {
       for (const input::EchoEntry& entry : fields_)
         if (entry.number) all.insert(entry.path);
       for (const input::InputKey& key : input::input_keys()) all.insert(key.path);
+      std::erase_if(all,
+                    [&](const std::string& one) { return find_slot(known, one).kind != input::Slot::Kind::number; });
       const std::vector<std::string_view> near = input::near_words(p.path, {all.begin(), all.end()});
       fail(path_ + ".path", "got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
            near.empty() ? "write for example `path: friction.coulomb`"
@@ -402,6 +418,7 @@ class FitReader : input::VariedInput {
     c.at = at;
     c.response = response_path(root_, file_.load_cases, item.response);
     c.command = command_of(c.response, item.command, at);
+    c.is_usual_command = !item.command || c.command == command_of(c.response, {}, at);
     c.unit = unit_of_response(c.response);
     c.base = base_;
     return c;
@@ -542,12 +559,16 @@ class FitReader : input::VariedInput {
   Conversion unit_at(const std::string& written, const std::string& unit, const std::string& at,
                      const std::string& response) const {
     const auto found = conversion(written, unit);
-    if (!found)
-      fail(at + ".unit", "got {}; expected a unit of the response {}: {}; write for example `unit: {}`{}",
-           written.empty() ? "none" : shown(written), response, units_like(unit),
-           unit.empty() || unit == "%" ? "\"%\"" : unit,
-           unit.empty() ? ", or a response with a unit, as `prs list responses` has them" : "");
-    return *found;
+    if (found) return *found;
+    std::string other;
+    if (unit.empty()) {  // Its name may lack the unit.
+      const std::vector<std::string_view> known = usual_responses(), near = input::near_words(response, known);
+      other = near.empty() ? ", or another response of `prs list responses`"
+                           : fmt::format(", or did you mean the response `{}`?", fmt::join(near, "`, `"));
+    }
+    fail(at + ".unit", "got {}; expected a unit of the response {}: {}; write for example `unit: {}`{}",
+         written.empty() ? "none" : shown(written), shown(response), units_like(unit),
+         unit.empty() || unit == "%" ? "\"%\"" : unit, other);
   }
 
   void read_deviation(const FitCurveItem& item, const FitCurve& c, const std::string& at, const FitTable& table,

@@ -167,6 +167,26 @@ TEST(Estimation, WhatACurveFeelsAwayFromTheStartAloneCounts) {
   }
 }
 
+/// The deviation of exp(-x/u) in closed form, in bounds of any width.
+TEST(Estimation, WideBoundsChangeNoDeviation) {
+  for (const double to : {1.0, 30.0, 100.0}) {
+    Bench b = line();
+    b.problem.unknowns[0] = {.from = 0.0, .to = to, .start = 0.6};
+    b.model = [](const auto& u, std::size_t, double x) { return std::exp(-x / std::max(u[0], 1e-9)); };
+    b.problem.curves[0].measured.clear();
+    double information = 0.0;
+    for (const double x : kX) {
+      b.problem.curves[0].measured.push_back(std::exp(-x / 0.5));
+      information += std::pow(std::exp(-x / 0.5) * x / 0.25 / 1e-3, 2);
+    }
+    b.problem.curves[0].deviation.assign(6, 1e-3);
+    const Result r = b.solved();
+    ASSERT_EQ(r.status, Status::converged) << to;
+    EXPECT_NEAR(*r.unknowns[0].value, 0.5, 1e-5) << to;
+    EXPECT_NEAR(r.unknowns[0].estimate->deviation * std::sqrt(information), 1.0, 0.01) << to;
+  }
+}
+
 TEST(Estimation, RowsThatStandTwiceHalveTheVariance) {
   Bench once = line(), twice = line();
   once.problem.curves[0].deviation.assign(6, 0.5);
@@ -193,6 +213,17 @@ TEST(Estimation, ReadingsPlusAConstantMoveTheOffsetAlone) {
   EXPECT_NEAR(near.unknowns[0].estimate->value, far.unknowns[0].estimate->value, 1e-7);
   EXPECT_NEAR(near.unknowns[0].estimate->deviation, far.unknowns[0].estimate->deviation, 1e-7);
   EXPECT_NEAR(near.unknowns[1].estimate->value + 10200.0, far.unknowns[1].estimate->value, 1e-5);
+}
+
+/// A probe's zero of many ranges is none of its noise.
+TEST(Estimation, TheLeastDeviationKnowsNoZeroOfAProbe) {
+  const auto deviation = [](double shift) {
+    Bench b = with_offset(0.0);
+    for (std::size_t i = 0; i < 6; ++i)
+      b.problem.curves[0].measured[i] = 2.0 * kX[i] + 1e-3 * (kY[i] - 2.0 * kX[i]) + shift;
+    return b.solved().unknowns[0].estimate->deviation;
+  };
+  EXPECT_NEAR(deviation(1e5) / deviation(0.0), 1.0, 1e-3);
 }
 
 TEST(Estimation, AWideHuberLossIsThatOfSquares) {

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "prs/run/commands.h"
+#include "prs/study/derivatives.h"
 #include "prs/study/response.h"
 #include "tests/support/count.h"
 
@@ -94,7 +96,7 @@ TEST(FitCase, WrongInputSaysWhereAndWhatIsAllowed) {
   const std::vector<Wrong> all{
       {"/fit/curves/0/use", "compare", "none", "none"},
       {"/fit/parameters/0/path", "friction.coulom", "parameters[0].path", "did you mean `friction.coulomb`"},
-      {"/fit/parameters/0/path", "mechanism.type", "mechanism.type", "standard | inverted"},
+      {"/fit/parameters/0/path", "mechanism.type", "parameters[0].path", "may vary continuously"},
       {"/fit/parameters/0/from", 0.5, "parameters[0].from", "less than `to`"},
       {"/fit/parameters/0/start", 0.5, "parameters[0].start", "0.02 to 0.4"},
       {"/fit/parameters/1/scale", "log", "parameters[1].from", "more than 0"},
@@ -117,6 +119,13 @@ TEST(FitCase, WrongInputSaysWhereAndWhatIsAllowed) {
        "curves[0].along",
        "no series"},
       {"/fit/curves/1/name", "torque", "curves[1].name", "of its own"},
+      {"/fit/curves/0/conditions/1",
+       {{"path", "load_cases[0].axial_force"}, {"value", "3 kN"}},
+       "conditions[1].path",
+       "a second time"},
+      {"/fit/parameters/0/path", "friction.model.coulom", "parameters[0].path", "did you mean `friction"},
+      {"/fit/parameters/0/path", "load_cases", "parameters[0].path", "may vary continuously"},
+      {"/fit/parameters/0/to", 0.02, "parameters[0].from", "two different ones"},
       {"/fit/curves/0/loss", "hubert", "curves[0].loss", "squares, huber, cauchy"},
       {"/fit/curves/0/loss", {{"huber", 0}}, "curves[0].loss", "above 0"},
       {"/fit/level", "20 %", "fit.level", "50 %"},
@@ -245,6 +254,42 @@ TEST(FitCase, ASeriesIsTakenAtItsRowsAndTemperaturesShift) {
   EXPECT_NEAR(found["curves"][0]["standard_deviation"][0].get<double>(), 0.5, 1e-12);
   EXPECT_EQ(found["curves"][0]["unit"], "degC");
   EXPECT_LT(found["curves"][0]["rms"].get<double>(), 1e-6);
+}
+
+TEST(FitCase, LossesThatAreKnownMakeTheSameCycle) {
+  const json input = warming_up();
+  const FitInput read = read_fit_input(bench_source(input, {{"warm.csv", "minutes,T\n5,70\n30,80\n60,90\n"}}));
+  const auto at = [&](FitEvaluation& evaluation, double conductance) {
+    return evaluation({{{conductance}, {true}}})[0].values[0];
+  };
+  FitEvaluation fresh(read, 1), used(read, 1);
+  at(used, 4.0);
+  const std::vector<double> alone = at(fresh, 4.3), after = at(used, 4.3);
+  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_NEAR(alone[i], after[i], 1e-7);
+}
+
+TEST(FitCase, ReadingsOfOneNameStandApartBesideTheFittedFile) {
+  json input = input_of("friction-on-the-bench");
+  input["fit"]["curves"][0]["file"] = "a/bench.csv";
+  input["fit"]["curves"][1]["file"] = "residuals.csv";
+  std::map<std::string, std::string> files = *bench_source(input).files;
+  const input::Source source =
+      bench_source(input, {{"a/bench.csv", files["bench_torque.csv"]}, {"residuals.csv", files["bench_loss.csv"]}});
+  const FitResult r = fit_case(source, {.threads = 1});
+  input::Source again{.name = "fitted.yaml", .text = fitted_case(r), .overrides = {}};
+  again.files.emplace();
+  for (const OutputFile& file : fit_analysis().files(r, {})) again.files->emplace(file.name, file.content);
+  EXPECT_TRUE(again.files->contains("2_residuals.csv"));
+  EXPECT_NEAR(fit_case(again, {.threads = 1}).found.objective, r.found.objective, 1e-6);
+}
+
+TEST(FitCase, ThePageHasATableOfTheValues) {
+  const FitResult r = fit_case(bench_source(input_of("friction-on-the-bench")), {.threads = 1});
+  const PageSection page = fit_analysis().section(r);
+  ASSERT_EQ(page.tables.size(), 3U);
+  EXPECT_EQ(page.tables[0].rows[1][0], "carrier.screw_torque");
+  EXPECT_EQ(page.tables[0].rows[1].size(), page.tables[0].head.size());
+  EXPECT_EQ(page.tables[1].rows.size(), 2U);
 }
 
 TEST(FitCase, RowsBeyondThePeriodAreRefused) {
@@ -388,6 +433,45 @@ TEST(FitCase, SeriesOfADriveStandOverItsTime) {
               HasSubstr("motion.csv:3:3: error: response.time_s: got 0.055 s"));
 }
 
+/// Where the program has exact derivatives, the deviations of a fit are theirs.
+TEST(FitCase, DeviationsAreThoseOfExactDerivatives) {
+  json input = input_of("play-on-the-bench");
+  input.erase("preload"), input.erase("fit");
+  json study = input, fit = input;
+  study["study"] = {{"command", "solve"},
+                    {"plan", "derivatives"},
+                    {"factors", {{{"path", "materials.youngs_modulus"}}, {{"path", "structure.nut.outer_diameter"}}}},
+                    {"responses", {"axial_displacement_um"}}};
+  std::string csv = "F,u\n";
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  for (int force = 2; force <= 20; force += 2) {
+    study["load_cases"][0]["axial_force"] = fmt::format("{} kN", force);
+    const CaseDerivatives d = case_derivatives(
+        input::read_study_input(input::Source{.name = "case.yaml", .text = study.dump(), .overrides = {}}));
+    const Eigen::Vector2d slope(d.factors[0].responses[0]->value, d.factors[1].responses[0]->value);
+    information += slope * slope.transpose() / 0.01;
+    csv += fmt::format("{},{}\n", force, *d.values[0]);
+  }
+  fit["fit"] = {
+      {"parameters",
+       {{{"path", "materials.youngs_modulus"}, {"from", "150 GPa"}, {"to", "260 GPa"}, {"start", "190 GPa"}},
+        {{"path", "structure.nut.outer_diameter"}, {"from", "42 mm"}, {"to", "60 mm"}, {"start", "50 mm"}}}},
+      {"curves",
+       json::array({{{"file", "u.csv"},
+                     {"response", "axial_displacement_um"},
+                     {"measured", {{"column", "u"}, {"unit", "um"}}},
+                     {"deviation", "0.1 um"},
+                     {"conditions", {{{"path", "load_cases[0].axial_force"}, {"column", "F"}, {"unit", "kN"}}}}}})}};
+  const FitResult r = fit_case(bench_source(fit, {{"u.csv", csv}}), {.threads = 1});
+  ASSERT_TRUE(r.converged());
+  const Eigen::Matrix2d covariance = information.inverse();
+  EXPECT_NEAR(*r.found.unknowns[0].value, 207.0, 1e-3);
+  EXPECT_NEAR(*r.found.unknowns[1].value, 46.0, 1e-3);
+  for (Eigen::Index j = 0; j < 2; ++j)
+    EXPECT_NEAR(r.found.unknowns[static_cast<std::size_t>(j)].estimate->deviation / std::sqrt(covariance(j, j)), 1.0,
+                1e-4);
+}
+
 /// Benches of a real screw with a known truth: torque over force, travel through play with a probe's
 /// zero. Deviations are stated or estimated, without outliers or with some under a robust loss.
 TEST(FitCase, IntervalsHoldTheTruthOfAScrewAsOftenAsTheySay) {
@@ -463,7 +547,8 @@ TEST(FitCase, FilesHoldAllRows) {
   const std::vector<OutputFile> files = fit_analysis().files(r, {});
   std::vector<std::string> names;
   for (const OutputFile& f : files) names.push_back(f.name);
-  EXPECT_THAT(names, testing::ElementsAre("fit_parameters.csv", "residuals.csv", "fit_bands.csv", "fitted.yaml"));
+  EXPECT_THAT(names, testing::ElementsAre("fit_parameters.csv", "residuals.csv", "fit_bands.csv", "fitted.yaml",
+                                          "bench_torque.csv", "bench_loss.csv"));
   EXPECT_EQ(std::ranges::count(files[1].content, '\n'), 1 + 16 + 24);
   EXPECT_THAT(files[1].content, HasSubstr("torque,2,load_cases[0].axial_force=1 kN,N m,1.1859,"));
   EXPECT_THAT(fit_analysis().table(r), HasSubstr("friction.coulomb"));
