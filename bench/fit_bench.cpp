@@ -1,5 +1,5 @@
 // A fit of 4 unknowns to 3 curves of 40 rows on one thread: torque, lost power and travel of lesson
-// 36's screw, file and evaluation included.
+// 37's screw, file and evaluation included.
 
 #include <benchmark/benchmark.h>
 
@@ -17,8 +17,8 @@ prs::input::Source three_curves() {
   for (int k = 0; k < 40; ++k) {
     const double force = 1.0 + 0.5 * k, noise = (k * 7919 % 13) / 13.0 - 0.5;
     torque += fmt::format("{},{}\n", force, 0.18 + 0.96 * force + 0.1 * noise);
-    loss += fmt::format("{},{},{}\n", force, 400 + 400 * (k % 2), 10.0 * force + 4.0 * noise);
-    travel += fmt::format("{},{}\n", force - 10.4, 4.0 + (force > 10.4 ? 15.5 : -15.5) + 1.4 * (force - 10.4) + noise);
+    loss += fmt::format("{},{},{}\n", force, 400 + 400 * (k % 2), (7.2 * force + 14.0) * (1 + k % 2) + 4.0 * noise);
+    travel += fmt::format("{},{}\n", force - 10.4, 4.0 + (force > 10.4 ? 17.0 : -17.0) + 1.65 * (force - 10.4) + noise);
   }
   source.files = {{"37_torque.csv", torque}, {"loss.csv", loss}, {"37_travel.csv", travel}};
   source.overrides = {

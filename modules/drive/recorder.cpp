@@ -159,7 +159,7 @@ double Recorder::magnitude(double (*power)(const PrsView&), const PrsView points
 
 void Recorder::sample(const PrsView& v) {
   DriveResult& r = result_;
-  r.time.push_back(static_cast<double>(r.time.size()) * run_.sample_interval);
+  r.time.push_back(next_sample());
   r.x.push_back(v.x);
   r.v.push_back(v.v);
   r.phi.push_back(v.phi);
@@ -183,9 +183,7 @@ void Recorder::begin(const PrsView& view, int closed) {
     peaks_[kImpact] = {0.0, view.t, true};
   }
   track(view);
-  while (result_.time.size() < run_.samples &&
-         static_cast<double>(result_.time.size()) * run_.sample_interval <= view.t + core_.resolution)
-    sample(view);
+  while (result_.time.size() < run_.samples && next_sample() <= view.t + core_.resolution) sample(view);
 }
 
 void Recorder::step(const PrsView points[PRS_POINTS]) {
@@ -224,7 +222,7 @@ void Recorder::step(const PrsView points[PRS_POINTS]) {
   refine(points);
   r.last_reference = points[PRS_POINTS - 1].reference;
   while (r.time.size() < run_.samples) {
-    const double t = static_cast<double>(r.time.size()) * run_.sample_interval;
+    const double t = next_sample();
     if (t >= to - core_.resolution) break;
     sample(at(std::max(t, from)));
   }

@@ -27,6 +27,10 @@ class Recorder {
   void refine(const PrsView points[PRS_POINTS]);
   double magnitude(double (*power)(const PrsView&), const PrsView points[PRS_POINTS], int depth) const;
   void sample(const PrsView& view);
+  double next_sample() const {
+    return run_.times != nullptr ? (*run_.times)[result_.time.size()]
+                                 : static_cast<double>(result_.time.size()) * run_.sample_interval;
+  }
   bool follows(double t) const { return t <= follow_until_; }
   DrivePeak larger(Tracked a, Tracked b) const { return peaks_[b].value > peaks_[a].value ? peaks_[b] : peaks_[a]; }
 

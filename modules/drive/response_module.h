@@ -14,8 +14,9 @@ struct DriveRun {
   PrsSignals signals;
   double duration, sample_interval;
   std::size_t samples;
-  double tolerance;  ///< Relative
-  double fastest;    ///< Highest frequency of the signals [Hz]; 0: none.
+  double tolerance;                            ///< Relative
+  double fastest;                              ///< Highest frequency of the signals [Hz]; 0: none.
+  const std::vector<double>* times = nullptr;  ///< Of the samples, ascending; null: every interval.
 };
 
 /// An extreme of the whole run.

@@ -87,6 +87,7 @@ struct UnknownResult {
   std::optional<Estimate> estimate = {};
   int at_bound = 0;  ///< -1: `from`, 1: `to`.
   std::optional<double> profile_low = {}, profile_high = {};
+  bool profile_failed = false;  ///< An end was not found, which may lie within the bounds.
   bool prior_decides = false;
 };
 
@@ -99,6 +100,7 @@ struct CurveResult {
   std::vector<double> fitted, residual;  ///< `fitted` with the offset.
   std::vector<double> deviation, weight;
   std::vector<double> low, high, band_deviation;  ///< Empty: no band.
+  bool is_without_noise = false;                  ///< The estimated deviation stands at its least.
   double rms = 0.0;
   std::optional<double> redundancy = {}, chi_square = {}, r_squared = {};
   std::optional<Runs> runs = {};
@@ -115,6 +117,7 @@ struct Unidentified {
 
 struct StartResult {
   std::optional<double> objective = {};  ///< S + 2 sum n ln sigma over estimated ones.
+  std::vector<double> values = {};       ///< Of the unknowns, where there is an objective.
   Status status = Status::no_equilibrium;
   bool is_best = false;
   bool is_another_minimum = false;  ///< Within 4 of the best.

@@ -10,6 +10,7 @@ namespace modules::fit {
 namespace {
 
 constexpr double kStep = 1e-3;           // Of z, in differences.
+constexpr double kLeastStep = 1e-4;      // Below that differences drown in the tolerances of what they are of.
 constexpr double kBound = 1e-6;          // Nearer to a bound than that a value may be held there.
 constexpr double kConverged = 1e-4;      // Of a standard deviation.
 constexpr double kSettled = 1e-6;        // What the search goes on to, where it can.
@@ -65,7 +66,9 @@ class Search {
       spread_.push_back(1.0);
       floor_.push_back(0.0);
       if (estimated) {
-        floor_[c] = std::max(1e-6 * y.lpNorm<Eigen::Infinity>(), 1e-150);
+        // The zero of a probe says nothing of its noise.
+        const double middle = curve.offset ? y.mean() : 0.0;
+        floor_[c] = std::max(1e-6 * (y.array() - middle).abs().maxCoeff(), 1e-150);
         spread_[c] = std::max(0.05 * std::sqrt((y.array() - y.mean()).square().sum() / n), floor_[c]);
       }
       if (curve.deviation.empty())
@@ -77,7 +80,7 @@ class Search {
       reached_.emplace_back(problem.unknowns.size(), true);
       fitted_.push_back(curve.use == Curve::Use::fit);
     }
-    first_spread_ = spread_;
+    step_ = VectorXd::Constant(count_, kStep);
     prior_ = MatrixXd::Zero(count_, count_);
     for (Index j = 0; j < count_; ++j)
       if (const auto& prior = unknown(j).prior) prior_(j, j) = std::pow(range(j) / prior->deviation, 2);
@@ -87,6 +90,10 @@ class Search {
   bool look_at_start(const VectorXd& z, Result& result) {
     const StatePtr state = with_slopes(z);
     if (!state) return false;
+    for (std::size_t c = 0; c < fitted_.size(); ++c)
+      if (is_estimated(c) && spread_[c] == floor_[c])  // All readings are equal.
+        spread_[c] = std::max(spread_[c], 0.05 * (measured_[c] - state->values[c]).lpNorm<Eigen::Infinity>());
+    first_spread_ = spread_;
     for (Index j = 0; j < count_; ++j) {
       if (unknown(j).is_offset) continue;
       bool moves = false;
@@ -96,6 +103,7 @@ class Search {
         moves = moves || (moved > kNoInfluence * (state->values[c].array() - offset(c, z)).abs()).any();
         reached_[c][static_cast<std::size_t>(j)] = (state->slopes[c].col(j).array() != 0.0).any();
       }
+      looked_at_ = z;
       if (!moves) result.without_influence = static_cast<std::size_t>(j);
       if (!moves) return false;
     }
@@ -114,6 +122,7 @@ class Search {
     spread_ = first_spread_;
     failure_.reset();
     VectorXd z = from;
+    reaches_more(z);
     const bool jumps = std::ranges::any_of(losses_, [](const Loss& l) { return l.kind == Loss::Kind::cauchy; });
     Status status = Status::converged;
     if (jumps) {  // From afar most rows would look like outliers.
@@ -123,7 +132,11 @@ class Search {
       losses_ = given;
       if (status == Status::no_equilibrium) return status;
     }
-    status = settle(z, 20);
+    do {
+      status = settle(z, 3);
+      if (status == Status::no_equilibrium) return status;
+    } while (reaches_more(z) || takes_smaller_steps(z));
+    if (status == Status::iteration_limit) status = settle(z, 17);
     place_ = z;
     return status;
   }
@@ -131,6 +144,10 @@ class Search {
   const VectorXd& place() const { return place_; }
   const std::optional<Failure>& failure() const { return failure_; }
   std::size_t iterations() const { return iterations_; }
+  double value(std::size_t j) const {
+    const auto at = static_cast<Index>(j);
+    return shown(unknown(at), u(at, place_[at]));
+  }
 
   /// What starts are compared by.
   double criterion() {
@@ -222,7 +239,7 @@ class Search {
                                 : side == Side::ahead ? std::array{1.0, 2.0}
                                                       : std::array{-1.0, -2.0}) {
         VectorXd moved = z;
-        moved[j] += steps * kStep;
+        moved[j] += steps * step_[j];
         requests.push_back(request(moved, reached));
       }
     };
@@ -233,7 +250,10 @@ class Search {
     for (Index j = 0; j < count_; ++j) {
       if (unknown(j).is_offset) continue;
       const bool bounded = unknown(j).is_bounded;
-      ask(asked, j, bounded && z[j] < kStep ? Side::ahead : bounded && z[j] > 1.0 - kStep ? Side::behind : Side::both);
+      ask(asked, j,
+          bounded && z[j] < step_[j]         ? Side::ahead
+          : bounded && z[j] > 1.0 - step_[j] ? Side::behind
+                                             : Side::both);
     }
     for (int round = 0; round < 3 && !asked.empty(); ++round) {
       const std::vector<Answer> answers = problem_.evaluate(requests);
@@ -247,12 +267,12 @@ class Search {
           const Side other = side == Side::both    ? (one.failure ? Side::ahead : Side::behind)
                              : side == Side::ahead ? Side::behind
                                                    : Side::ahead;
-          const double last = z[j] + (other == Side::ahead ? 2.0 : -2.0) * kStep;
+          const double last = z[j] + (other == Side::ahead ? 2.0 : -2.0) * step_[j];
           if (round == 2 || (unknown(j).is_bounded && !(last >= 0.0 && last <= 1.0))) return std::nullopt;
           ask(again, j, other);
           continue;
         }
-        const double h = side == Side::behind ? -kStep : kStep;
+        const double h = side == Side::behind ? -step_[j] : step_[j];
         for (std::size_t c = 0; c < curves.size(); ++c) {
           if (!curves[c] || !reached_[c][static_cast<std::size_t>(j)]) continue;
           const VectorXd a = values_of(one.values[c]), b = values_of(two.values[c]);
@@ -270,6 +290,61 @@ class Search {
       if (const auto& o = problem_.curves[c].offset; o && curves[c] && fitted_[c])
         slopes[c].col(static_cast<Index>(*o)).setConstant(range(static_cast<Index>(*o)));
     return slopes;
+  }
+
+  /// Whether an unknown moves a curve here that it moved nowhere before: what a curve feels only
+  /// beyond a threshold counts from then on.
+  bool reaches_more(const VectorXd& z) {
+    const StatePtr state = looked_at_ == z ? nullptr : at(z);
+    if (!state) return false;
+    looked_at_ = z;
+    const std::vector<std::vector<bool>> known = reached_;
+    for (std::vector<bool>& of_curve : reached_) of_curve.flip();
+    const std::optional<Failure> failure = failure_;
+    const std::optional<std::vector<MatrixXd>> slopes = differentiate(z, state->values, fitted_);
+    failure_ = failure;
+    reached_ = known;
+    if (!slopes) return false;
+    bool more = false;
+    for (Index j = 0; j < count_; ++j)
+      for (std::size_t c = 0; c < fitted_.size(); ++c) {
+        if (unknown(j).is_offset || known[c][static_cast<std::size_t>(j)]) continue;
+        if (!fitted_[c] || ((*slopes)[c].col(j).array() == 0.0).all()) continue;
+        reached_[c][static_cast<std::size_t>(j)] = more = true;
+      }
+    if (more) known_.clear();
+    return more;
+  }
+
+  /// Whether the step of an unknown near an end of its bounds, which may be wide, had to shrink: where a
+  /// quarter of it has slopes that differ by more than a hundredth.
+  bool takes_smaller_steps(const VectorXd& z) {
+    const StatePtr state = with_slopes(z);
+    if (!state) return false;
+    bool any = false;
+    for (Index j = 0; j < count_; ++j) {
+      const double to_bound = std::min(z[j], 1.0 - z[j]), before = step_[j];
+      if (unknown(j).is_offset || unknown(j).is_log || to_bound > 20.0 * before || before <= kLeastStep) continue;
+      const std::vector<std::vector<bool>> known = reached_;
+      for (std::vector<bool>& of_curve : reached_)
+        for (std::size_t k = 0; k < of_curve.size(); ++k) of_curve[k] = of_curve[k] && static_cast<Index>(k) == j;
+      step_[j] = std::max(kLeastStep, 0.25 * before);
+      const std::optional<std::vector<MatrixXd>> slopes = differentiate(z, state->values, fitted_);
+      reached_ = known;
+      double off = 0.0, all = 0.0;
+      for (std::size_t c = 0; slopes && c < fitted_.size(); ++c) {
+        if (!fitted_[c]) continue;
+        const VectorXd weighed = weight_[c].cwiseProduct(state->slopes[c].col(j)) / spread_[c];
+        off += (weight_[c].cwiseProduct((*slopes)[c].col(j)) / spread_[c] - weighed).squaredNorm();
+        all += weighed.squaredNorm();
+      }
+      if (!(off > 1e-4 * all))
+        step_[j] = before;
+      else
+        any = true;
+    }
+    if (any) known_.clear();
+    return any;
   }
 
   /// Of one reading, over its deviation.
@@ -511,6 +586,8 @@ class Search {
   std::vector<VectorXd> measured_, weight_;
   std::vector<double> spread_, first_spread_, floor_;
   std::vector<std::vector<bool>> reached_;
+  VectorXd looked_at_;  ///< Where slopes of all curves were taken last.
+  VectorXd step_;       ///< Of differences in z.
   std::vector<bool> fitted_;
   MatrixXd prior_;
   VectorXd place_;
@@ -528,11 +605,12 @@ void Search::set_profile(Index j, const Normal& n, const Covariance& covariance,
     double x0 = place_[j], y0 = -target, x = x0 + sense * t * deviation;
     VectorXd from = place_;
     std::optional<double> end;
-    bool at_edge = false;
+    bool at_edge = false, beyond = false;
     double inside = x0, inside_y = y0, outside = std::numeric_limits<double>::quiet_NaN(), outside_y = 0.0;
     for (int k = 0; k < 30; ++k) {
       const double edge = sense < 0.0 ? 0.0 : 1.0;
       if (unknown(j).is_bounded && sense * (x - edge) >= 0.0) {
+        beyond = at_edge;
         if (at_edge) break;  // Still too little there.
         x = edge;
       }
@@ -551,7 +629,8 @@ void Search::set_profile(Index j, const Normal& n, const Covariance& covariance,
       const double rise = objective(*with_slopes(z)) - norm * norm - n.objective;
       const double y = std::sqrt(std::max(0.0, rise)) - target;
       at_edge = unknown(j).is_bounded && x == edge;
-      if (at_edge && y < 0.0) break;
+      beyond = at_edge && y < 0.0;
+      if (beyond) break;
       (y < 0.0 ? inside : outside) = x;
       (y < 0.0 ? inside_y : outside_y) = y;
       double next = x - y * (x - x0) / (y - y0);
@@ -566,6 +645,7 @@ void Search::set_profile(Index j, const Normal& n, const Covariance& covariance,
       x = next;
     }
     if (end) (sense < 0.0 ? result.profile_low : result.profile_high) = shown(unknown(j), u(j, *end));
+    result.profile_failed = result.profile_failed || (!end && !beyond);
   }
 }
 
@@ -708,22 +788,33 @@ void Search::conclude(Status status, Result& result, bool whole) {
   std::vector<VectorXd> values = state->values;
   std::vector<MatrixXd> slopes = state->slopes;
   if (std::ranges::any_of(others, std::identity{})) {
-    const std::vector<Answer> answers = problem_.evaluate({request(state->z, others)});
-    std::optional<std::vector<MatrixXd>> found;
-    if (!answers[0].failure) {
-      for (std::size_t c = 0; c < others.size(); ++c)
-        if (others[c]) values[c] = values_of(answers[0].values[c]);
-      found = differentiate(state->z, values, others);
+    // One without an answer leaves the others theirs.
+    std::vector<Request> requests;
+    std::vector<std::size_t> asked;
+    for (std::size_t c = 0; c < others.size(); ++c) {
+      if (!others[c]) continue;
+      std::vector<bool> alone(others.size());
+      alone[c] = true;
+      requests.push_back(request(state->z, alone));
+      asked.push_back(c);
     }
-    if (!found) {
-      result.failure = answers[0].failure ? answers[0].failure : failure_;
-      result.status = Status::no_equilibrium;
-      for (std::size_t c = 0; c < others.size(); ++c)
-        if (others[c]) values[c].resize(0);
-    } else {
-      for (std::size_t c = 0; c < others.size(); ++c)
-        if (others[c]) slopes[c] = std::move((*found)[c]);
+    const std::vector<Answer> answers = problem_.evaluate(requests);
+    std::vector<bool> answered(others.size());
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      answered[asked[k]] = !answers[k].failure;
+      if (!answers[k].failure)
+        values[asked[k]] = values_of(answers[k].values[asked[k]]);
+      else if (!result.failure)
+        result.failure = answers[k].failure;
     }
+    std::optional<std::vector<MatrixXd>> found = differentiate(state->z, values, answered);
+    if (!found && !result.failure) result.failure = failure_;
+    if (result.failure) result.status = Status::no_equilibrium;
+    for (const std::size_t c : asked)
+      if (found && answered[c])
+        slopes[c] = std::move((*found)[c]);
+      else
+        values[c].resize(0);
   }
   for (std::size_t c = 0; c < fitted_.size(); ++c) {
     CurveResult& curve = result.curves[c];
@@ -743,6 +834,7 @@ void Search::conclude(Status status, Result& result, bool whole) {
       curve.residual.push_back(measured_[c][i] - value);
       if (!fitted_[c]) continue;
       curve.deviation.push_back(spread_[c] / weight_[c][i]);
+      curve.is_without_noise = is_estimated(c) && spread_[c] <= floor_[c];
       curve.weight.push_back(robust(losses_[c], scaled(*state, c, i)).weight);
     }
     if (curve.residual.empty()) continue;
@@ -799,10 +891,13 @@ Result solve(const Problem& problem) {
     search.conclude(status, ends, false);
     start.status = ends.status;
     start.objective = search.criterion();
-    const auto rank = [&](std::size_t at) { return result.starts[at].status != Status::iteration_limit; };
-    if (!best || rank(k) > rank(*best) ||
-        (rank(k) == rank(*best) && *start.objective < *result.starts[*best].objective))
-      best = k;
+    for (std::size_t j = 0; j < problem.unknowns.size(); ++j) start.values.push_back(search.value(j));
+    // Of two at the same minimum the one that came to rest.
+    const auto rank = [&](std::size_t at) {
+      const StartResult& s = result.starts[at];
+      return *s.objective + (s.status == Status::iteration_limit ? 1e-3 : 0.0);
+    };
+    if (!best || rank(k) < rank(*best)) best = k;
   }
   if (!best) {
     result.status = Status::no_equilibrium;

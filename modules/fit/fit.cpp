@@ -1,5 +1,7 @@
 #include "modules/fit/fit.h"
 
+#include <filesystem>
+
 #include "prs/input/force_history.h"
 #include "prs/optimize/optimize_files.h"
 #include "prs/study/study_run.h"
@@ -33,12 +35,6 @@ Problem problem_of(const FitInput& input, FitEvaluation& evaluation) {
   return problem;
 }
 
-std::string place_of(const FitInput& input, const modules::fit::Failure& failure) {
-  const FitCurve& c = input.curves[failure.curve];
-  if (c.use == FitCurve::Use::band) return fmt::format("band {}, row {}", c.name, failure.row + 1);
-  return fmt::format("{}, {}:{}", c.name, name_in_messages(c.file, input.source), c.lines[failure.row]);
-}
-
 void add_warnings(FitResult& r) {
   using fmt::format;
   const modules::fit::Result& found = r.found;
@@ -47,28 +43,48 @@ void add_warnings(FitResult& r) {
   };
   if (found.failure)
     warn("fit", "no_equilibrium",
-         format("no answer at {}: {}", place_of(r.input, *found.failure), found.failure->reason),
+         format("no answer at {}: {}", place_of(r.input, found.failure->curve, found.failure->row),
+                found.failure->reason),
          "start elsewhere, narrow the bounds, or leave the row out");
   if (!found.unidentified.empty())
     for (const modules::fit::Unidentified& d : found.unidentified) {
       std::vector<std::string> names;
       for (const std::size_t j : d.unknowns) names.push_back(r.name(j));
-      warn("fit", "not_identifiable", format("the data cannot tell apart {}", fmt::join(names, ", ")),
-           "fix one of them, give it a `prior`, or measure under other conditions");
+      if (names.size() == 1)
+        warn("fit", "not_identifiable", format("the data do not tell {}", names[0]),
+             "fix it, give it a `prior`, or measure under other conditions");
+      else
+        warn("fit", "not_identifiable", format("the data cannot tell apart {}", fmt::join(names, ", ")),
+             "fix one of them, give it a `prior`, or measure under other conditions");
     }
   if (found.without_redundancy) {
     const FitCurve& c = r.input.curves[*found.without_redundancy];
     warn(c.at, "no_redundancy", format("the readings of {} do not tell their deviation", c.name),
          c.deviation.empty() ? "state its `deviation`" : "state a larger `deviation`: most of its rows are outliers");
   }
-  if (found.status == Status::iteration_limit)
-    warn("fit", "iteration_limit", "the search did not come to rest", "start nearer, or narrow the bounds");
+  if (found.status == Status::iteration_limit) {
+    std::string wide;
+    for (std::size_t j = 0; j < r.input.parameters.size(); ++j) {
+      const FitParameter& p = r.input.parameters[j];
+      const std::optional<double>& value = found.unknowns[j].value;
+      if (!p.is_log && p.from >= 0.0 && value && *value > 0.0 && *value - p.from < 0.01 * (p.to - p.from))
+        wide += format("{} `scale: log` of {}", wide.empty() ? "" : " and", p.path);
+    }
+    warn("fit", "iteration_limit", "the search did not come to rest",
+         wide.empty() ? "start nearer, or narrow the bounds"
+                      : format("its bounds are wide: narrow them, or write{} with `from` above 0", wide));
+  }
   for (std::size_t j = 0; j < r.input.parameters.size() && j < found.unknowns.size(); ++j) {
     const modules::fit::UnknownResult& u = found.unknowns[j];
     const std::string& path = r.input.parameters[j].path;
     if (u.at_bound != 0)
       warn(path, "at_bound", format("at its bound `{}`", u.at_bound < 0 ? "from" : "to"),
            "widen the bounds where it may be");
+    if (u.profile_failed)
+      warn(path, "profile", "an end of its profile was not found", "narrow the bounds, or look at other `starts`");
+    if (const auto& prior = r.input.parameters[j].prior;
+        prior && !(prior->mean >= r.input.parameters[j].from && prior->mean <= r.input.parameters[j].to))
+      warn(path, "prior_outside", "the mean of its prior lies outside of its bounds", "check both");
     if (u.prior_decides)
       warn(path, "prior_decides", "its prior decides: the data hardly add to it", "measure what depends on it");
     if (u.estimate && u.estimate->low <= r.input.parameters[j].from && u.estimate->high >= r.input.parameters[j].to)
@@ -88,6 +104,9 @@ void add_warnings(FitResult& r) {
     const FitCurve& its = r.input.curves[c];
     if (curve.runs && curve.runs->p_value < 0.01)
       systematic(its.at, "runs", format("so few runs of sign of {}", its.name), curve.runs->p_value);
+    if (curve.is_without_noise)
+      warn(its.at, "without_noise", format("the readings of {} are met without noise, intervals say nothing", its.name),
+           "state its `deviation`");
     const auto outliers =
         static_cast<std::size_t>(std::ranges::count_if(curve.weight, [](double w) { return w < 0.5; }));
     if (its.loss.is_robust() && 4 * outliers > curve.weight.size())
@@ -103,10 +122,18 @@ void add_warnings(FitResult& r) {
 
 }  // namespace
 
+constexpr std::string_view kTables[] = {"fit_parameters.csv", "residuals.csv", "fit_bands.csv"};
+
 std::string_view name(Status status) {
   constexpr std::string_view kNames[] = {"no_equilibrium", "not_identifiable", "no_redundancy", "iteration_limit",
                                          "converged"};
   return kNames[static_cast<std::size_t>(status)];
+}
+
+std::string place_of(const FitInput& input, std::size_t curve, std::size_t row) {
+  const FitCurve& c = input.curves[curve];
+  if (c.use == FitCurve::Use::band) return fmt::format("band {}, row {}", c.name, row + 1);
+  return fmt::format("{}, {}:{}", c.name, name_in_messages(c.file, input.source), c.lines[row]);
 }
 
 const FitCurve& FitResult::curve_of_offset(std::size_t unknown) const {
@@ -130,6 +157,17 @@ std::string fit_text(double value, std::string_view unit) {
   return fmt::format("{:.10g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
+std::string name_of_copy(const FitInput& input, std::size_t curve) {
+  const auto plain = [&](std::size_t c) { return std::filesystem::path(input.curves[c].file).filename().string(); };
+  const auto clashes = [&](std::size_t c) {
+    return plain(c) == plain(curve) && input.curves[c].file != input.curves[curve].file;
+  };
+  bool taken = std::ranges::find(kTables, plain(curve)) != std::end(kTables);
+  for (std::size_t c = 0; c < input.curves.size(); ++c)
+    taken = taken || (input.curves[c].use != FitCurve::Use::band && clashes(c));
+  return taken ? fmt::format("{}_{}", curve + 1, plain(curve)) : plain(curve);
+}
+
 std::string fitted_case(const FitResult& r) {
   std::vector<std::string> overrides;
   std::vector<std::pair<std::string, std::string>> remarks;
@@ -151,7 +189,14 @@ std::string fitted_case(const FitResult& r) {
     remarks.emplace_back(p.path, remark + (p.stood.empty() ? "; the file said nothing" : "; was " + p.stood));
   }
   const input::Source& source = r.input.source;
-  const std::string plain = case_with(source, overrides, fmt::format("Fitted by `prs fit {}`", source.name));
+  // The readings go with the file.
+  for (std::size_t c = 0; c < r.input.curves.size(); ++c)
+    if (const FitCurve& curve = r.input.curves[c]; curve.use != FitCurve::Use::band)
+      if (const std::string name = name_of_copy(r.input, c); name != curve.file)
+        overrides.push_back(fmt::format("{}.file=\"{}\"", curve.at, name));
+  std::string command = fmt::format("prs fit {}", source.name);
+  for (const std::string& one : source.overrides) command += fmt::format(" --set '{}'", one);
+  const std::string plain = case_with(source, overrides, fmt::format("Fitted by `{}`", command));
   const auto document = [&](const std::string& text) {
     const input::Source one{source.name, text, {}};
     input::ErrorList errors(one);
@@ -190,8 +235,8 @@ FitResult fit_case(const input::Source& source, const FitOptions& options) {
                    result.name(*found.without_influence));
   if (found.failed_at_start && found.failure && found.failure->is_refused)
     input::fail_at(source, result.input.curves[found.failure->curve].at,
-                   "got a case that its command refuses at {}: {}", place_of(result.input, *found.failure),
-                   found.failure->reason);
+                   "got a case that its command refuses at {}: {}",
+                   place_of(result.input, found.failure->curve, found.failure->row), found.failure->reason);
   add_warnings(result);
   return result;
 }

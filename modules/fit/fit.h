@@ -32,6 +32,7 @@ struct FitCurve {
 
   std::string name, file, response, unit, at;  ///< `at`: path in the document, `fit.curves[0]`.
   Command command = Command::solve;
+  bool is_usual_command = true;  ///< That of such responses.
   Use use = Use::fit;
   modules::fit::Loss loss;
   bool has_offset = false;
@@ -39,6 +40,7 @@ struct FitCurve {
   std::vector<std::pair<std::string, std::string>> constants = {};  ///< The others, for a band's document.
   std::string series;                                               ///< What `places` are of; empty: rows on their own.
   std::vector<double> places;                                       ///< SI
+  std::vector<std::size_t> columns = {};                            ///< Where they stand in their lines.
   std::vector<double> measured, deviation;
   std::vector<std::size_t> lines;  ///< Of the file.
   std::size_t rows = 0;
@@ -97,6 +99,12 @@ struct FitOptions {
 
 /// Throws InputError.
 FitResult fit_case(const input::Source& source, const FitOptions& options = {});
+
+/// `torque, torque.csv:7`
+std::string place_of(const FitInput& input, std::size_t curve, std::size_t row);
+
+/// Under what name a curve's readings stand beside the fitted case.
+std::string name_of_copy(const FitInput& input, std::size_t curve);
 
 /// The text of the source with the values in their places, and above each how well it is known.
 std::string fitted_case(const FitResult& result);

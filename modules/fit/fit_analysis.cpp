@@ -1,5 +1,8 @@
 #include "modules/fit/fit_analysis.h"
 
+#include <set>
+
+#include "prs/input/force_history.h"
 #include "prs/loads/case_table.h"
 #include "prs/record/record_table.h"
 #include "prs/text.h"
@@ -214,6 +217,7 @@ constexpr Quantity<FittedBand> kBand[] = {
 
 constexpr Quantity<estimation::StartResult> kStart[] = {
     {"objective", of<&estimation::StartResult::objective>, "S + 2 sum of rows x ln(estimated deviation)"},
+    {"values", filled<&estimation::StartResult::values>, "of the parameters, where it ended"},
     {"status", always<[](auto& s) { return name(s.status); }>, "how the search ended"},
     {"best", always<&estimation::StartResult::is_best>, "whether the fit is this one"},
 };
@@ -253,7 +257,7 @@ constexpr Quantity<FitResult> kFit[] = {
      "over the sum of their redundancies"},
     {"p_value", of<[](auto& r) { return r.found.p_value; }>, "probability of more"},
     {"evaluations", always<&FitResult::evaluations>, "rows that were computed"},
-    {"iterations", of_fit<&estimation::Result::iterations>, "of the best search"},
+    {"iterations", of_fit<&estimation::Result::iterations>, "of all searches"},
     {"parameters", always<unknowns_of>, "inputs, then offsets of curves"},
     {"correlation", always<[](auto& r) {
        return FitMatrix{&r, &r.found.correlation};
@@ -327,7 +331,17 @@ std::vector<OutputFile> fit_files(const FitResult& r, const CsvStyle& style) {
   std::vector<OutputFile> files{{"fit_parameters.csv", parameters_csv(r, style)},
                                 {"residuals.csv", residuals_csv(r, style)}};
   if (!bands_of(r).empty()) files.push_back({"fit_bands.csv", bands_csv(r, style)});
-  if (r.converged()) files.push_back({"fitted.yaml", fitted_case(r)});
+  if (!r.converged()) return files;
+  files.push_back({"fitted.yaml", fitted_case(r)});
+  // Beside it the readings, so that it is a case like any other.
+  std::set<std::string> copied;
+  for (std::size_t c = 0; c < r.input.curves.size(); ++c) {
+    const FitCurve& curve = r.input.curves[c];
+    if (curve.use == FitCurve::Use::band) continue;
+    const std::string name = name_of_copy(r.input, c);
+    if (!copied.insert(name).second) continue;
+    files.push_back({name, input::named_file_text(curve.file, curve.at + ".file", r.input.source, true)});
+  }
   return files;
 }
 
@@ -341,9 +355,25 @@ std::string row_text(const FitCurve& c, std::size_t row) {
   return text;
 }
 
+std::size_t offsets_of(const FitResult& r) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      r.input.curves, [](const FitCurve& c) { return c.has_offset && c.use == FitCurve::Use::fit; }));
+}
+
+/// Of a reading; their range where they differ.
+std::string deviation_text(const FittedCurve& c) {
+  const std::vector<double>& all = c.found().deviation;
+  if (all.empty()) return std::string(kAbsent);
+  const auto [least, greatest] = std::ranges::minmax(all);
+  return least == greatest ? digits(least, 3) : fmt::format("{} to {}", digits(least, 2), digits(greatest, 2));
+}
+
 std::string fit_table(const FitResult& r) {
-  std::string text = fmt::format("{} of {} unknowns, {} rows computed\n", words_of_text(name(r.found.status)),
-                                 r.found.unknowns.size(), r.evaluations);
+  std::size_t readings = 0;
+  for (const FittedCurve& c : curves_of(r)) readings += c.is_fitted() ? c.curve().rows : 0;
+  std::string text =
+      fmt::format("{}: {} unknowns, {} readings, {} rows computed\n", words_of_text(name(r.found.status)),
+                  r.input.parameters.size() + offsets_of(r), readings, r.evaluations);
   if (!r.has_values()) return text + warning_section(r.warnings);
   constexpr TableRows rows{44, 13};
   text += "\n" + rows("", {"value", "deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "to"}, " unit");
@@ -360,10 +390,11 @@ std::string fit_table(const FitResult& r) {
   }
   for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
     if (const FitDirection d{&r, k}; d.combination())
-      text += wrapped(
-          "told: " + d.text() +
-              (d.has_spread() ? fmt::format(", {:.6g} to {:.6g}", d.combination()->low, d.combination()->high) : ""),
-          "  ", kTableWidth);
+      text += wrapped("told: " + d.text() +
+                          (d.has_spread() ? fmt::format(", {:g} % from {:.6g} to {:.6g}", 100.0 * r.input.level,
+                                                        d.combination()->low, d.combination()->high)
+                                          : ""),
+                      "  ", kTableWidth);
   std::vector<std::pair<double, std::string>> strong;
   const std::vector<std::string> names = names_with_deviation(r);
   const auto& m = r.found.correlation;
@@ -375,15 +406,16 @@ std::string fit_table(const FitResult& r) {
   std::ranges::sort(strong);
   for (const auto& [size, line] : std::span(strong).first(std::min<std::size_t>(3, strong.size())))
     text += wrapped(line, "  ", kTableWidth);
-  constexpr TableRows curves{44, 13};
-  text += "\n" + curves("curve", {"rows", "rms", "R²", "runs p, %"}, " unit");
+  constexpr TableRows curves{36, 12};
+  text += "\n" + curves("curve", {"rows", "deviation", "rms", "R²", "runs p, %"}, " unit");
   for (const FittedCurve& c : curves_of(r)) {
     const estimation::CurveResult& f = c.found();
-    text += curves(fitted(printable(c.curve().name) + (c.is_fitted() ? "" : " (compared)"), 44, true),
-                   {std::to_string(c.curve().rows), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
-                    f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
-                    f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent)},
-                   " " + c.curve().unit);
+    text += curves(
+        fitted(printable(c.curve().name) + (c.is_fitted() ? "" : " (compared)"), 36, true),
+        {std::to_string(c.curve().rows), deviation_text(c), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
+         f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
+         f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent)},
+        " " + c.curve().unit);
   }
   for (const FittedCurve& c : bands_of(r)) {
     const estimation::CurveResult& f = c.found();
@@ -397,6 +429,45 @@ std::string fit_table(const FitResult& r) {
     text += fmt::format("\nchi-square {:.4g}, reduced {:.4g}, probability of more {:.3g} %\n", *r.found.chi_square,
                         *r.found.reduced_chi_square, 100.0 * *r.found.p_value);
   return text + warning_section(r.warnings);
+}
+
+/// The table as rows of the page.
+PageSection fit_section(const FitResult& r) {
+  PageSection page;
+  const auto cell = [](std::optional<double> v) { return v ? digits(*v, 5) : std::string(kAbsent); };
+  PageTable values{
+      "Values", {"", "Value", "Deviation", fmt::format("{:g} % from", 100.0 * r.input.level), "To", "Unit"}, {}};
+  for (const FittedUnknown& p : unknowns_of(r)) {
+    const auto& e = p.estimate();
+    const auto end = [&](double estimation::Estimate::*which) {
+      return cell(e ? std::optional((*e).*which) : std::nullopt);
+    };
+    values.rows.push_back({p.label(), p.found().value ? cell(p.found().value) : "not told",
+                           end(&estimation::Estimate::deviation), end(&estimation::Estimate::low),
+                           end(&estimation::Estimate::high), p.unit()});
+  }
+  PageTable curves{"Curves", {"", "Rows", "Deviation of a reading", "Rms", "R²", "Runs, p in %", "Unit"}, {}};
+  for (const FittedCurve& c : curves_of(r)) {
+    const estimation::CurveResult& f = c.found();
+    curves.rows.push_back({c.curve().name + (c.is_fitted() ? "" : " (compared)"), std::to_string(c.curve().rows),
+                           deviation_text(c), is_computed(c) ? digits(f.rms, 4) : std::string(kAbsent),
+                           f.r_squared ? fixed(f.r_squared, 1.0, 5) : std::string(kAbsent),
+                           f.runs ? fixed(f.runs->p_value, 100.0, 1) : std::string(kAbsent), c.curve().unit});
+  }
+  page.tables = {std::move(values), std::move(curves)};
+  PageTable told{"What the data tell", {"", "Deviation"}, {}};
+  for (std::size_t k = 0; k < r.found.unidentified.size(); ++k)
+    if (const FitDirection d{&r, k}; d.combination())
+      told.rows.push_back({d.text(), d.has_spread() ? cell(d.combination()->deviation) : std::string(kAbsent)});
+  if (!told.rows.empty()) page.tables.push_back(std::move(told));
+  for (const FittedBand& c : bands_of(r)) {
+    PageTable band{c.curve().name, {"", "Value", "Deviation", "From", "To", "Unit"}, {}};
+    for (std::size_t i = 0; i < std::min<std::size_t>(c.found().low.size(), 50); ++i)
+      band.rows.push_back({row_text(c.curve(), i), cell(c.found().fitted[i]), cell(c.found().band_deviation[i]),
+                           cell(c.found().low[i]), cell(c.found().high[i]), c.curve().unit});
+    page.tables.push_back(std::move(band));
+  }
+  return page;
 }
 
 // Pictures.
@@ -435,6 +506,12 @@ Figures curve_figures(const FitResult& r) {
     std::vector<std::size_t> order(x.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return x[i]; });
+    // More than a picture shows.
+    if (const std::size_t stride = (order.size() + 1999) / 2000; stride > 1) {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < order.size(); i += stride) order[kept++] = order[i];
+      order.resize(kept);
+    }
     Panel panel{shown_name(c.curve().name)};
     const auto add = [&](std::size_t style, const std::vector<double>& y) {
       if (y.empty()) return;
@@ -464,7 +541,8 @@ Figures residual_figures(const FitResult& r) {
   for (const FittedCurve& c : curves_of(r)) {
     Panel panel{shown_name(c.curve().name)};
     Series series{points};
-    for (std::size_t i = 0; i < c.found().residual.size(); ++i)
+    const std::size_t stride = std::max<std::size_t>(1, (c.found().residual.size() + 1999) / 2000);
+    for (std::size_t i = 0; i < c.found().residual.size(); i += stride)
       series.add(static_cast<double>(i + 1), c.found().residual[i]);
     panel.series.push_back(std::move(series));
     panel.references.push_back({zero, 0.0});
@@ -484,7 +562,8 @@ Figures correlation_figures(const FitResult& r) {
     const std::vector<double>& row = r.found.correlation[a];
     panel.map.grid.x.push_back(static_cast<double>(a + 1));
     figure.x.ticks.push_back({static_cast<double>(a + 1), std::to_string(a + 1)});
-    figure.y.ticks.push_back({static_cast<double>(a + 1), fmt::format("{} {}", shown_name(names[a]), a + 1)});
+    const FittedUnknown its{&r, r.found.with_deviation[a]};
+    figure.y.ticks.push_back({static_cast<double>(a + 1), fmt::format("{} {}", shown_name(its.label()), a + 1)});
     panel.map.grid.values.insert(panel.map.grid.values.end(), row.begin(), row.end());
   }
   panel.map.grid.y = panel.map.grid.x;
@@ -527,7 +606,8 @@ const Analysis<FitResult>& fit_analysis() {
                 {"correlation", "two parameters with deviations", of_result(r, correlation_figures)}};
       },
       .converged = [](const FitResult& r) { return r.converged(); },
-      .place = {"Fit", 12}};
+      .place = {"Fit", 12},
+      .section = fit_section};
   return analysis;
 }
 

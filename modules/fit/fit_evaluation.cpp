@@ -1,6 +1,8 @@
 #include <mutex>
+#include <numeric>
 
 #include "modules/fit/fit.h"
+#include "modules/response/response_analysis.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
@@ -36,6 +38,9 @@ struct Group {
   std::vector<double> places = {};                  ///< Of a series, ascending.
   std::vector<std::vector<std::size_t>> place_of = {};
   std::unique_ptr<DesignEngine> engine = {};
+  std::string without_answer = {};  ///< Why there is no engine.
+  /// Of cycles, by the parameters that losses depend on.
+  std::map<std::vector<double>, DutyLosses> losses = {};
   std::vector<DesignReader> idle = {};
   std::unique_ptr<std::mutex> mutex = std::make_unique<std::mutex>();
 };
@@ -63,7 +68,9 @@ std::vector<Heat::DutyStep> cut(const std::vector<Heat::DutyStep>& duty, const s
   return pieces;
 }
 
-double period_of(const Case& c) {
+/// How long a series in time goes on.
+double period_of(const Case& c, const std::string& series) {
+  if (series == "response.time_s") return c.response ? c.response->duration : 0.0;
   double period = 0.0;
   if (c.heat)
     for (const Heat::DutyStep& step : c.heat->duty) period += step.time();
@@ -116,21 +123,21 @@ struct FitEvaluation::Parts {
     const input::CaseFile file = read_case_file(group.input.base, errors);
     const FitCurve& first = input.curves[group.curves[0]];
     if (errors.empty()) {
-      const Case base = checked_case(file, group.input.base, group.input.study.command, errors);
-      errors.throw_if_any();
-      const bool is_cycle = first.series == "heat_cycle.time_s";
-      if (is_cycle && period_of(base) == 0.0)
+      const Case base = first_case(file, group, errors);
+      const double period = period_of(base, first.series);
+      const bool is_in_time = first.series.ends_with(".time_s");
+      if (is_in_time && period == 0.0)
         input::fail_at(input.source, first.at + ".response",
                        "got {} of a case without a duty; expected `heat.duty`; add for example `duty: [{{load_case: "
                        "{}, duration: 60 min}}, {{rest: 12 h}}]`",
                        first.response, base.load_cases.empty() ? "run" : base.load_cases[0].name);
       for (const std::size_t c : group.curves)
-        for (std::size_t i = 0; is_cycle && i < input.curves[c].rows; ++i)
-          if (const double t = input.curves[c].places[i]; !(t >= 0.0 && t <= period_of(base) * (1.0 + 1e-12)))
+        for (std::size_t i = 0; is_in_time && i < input.curves[c].rows; ++i)
+          if (const double t = input.curves[c].places[i]; !(t >= 0.0 && t <= period * (1.0 + 1e-12)))
             throw input::InputError(fmt::format(
-                "{}:{}:1: error: {}: got {:g} s; expected a time of the period, 0 to {:g} s; fix or delete the row",
-                name_in_messages(input.curves[c].file, input.source), input.curves[c].lines[i], "heat_cycle.time_s", t,
-                period_of(base)));
+                "{}:{}:{}: error: {}: got {:g} s; expected a time of the period, 0 to {:g} s; fix or delete the row",
+                name_in_messages(input.curves[c].file, input.source), input.curves[c].lines[i],
+                input.curves[c].columns[i], first.series, t, period));
     }
     errors.throw_if_any();
     sort_once(group.places);
@@ -178,13 +185,36 @@ struct FitEvaluation::Parts {
       else
         check_document(group);
     } catch (const UnknownResponse& error) {
+      // One that the program knows may have no answer at the start.
+      const FitCurve& curve = input.curves[group.curves[error.index()]];
+      if (curve.is_usual_command && result_number(curve.response)) {
+        group.without_answer = "no " + curve.response;
+        return;
+      }
       input::fail_at(input.source, input.curves[group.curves[error.index()]].at + ".response", error.what());
+    }
+  }
+
+  /// That of the first row; what is wrong with it stands there.
+  Case first_case(const input::CaseFile& file, const Group& group, input::ErrorList& errors) const {
+    const std::size_t c = group.curves[0];
+    const FitCurve& curve = input.curves[c];
+    try {
+      Case base = checked_case(file, group.input.base, group.input.study.command, errors);
+      errors.throw_if_any();
+      return base;
+    } catch (const input::InputError& error) {
+      if (curve.conditions.empty()) throw;
+      input::fail_at(input.source, curve.at, "got a case that its command refuses at {}: {}", place_of(input, c, 0),
+                     error.what());
     }
   }
 
   /// Whether a design that is no study's has its responses.
   void check_document(Group& group) {
-    if (input.curves[group.curves[0]].series == "heat_cycle.time_s") {
+    const std::string& series = input.curves[group.curves[0]].series;
+    if (series == "response.time_s") return;  // Its keys are known.
+    if (series == "heat_cycle.time_s") {
       for (std::size_t k = 0; k < group.curves.size(); ++k)
         if (part_of(group.input.study.responses[k]) == nullptr)
           throw UnknownResponse(
@@ -242,14 +272,28 @@ struct FitEvaluation::Parts {
     return reader;
   }
 
-  /// A design that no study runs.
-  RowsOfDesign rows_of(Group& group, const std::vector<Draw>& draws) {
+  /// Those that losses at given temperatures of the parts depend on.
+  std::vector<double> parameters_of_losses(const std::vector<Draw>& draws) const {
+    std::vector<double> values;
+    for (std::size_t j = 0; j < input.parameters.size(); ++j) {
+      const std::string& path = input.parameters[j].path;
+      if (std::ranges::none_of(std::array{"heat.conductance", "heat.capacity", "heat.specific_heat"},
+                               [&](const char* head) { return path.starts_with(head); }))
+        values.push_back(draws[j].number);
+    }
+    return values;
+  }
+
+  /// A design that no study runs. `found`: losses that it had to find, of a cycle.
+  RowsOfDesign rows_of(Group& group, const std::vector<Draw>& draws, DutyLosses* found = nullptr) {
     RowsOfDesign rows;
     DesignReader reader = borrowed(group);
     try {
       Case& c = reader.read(draws);
-      if (input.curves[group.curves[0]].series == "heat_cycle.time_s")
-        set_cycle(group, c, rows);
+      if (const std::string& series = input.curves[group.curves[0]].series; series == "heat_cycle.time_s")
+        set_cycle(group, c, parameters_of_losses(draws), found, rows);
+      else if (series == "response.time_s")
+        set_response(group, c, rows);
       else
         set_preload(group, c, rows);
     } catch (const input::InputError& error) {
@@ -262,11 +306,14 @@ struct FitEvaluation::Parts {
     return rows;
   }
 
-  static void set_cycle(const Group& group, Case& c, RowsOfDesign& rows) {
+  static void set_cycle(const Group& group, Case& c, const std::vector<double>& key, DutyLosses* found,
+                        RowsOfDesign& rows) {
+    const auto known = group.losses.find(key);
     std::vector<Heat::DutyStep> duty = cut(c.heat->duty, group.places);
     std::swap(duty, c.heat->duty);
     std::vector<Warning> none;
-    const HeatCycle cycle = periodic_heat_cycle(c, checked_contacts(c, Detail::numbers), none);
+    const HeatCycle cycle = periodic_heat_cycle(c, checked_contacts(c, Detail::numbers), none,
+                                                known == group.losses.end() ? nullptr : &known->second, found);
     std::swap(duty, c.heat->duty);
     if (!cycle.converged()) {
       rows.reason = cycle.reason;
@@ -281,6 +328,18 @@ struct FitEvaluation::Parts {
         values.push_back(course[static_cast<std::size_t>(at - cycle.time.begin())] - 273.15);
       }
     }
+  }
+
+  void set_response(const Group& group, const Case& c, RowsOfDesign& rows) const {
+    const ResponseResult result = analyze_response(c, input.source, &group.places);
+    if (!result.converged()) {
+      rows.reason = name(result.run.status);
+      return;
+    }
+    Json document;
+    response_analysis().put(document, result);
+    for (const std::string& path : group.input.study.responses)
+      rows.values.push_back(document["response"][path.substr(path.find('.') + 1)].get<std::vector<double>>());
   }
 
   static void set_preload(const Group& group, Case& c, RowsOfDesign& rows) {
@@ -304,11 +363,36 @@ struct FitEvaluation::Parts {
 
   std::vector<RowsOfDesign> computed(Group& group, const std::vector<std::vector<Draw>>& designs) {
     std::vector<RowsOfDesign> all(designs.size());
+    if (!group.without_answer.empty()) {
+      for (RowsOfDesign& rows : all) rows.reason = group.without_answer;
+      return all;
+    }
     if (!group.engine) {
-      run_in_order(designs.size(), threads, [&](std::size_t k) -> std::function<void()> {
-        auto rows = std::make_shared<RowsOfDesign>(rows_of(group, designs[k]));
+      std::vector<DutyLosses> found(designs.size());
+      // One of each kind of losses goes first, the others take its tables: the same with any threads.
+      std::vector<std::size_t> order;
+      if (input.curves[group.curves[0]].series == "heat_cycle.time_s") {
+        if (group.losses.size() > 64) group.losses.clear();
+        for (std::size_t k = 0; k < designs.size(); ++k) {
+          const std::vector<double> key = parameters_of_losses(designs[k]);
+          if (group.losses.contains(key)) {
+            order.push_back(k);
+            continue;
+          }
+          all[k] = rows_of(group, designs[k], &found[k]);
+          if (!found[k].tables.empty()) group.losses[key] = std::move(found[k]);
+        }
+      } else {
+        order.resize(designs.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+      }
+      run_in_order(order.size(), threads, [&](std::size_t at) -> std::function<void()> {
+        const std::size_t k = order[at];
+        auto rows = std::make_shared<RowsOfDesign>(rows_of(group, designs[k], &found[k]));
         return [&all, k, rows] { all[k] = std::move(*rows); };
       });
+      for (const std::size_t k : order)
+        if (!found[k].tables.empty()) group.losses[parameters_of_losses(designs[k])] = std::move(found[k]);
       evaluated += designs.size() * std::max<std::size_t>(group.places.size(), 1);
       return all;
     }

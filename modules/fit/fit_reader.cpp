@@ -1,13 +1,20 @@
 #include <charconv>
+#include <set>
 
 #include "modules/fit/fit.h"
+#include "modules/response/response_analysis.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/csv_reader.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/field.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
+#include "prs/input/schema.h"
 #include "prs/input/varied_input.h"
+#include "prs/losses/life_analysis.h"
+#include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
+#include "prs/measures/measures_analysis.h"
 #include "prs/record/record_table.h"
 
 namespace prs {
@@ -72,6 +79,16 @@ std::string units_like(std::string_view unit) {
   return d ? input::unit_list(*d) : std::string(unit);
 }
 
+/// Those that studies record.
+std::vector<std::string_view> usual_responses() {
+  std::vector<std::string_view> all;
+  const auto add = [&](const auto& analysis) {
+    all.insert(all.end(), analysis.responses.begin(), analysis.responses.end());
+  };
+  add(solve_analysis()), add(slip_analysis()), add(life_analysis()), add(measures_analysis()), add(response_analysis());
+  return all;
+}
+
 /// Paths of the numbers that a document states.
 void add_numbers(const Node& node, const std::string& path, std::vector<std::string>& all) {
   if (node.kind == Node::Kind::scalar && input::split_unit(node.text)) all.push_back(path);
@@ -120,6 +137,10 @@ class FitTable {
     return true;
   }
   std::size_t line() const { return line_; }
+  /// Of the line, from 1, where a field starts.
+  std::size_t column_at(std::size_t field) const {
+    return 1 + reader_.field_offset(reader_.row_offset(), field) - reader_.row_offset();
+  }
 
   std::string text(std::size_t field) const {
     if (field >= reader_.fields().size()) refuse(reader_.fields().size() - 1, "nothing", "a value in each column");
@@ -132,9 +153,12 @@ class FitTable {
     const std::string field_text = text(field);
     const char *first = field_text.data(), *last = first + field_text.size();
     double value = 0.0;
-    const auto [stop, error] = std::from_chars(first + (field_text.starts_with('+') ? 1 : 0), last, value);
+    const bool has_plus = field_text.starts_with('+') && !field_text.starts_with("+-");
+    const auto [stop, error] = std::from_chars(first + (has_plus ? 1 : 0), last, value);
     if (error != std::errc{} || stop != last || !(std::abs(value) <= 1e30))
-      refuse(field, field_text.empty() ? "nothing" : shown(field_text), "a finite number, without unit");
+      refuse(field, field_text.empty() ? "nothing" : shown(field_text),
+             field_text.find(',') == field_text.npos ? "a finite number, without unit"
+                                                     : "a finite number, with a point as its decimal mark");
     return value;
   }
   [[noreturn]] void refuse(std::size_t field, const std::string& got, const std::string& expected) const {
@@ -162,14 +186,22 @@ class FitTable {
 constexpr std::pair<std::string_view, Command> kCommands[] = {
     {"slip.", Command::slip},       {"heat.", Command::slip},       {"heat_cycle.", Command::slip},
     {"preload.", Command::preload}, {"life.", Command::life},       {"measures.", Command::measures},
-    {"contact.", Command::contact}, {"threads.", Command::contact},
+    {"contact.", Command::contact}, {"threads.", Command::contact}, {"response.", Command::response},
 };
 
-/// Of series: what they stand over.
-constexpr std::pair<std::string_view, std::string_view> kSeries[] = {
-    {"preload.loads[].", "preload.loads[].axial_force_N"},
-    {"heat_cycle.temperature_degC.", "heat_cycle.time_s"},
-};
+constexpr std::string_view kResponseTime = "response.time_s";
+
+/// What a series stands over; nothing of a single number.
+std::optional<std::string> along_of(std::string_view response) {
+  if (response.starts_with("preload.loads[].")) return "preload.loads[].axial_force_N";
+  constexpr std::string_view kTemperature = "heat_cycle.temperature_degC.";
+  if (response.starts_with(kTemperature) && response.find('.', kTemperature.size()) == response.npos)
+    return "heat_cycle.time_s";
+  if (response == kResponseTime || !response.starts_with("response.")) return std::nullopt;
+  for (const QuantityInfo& q : response_analysis().places[0].record().quantities)
+    if (q.kind == Kind::series && response.substr(response.find('.') + 1) == q.key) return std::string(kResponseTime);
+  return std::nullopt;
+}
 
 class FitReader : input::VariedInput {
  public:
@@ -222,31 +254,35 @@ class FitReader : input::VariedInput {
     path_ = fmt::format("fit.parameters[{}]", k);
     FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
     if (!check_outside("path", item.path)) errors_.throw_if_any();
-    if (const auto problem = wrong(p.path, item.from); problem && problem->find("unknown key") != std::string::npos) {
-      std::vector<std::string> all;
-      add_numbers(base_, "", all);
+    p.path = as_in_file(p.path, item.from);
+    if (CaseFile known = file_; find_slot(known, p.path).kind == input::Slot::Kind::none && wrong(p.path, item.from)) {
+      std::set<std::string> all;
+      std::vector<std::string> stated;
+      add_numbers(base_, "", stated);
+      all.insert(stated.begin(), stated.end());
       for (const input::EchoEntry& entry : fields_)
-        if (entry.number) all.push_back(entry.path);
+        if (entry.number) all.insert(entry.path);
+      for (const input::InputKey& key : input::input_keys()) all.insert(key.path);
+      std::erase_if(all,
+                    [&](const std::string& one) { return find_slot(known, one).kind != input::Slot::Kind::number; });
       const std::vector<std::string_view> near = input::near_words(p.path, {all.begin(), all.end()});
       fail(path_ + ".path", "got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
            near.empty() ? "write for example `path: friction.coulomb`"
                         : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
     }
+    if (CaseFile known = file_; !is_of_numbers(find_slot(known, p.path).kind)) fail_as_no_number(item.path);
     for (const char* end : {".from", ".to"})
       if (!check_in_place(p.path, *find_path(root_, path_ + end))) errors_.throw_if_any();
     const input::Slot slot = find_slot(file_, p.path);
     const auto from = input::split_unit(item.from);
-    if (slot.kind != input::Slot::Kind::number || !from)
-      fail(path_ + ".path",
-           "got {}; expected one number that may vary continuously: no list, word or whole number; write for example "
-           "`path: friction.coulomb`",
-           shown(item.path));
+    if (slot.kind != input::Slot::Kind::number || !from) fail_as_no_number(item.path);
     p.unit = from->unit;
     p.is_log = item.scale == FitParameterItem::Scale::log;
     p.from = from->number;
     p.to = number(item.to, p.unit, "to", "`from`");
     if (!(p.from < p.to))
-      fail(path_ + ".from", "got {}; expected less than `to`, {}; swap the two", shown(item.from), shown(item.to));
+      fail(path_ + ".from", "got {}; expected less than `to`, {}; {}", shown(item.from), shown(item.to),
+           p.from == p.to ? "write two different ones" : "swap the two");
     if (p.is_log && slot.dimension && zero_depends_on_unit(*slot.dimension))
       fail(path_ + ".scale", "got log of a temperature, whose zero is a convention; expected linear; delete the key");
     else if (p.is_log && !(p.from > 0.0))
@@ -274,24 +310,48 @@ class FitReader : input::VariedInput {
     return p;
   }
 
+  static bool is_of_numbers(input::Slot::Kind kind) {
+    return kind == input::Slot::Kind::number || kind == input::Slot::Kind::none;
+  }
+  [[noreturn]] void fail_as_no_number(const std::string& path) const {
+    fail(path_ + ".path",
+         "got {}; expected one number that may vary continuously: no list, word or whole number; write for example "
+         "`path: friction.coulomb`",
+         shown(path));
+  }
+
+  /// `friction.coulomb` and `friction.model.coulomb` lead to the same: the one that the file has.
+  std::string as_in_file(const std::string& path, const std::string& text) const {
+    const auto problem = wrong(path, text);
+    if (!problem || problem->find("stands next to") == std::string::npos) return path;
+    constexpr std::string_view kModel = ".model.";
+    std::string other = path;
+    if (const std::size_t at = path.find(kModel); at != path.npos)
+      other.replace(at, kModel.size(), ".");
+    else if (const std::size_t dot = path.rfind('.'); dot != path.npos)
+      other.replace(dot, 1, kModel);
+    const auto remains = wrong(other, text);
+    return remains && remains->find("stands next to") != std::string::npos ? path : other;
+  }
+
   void read_prior(FitParameter& p, const FitParameterItem::Prior& item, const input::Slot& slot) const {
     FitParameter::Prior prior;
     prior.mean = number(item.mean, p.unit, "prior.mean", "`from`");
     const auto written = input::split_unit(item.deviation);
-    std::optional<double> deviation;
     if (written && written->unit == "%")
-      deviation = 0.01 * written->number * std::abs(prior.mean);
-    else if (written)
-      if (const auto by = conversion(written->unit, p.unit)) deviation = by->factor * written->number;
-    if (written && written->unit.empty() != p.unit.empty() && written->unit != "%") deviation.reset();
-    if (!deviation || !(*deviation > 0.0))
+      prior.deviation = 0.01 * written->number * std::abs(prior.mean);
+    else if (written && written->unit.empty() == p.unit.empty())
+      if (const auto by = conversion(written->unit, p.unit)) prior.deviation = by->factor * written->number;
+    if (written && written->unit == "%" && written->number > 0.0 && prior.mean == 0.0)
+      fail(path_ + ".prior.deviation", "got {} of a mean of 0; expected a value; write for example `deviation: {}`",
+           shown(item.deviation), with_unit(1.0, p.unit));
+    if (!(prior.deviation > 0.0))
       fail(path_ + ".prior.deviation",
            "got {}; expected more than 0, a share of the mean or {}; write for example `deviation: 3 %`",
            shown(item.deviation), slot.dimension ? "a value in " + input::unit_list(*slot.dimension) : "a number");
     if (p.is_log && !(prior.mean > 0.0))
       fail(path_ + ".prior.mean", "got {} with `scale: log`; expected more than 0; write `scale: linear`",
            shown(item.mean));
-    prior.deviation = deviation.value_or(1.0);
     p.prior = prior;
   }
 
@@ -310,11 +370,23 @@ class FitReader : input::VariedInput {
     return found.empty() ? std::nullopt : std::optional(found.first());
   }
 
-  void check_condition(const std::string& path, const std::vector<FitParameter>& parameters) const {
+  void check_condition(const FitCurve& c, const std::string& path, const std::vector<FitParameter>& parameters) const {
+    const auto clashes = [&](const std::string& other) {
+      return other == path || input::is_part_of(other, path) || input::is_part_of(path, other);
+    };
+    for (const FitCondition& condition : c.conditions)
+      if (clashes(condition.path)) fail_twice(path, condition.path);
+    for (const auto& [other, value] : c.constants)
+      if (clashes(other)) fail_twice(path, other);
     for (const FitParameter& p : parameters)
       if (p.path == path || input::is_part_of(p.path, path) || input::is_part_of(path, p.path))
         fail(path_ + ".path", "got {}, which is a parameter too; expected it once; delete one of the two", shown(path));
     if (!check_outside("path", path)) errors_.throw_if_any();
+  }
+
+  [[noreturn]] void fail_twice(const std::string& path, const std::string& other) const {
+    fail(path_ + ".path", "got {} {}; expected each input once in a curve; delete one of the two", shown(path),
+         path == other ? "a second time" : "as well as " + shown(other));
   }
 
   /// Sets a value that is the same in all rows.
@@ -334,10 +406,10 @@ class FitReader : input::VariedInput {
     for (const auto& [head, its] : kCommands)
       if (rest.starts_with(head)) command = its;
     if (!written) return command;
-    for (const Command one :
-         {Command::contact, Command::solve, Command::slip, Command::preload, Command::life, Command::measures})
+    for (const Command one : {Command::contact, Command::solve, Command::slip, Command::preload, Command::life,
+                              Command::measures, Command::response})
       if (one.word == *written) return one;
-    fail(at + ".command", "got {}; expected contact, solve, slip, preload, life or measures; delete the key",
+    fail(at + ".command", "got {}; expected contact, solve, slip, preload, life, measures or response; delete the key",
          shown(*written));
   }
 
@@ -346,6 +418,7 @@ class FitReader : input::VariedInput {
     c.at = at;
     c.response = response_path(root_, file_.load_cases, item.response);
     c.command = command_of(c.response, item.command, at);
+    c.is_usual_command = !item.command || c.command == command_of(c.response, {}, at);
     c.unit = unit_of_response(c.response);
     c.base = base_;
     return c;
@@ -361,7 +434,7 @@ class FitReader : input::VariedInput {
     check_series(c, item);
     FitTable table(item.file, at, source_);
     const std::size_t measured = table.column(item.measured.column.value_or("measured"), at + ".measured.column");
-    const Conversion to_unit = unit_at(item.measured.unit.value_or(""), c.unit, at + ".measured");
+    const Conversion to_unit = unit_at(item.measured.unit.value_or(""), c.unit, at + ".measured", c.response);
 
     struct Column {
       std::size_t field = 0;
@@ -373,8 +446,8 @@ class FitReader : input::VariedInput {
     for (std::size_t j = 0; j < item.conditions.size(); ++j) {
       const FitConditionItem& condition = item.conditions[j];
       path_ = fmt::format("{}.conditions[{}]", at, j);
-      const std::string path = input::with_indices(root_, condition.path);
-      check_condition(path, before.parameters);
+      const std::string path = as_in_file(input::with_indices(root_, condition.path), condition.value.value_or("1"));
+      check_condition(c, path, before.parameters);
       if (condition.values || condition.value.has_value() == condition.column.has_value())
         fail(path_,
              "got neither or both of `column` and `value`; expected one of them; write `value: ..`, or `column` and "
@@ -393,9 +466,7 @@ class FitReader : input::VariedInput {
     Conversion to_place, to_spread;
     if (item.along) {
       place = table.column(item.along->column, at + ".along.column");
-      const bool is_time = c.series == "heat_cycle.time_s";
-      const std::string si = is_time ? "s" : "N";
-      to_place = unit_at(item.along->unit, si, at + ".along");
+      to_place = unit_at(item.along->unit, c.series.ends_with("_s") ? "s" : "N", at + ".along", c.series);
     }
     bool share = false;
     std::optional<double> fixed;
@@ -408,7 +479,10 @@ class FitReader : input::VariedInput {
       c.lines.push_back(table.line());
       const double reading = to_unit(table.number(measured));
       c.measured.push_back(reading);
-      if (place) c.places.push_back(to_place(table.number(*place)));
+      if (place) {
+        c.places.push_back(to_place(table.number(*place)));
+        c.columns.push_back(table.column_at(*place));
+      }
       if (spread || fixed) {
         const double one = spread ? table.number(*spread) : *fixed;
         const double deviation = share ? 0.01 * one * std::abs(reading) : to_spread.factor * one;
@@ -432,7 +506,11 @@ class FitReader : input::VariedInput {
           text = fmt::format("{}", value);
         } else if (auto [known, is_new] = sound.try_emplace({j, text}, true); is_new) {
           if (text.empty()) table.refuse(column.field, "nothing", "a value");
-          if (const auto problem = wrong(condition.path, text)) table.refuse(column.field, shown(text), *problem);
+          if (const auto problem = wrong(condition.path, text)) {
+            const std::size_t at_expected = problem->find("; expected ");
+            table.refuse(column.field, shown(text),
+                         at_expected == problem->npos ? *problem : problem->substr(at_expected + 11));
+          }
         }
         condition.texts.push_back(std::move(text));
       }
@@ -478,12 +556,19 @@ class FitReader : input::VariedInput {
     slot.numbers.clear(), slot.list = nullptr, slot.whole = nullptr;
   }
 
-  Conversion unit_at(const std::string& written, const std::string& unit, const std::string& at) const {
+  Conversion unit_at(const std::string& written, const std::string& unit, const std::string& at,
+                     const std::string& response) const {
     const auto found = conversion(written, unit);
-    if (!found)
-      fail(at + ".unit", "got {}; expected a unit of the response: {}; write for example `unit: {}`",
-           written.empty() ? "none" : shown(written), units_like(unit), unit.empty() ? "\"%\"" : unit);
-    return *found;
+    if (found) return *found;
+    std::string other;
+    if (unit.empty()) {  // Its name may lack the unit.
+      const std::vector<std::string_view> known = usual_responses(), near = input::near_words(response, known);
+      other = near.empty() ? ", or another response of `prs list responses`"
+                           : fmt::format(", or did you mean the response `{}`?", fmt::join(near, "`, `"));
+    }
+    fail(at + ".unit", "got {}; expected a unit of the response {}: {}; write for example `unit: {}`{}",
+         written.empty() ? "none" : shown(written), shown(response), units_like(unit),
+         unit.empty() || unit == "%" ? "\"%\"" : unit, other);
   }
 
   void read_deviation(const FitCurveItem& item, const FitCurve& c, const std::string& at, const FitTable& table,
@@ -515,7 +600,7 @@ class FitReader : input::VariedInput {
              with_unit(0.05, c.unit));
     }
     share = unit == "%";
-    if (share) return;
+    if (share || (unit.empty() && c.unit == "%")) return;
     const auto found = conversion(unit, c.unit);
     if (!found)
       fail(column ? key + ".unit" : key, "got {}; expected a unit of the response: {}; write for example `{}`",
@@ -548,22 +633,23 @@ class FitReader : input::VariedInput {
   }
 
   void check_series(FitCurve& c, const FitCurveItem& item) const {
-    const auto series = std::ranges::find_if(kSeries, [&](const auto& s) { return c.response.starts_with(s.first); });
-    const bool is_series = series != std::end(kSeries) || c.response.find("[]") != std::string::npos;
+    const std::optional<std::string> series = along_of(c.response);
+    const bool is_series = series || c.response.find("[]") != std::string::npos;
     if (!is_series && !item.along) return;
-    if (series == std::end(kSeries))
+    if (!series)
       fail(is_series ? c.at + ".response" : c.at + ".along",
-           "got {}, {}; expected `preload.loads[].KEY` or `heat_cycle.temperature_degC.PART` with `along`",
+           "got {}, {}; expected `preload.loads[].KEY`, `heat_cycle.temperature_degC.PART` or `response.KEY` of a "
+           "series with `along`",
            shown(c.response), is_series ? "no such series" : "which is no series");
     if (!item.along)
       fail(c.at + ".response",
            "got {}, a series, without `along`; expected where its rows stand; add `along: {{response: {}, column: .., "
            "unit: ..}}`",
-           shown(c.response), series->second);
-    if (item.along->response != series->second)
+           shown(c.response), *series);
+    if (item.along->response != *series)
       fail(c.at + ".along.response", "got {}; expected {}, over which {} stands; write that",
-           shown(item.along->response), series->second, shown(c.response));
-    c.series = series->second;
+           shown(item.along->response), *series, shown(c.response));
+    c.series = *series;
   }
 
   FitCurve band(const input::FitBandItem& item, const std::string& at, const std::vector<FitParameter>& parameters) {
@@ -571,14 +657,14 @@ class FitReader : input::VariedInput {
     c.name = *item.name;
     c.use = FitCurve::Use::band;
     c.rows = 1;
-    if (c.response.find("[]") != std::string::npos || c.response.starts_with(kSeries[1].first))
+    if (c.response.find("[]") != std::string::npos || along_of(c.response))
       fail(at + ".response", "got {}, a series; expected a single number; write for example `{}`", shown(c.response),
            "slip.power_loss_W");
     for (std::size_t j = 0; j < item.conditions.size(); ++j) {
       const FitConditionItem& condition = item.conditions[j];
       path_ = fmt::format("{}.conditions[{}]", at, j);
       const std::string path = input::with_indices(root_, condition.path);
-      check_condition(path, parameters);
+      check_condition(c, path, parameters);
       if (condition.column || condition.value.has_value() == condition.values.has_value())
         fail(path_, "got neither or both of `value` and `values`, or a column; expected one of the two");
       if (condition.value) {

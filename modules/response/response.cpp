@@ -351,7 +351,7 @@ PrsDrive drive_of(const Case& c, const ResponseInput& in, const SystemCurves& cu
   return d;
 }
 
-ResponseResult analyze_response(const Case& c, const input::Source& source) {
+ResponseResult analyze_response(const Case& c, const input::Source& source, const std::vector<double>* times) {
   ResponseResult r;
   r.input = with_signal_files(c, source);
   r.has_preload = c.preload.has_value();
@@ -369,9 +369,10 @@ ResponseResult analyze_response(const Case& c, const input::Source& source) {
                      signals.functions(),
                      r.input.duration,
                      r.input.interval(),
-                     r.input.samples(),
+                     times ? times->size() : r.input.samples(),
                      r.input.tolerance,
-                     std::max(signals.motor.fastest(), signals.force.fastest())};
+                     std::max(signals.motor.fastest(), signals.force.fastest()),
+                     times};
   modules::loaded<ResponseModule>().integrate(run, r.run);
   if (r.run.status == DriveStatus::left_shaft)
     throw CaseError("response.shaft.length",

@@ -70,7 +70,8 @@ struct ResponseResult {
 };
 
 /// Curves -> equations -> integration -> results. The case must have passed `check_case` and the
-/// requirements of `response`. Throws CaseError, InputError and modules::Missing.
-ResponseResult analyze_response(const Case& c, const input::Source& source);
+/// requirements of `response`. Throws CaseError, InputError and modules::Missing. `times`: of the
+/// samples, ascending, in place of every interval.
+ResponseResult analyze_response(const Case& c, const input::Source& source, const std::vector<double>* times = nullptr);
 
 }  // namespace prs

@@ -149,6 +149,13 @@ class LossTable {
   double error_ = 0.0;
 };
 
+/// Losses over a cycle: none at rest, then those of each load case of the duty.
+struct DutyLosses {
+  std::vector<LossTable> tables;
+  std::vector<TemperatureBox> covered = {};  ///< Of the load cases, where their tables hold.
+  OfParts start = OfParts::Zero();           ///< First temperatures of the cycle.
+};
+
 /// A load case for a share of the time.
 struct TimedLoad {
   LoadCase load;
@@ -193,7 +200,10 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& mechanism);
 /// to 1e-8 K in a step; the start of the cycle that is also its end is found by Newton's method.
 /// Energies are integrated along with the temperatures, so that they balance to rounding.
 /// The peak is that within steps too. `warnings` tells of tables that losses are too rough for.
-HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings);
+/// `known` of a case with other conductances, capacities or times serves where its tables hold for
+/// the whole cycle, else `found` are new ones, over a wider range than this cycle needs.
+HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
+                              const DutyLosses* known = nullptr, DutyLosses* found = nullptr);
 
 // Preload and life at the temperatures that follow from the losses, where the case states `heat`.
 

@@ -15,6 +15,8 @@ constexpr double kLeastPoints = 200;       // Of a cycle, for its picture.
 constexpr int kColumns = 6;                // Of the extrapolation.
 constexpr double kShortest = 1e-6;         // Step over the fastest time constant.
 constexpr double kNoOutput = 1e-9;         // Of the energy that flows in.
+constexpr double kMargin = 0.25;           // Of tables around the cycle [K].
+constexpr double kKeptMargin = 3.0;        // Of those that serve other cycles too.
 
 /// To find the range of temperatures, and then over it; with solved shares the exact losses cost
 /// twenty times those of equal ones.
@@ -270,27 +272,40 @@ std::vector<TemperatureBox> visited_from(const OfParts& start, const RepeatedCyc
   return boxes;
 }
 
-/// The cycle that repeats itself: its losses, the first table that of rests, and its first
-/// temperatures.
-struct Periodic {
+/// The cycle that repeats itself.
+struct Periodic : DutyLosses {
   HeatStatus status = HeatStatus::converged;
-  std::string reason;
-  std::vector<LossTable> tables;
-  OfParts start;
+  std::string reason = {};
 };
 
-/// Each round takes tables over what the last one has visited: rough ones, and good ones once the
-/// range is known.
-Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess) {
+bool contain(const std::vector<TemperatureBox>& covered, const std::vector<TemperatureBox>& visited) {
+  for (std::size_t k = 0; k < covered.size(); ++k)
+    if (!covered[k].contains(visited[k + 1])) return false;
+  return true;
+}
+
+/// With tables that are known; none where the cycle leaves them.
+std::optional<Periodic> repeated(const RepeatedCycle& cycle, const DutyLosses& known) {
+  Periodic found{known};
+  RepeatedCycle::Factors factors;
+  const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
+  if (!start || !contain(found.covered, visited_from(*start, cycle, found.tables))) return std::nullopt;
+  found.start = *start;
+  return found;
+}
+
+/// Each round takes tables over what the last one has visited and `margin` [K] around it: rough
+/// ones, and good ones once the range is known.
+Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfParts& guess, double margin) {
   constexpr int kMostRounds = 12;
   const std::size_t cases = duty.cases.size();
-  Periodic found{HeatStatus::converged, {}, std::vector<LossTable>(cases + 1), guess};
+  Periodic found{{std::vector<LossTable>(cases + 1), std::vector<TemperatureBox>(cases), guess}};
   for (std::size_t k = 0; k < cases; ++k)
     if (const std::optional<Losses> losses = duty.cases[k].losses->at(guess)) found.tables[k + 1] = LossTable(*losses);
 
   bool good = false;
   RepeatedCycle::Factors factors;
-  std::vector<TemperatureBox> covered(cases);
+  std::vector<TemperatureBox>& covered = found.covered;
   for (int round = 0; round < kMostRounds; ++round) {
     const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
     if (!start)
@@ -300,8 +315,7 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
     found.start = *start;
     const std::vector<TemperatureBox> visited = visited_from(*start, cycle, found.tables);
     const auto is_covered = [&](std::size_t k) { return round > 0 && covered[k].contains(visited[k + 1]); };
-    bool inside = round > 0;
-    for (std::size_t k = 0; k < cases && inside; ++k) inside = is_covered(k);
+    const bool inside = round > 0 && contain(covered, visited);
     if (good && inside) return found;
     const bool was_good = std::exchange(good, good || inside);
     for (std::size_t k = 0; k < cases; ++k) {
@@ -309,7 +323,7 @@ Periodic find_periodic(const RepeatedCycle& cycle, const Duty& duty, const OfPar
       // Constant losses lead too far, so that what they visited is not kept.
       TemperatureBox box = visited[k + 1];
       if (round > 1 && good == was_good) box.include(covered[k].least), box.include(covered[k].greatest);
-      covered[k] = box.widened(0.25);
+      covered[k] = box.widened(margin);
       std::optional<LossTable> table = table_over(covered[k], duty.cases[k], good);
       if (!table)
         return ended(found, HeatStatus::no_steady_state, duty.cases[k].failure() + " at temperatures of the cycle");
@@ -354,7 +368,8 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& m) {
   return of_parts(capacity);
 }
 
-HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings) {
+HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std::vector<Warning>& warnings,
+                              const DutyLosses* known, DutyLosses* kept) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   const Duty duty = duty_of(c, contacts);
@@ -362,11 +377,16 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std
   HeatCycle result;
   result.period = cycle.period();
 
-  const std::vector<LossShare> shares(duty.cases.begin(), duty.cases.end());
-  const SteadyHeat steady = find_steady_heat(network, mean_heat(shares, shares, heat_may_grow(c)));
-  if (!steady.converged()) return ended(result, steady.status, steady.reason);
-  const Periodic found = find_periodic(cycle, duty, steady.temperature);
-  if (found.status != HeatStatus::converged) return ended(result, found.status, found.reason);
+  std::optional<Periodic> again = known ? repeated(cycle, *known) : std::nullopt;
+  if (!again) {
+    const std::vector<LossShare> shares(duty.cases.begin(), duty.cases.end());
+    const SteadyHeat steady = find_steady_heat(network, mean_heat(shares, shares, heat_may_grow(c)));
+    if (!steady.converged()) return ended(result, steady.status, steady.reason);
+    again = find_periodic(cycle, duty, steady.temperature, kept ? kKeptMargin : kMargin);
+    if (again->status != HeatStatus::converged) return ended(result, again->status, again->reason);
+    if (kept) *kept = *again;
+  }
+  const Periodic& found = *again;
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
     if (found.tables[k + 1].error() > kTellTable)
       warnings.push_back(Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.cases[k].name),

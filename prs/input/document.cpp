@@ -261,10 +261,10 @@ Malformed malformed(std::string_view text, std::size_t at, std::string_view why)
       return {end + 1 + key, fmt::format("got {}; expected `key: value`; write a blank after the colon", shown(line))};
     text = text.substr(0, end == std::string_view::npos ? 0 : end);
   }
-  return {std::min(at, whole),
-          fmt::format("malformed YAML: {}; expected `key: value`; check indentation, quotes, brackets "
-                      "and colons here and above",
-                      why)};
+  return {std::min(at, whole), fmt::format("malformed YAML: {}; expected `key: value`; check indentation, quotes "
+                                           "(around texts with brackets, too), brackets "
+                                           "and colons here and above",
+                                           why)};
 }
 
 /// The tree of one YAML text; none where it holds nothing but comments.

@@ -402,7 +402,9 @@ Json json_of(const Node* node, const MapValue& map) {
 
 Json json_of(const Node* node, const ChoiceUnderKey& under) {
   const Node* choice = node ? find(*node, under.key) : nullptr;
-  return {{under.key, json_of(choice ? choice : node, under.choice)}};
+  // As it was written, so that paths into it stay what they are.
+  if (node && !choice) return json_of(node, under.choice);
+  return {{under.key, json_of(choice, under.choice)}};
 }
 
 Json json_of(const Node* node, const ListValue& items) {
@@ -483,20 +485,23 @@ Json resolved_input(const Source& source) {
   return json;
 }
 
-std::string input_sha256(const Source& source) {
+std::string input_sha256(const Source& source, bool with_curves) {
   ErrorList errors(source);
-  Case values = read_case_file(read_document(source, errors), errors).values;
-  std::vector<std::string> files;
-  if (values.life && values.life->history)
-    if (std::optional<std::string> text = history_text(*values.life->history, source)) files.push_back(*text);
-  if (values.response)
-    values.response->for_each_signal([&](const std::string& path, const Signal& signal) {
+  CaseFile file = read_case_file(read_document(source, errors), errors);
+  std::vector<std::string> texts;
+  if (file.values.life && file.values.life->history)
+    if (const auto text = history_text(*file.values.life->history, source)) texts.push_back(*text);
+  if (file.values.response)
+    file.values.response->for_each_signal([&](const std::string& path, const Signal& signal) {
       for (const SignalTerm& term : signal.many.empty() ? std::vector{signal.one} : signal.many) try {
-          if (term.file) files.push_back(named_file_text(term.file->name, path, source));
+          if (term.file) texts.push_back(named_file_text(term.file->name, path, source));
         } catch (const InputError&) {  // What the command tells.
         }
     });
-  return input_sha256(source, files);
+  if (with_curves && file.fit)
+    for (std::size_t k = 0; k < file.fit->curves.size(); ++k)
+      texts.push_back(named_file_text(file.fit->curves[k].file, fmt::format("fit.curves[{}].file", k), source, false));
+  return input_sha256(source, texts);
 }
 
 std::string input_sha256(const Source& source, const std::vector<std::string>& files) {

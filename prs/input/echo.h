@@ -53,7 +53,8 @@ nlohmann::ordered_json resolved_input(const Source& source);
 
 /// SHA-256 of what is computed, hexadecimal: of the file; with overrides, or a history that it
 /// names, of the file, then of each of these and of the SHA-256 of the history, with a NUL before.
-std::string input_sha256(const Source& source);
+/// The files of a fit's curves follow it where they count.
+std::string input_sha256(const Source& source, bool with_curves = false);
 /// The same of a source that names these files, by their texts.
 std::string input_sha256(const Source& source, const std::vector<std::string>& files);
 

@@ -48,6 +48,13 @@ struct OpenRows {
   std::string heading = {};
 };
 
+/// Rows of texts under the titles of their columns.
+struct PageTable {
+  std::string heading;
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+
 /// How the page shows a result: what a reader asks for first, and what folds. Without open rows all
 /// numbers stand open.
 struct PageSection {
@@ -55,6 +62,7 @@ struct PageSection {
   std::vector<std::string> folded = {};     ///< Pictures.
   std::vector<std::string> estimates = {};  ///< Keys that are left out: each quantity has one headline.
   std::string note = {};                    ///< Above all.
+  std::vector<PageTable> tables = {};       ///< Open, behind the pictures.
 };
 
 /// The title of an analysis on the page, and where it stands among the others; none where another

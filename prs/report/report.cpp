@@ -294,12 +294,17 @@ std::string answer_html(Findings& all, Command command) {
   const auto add = [&](const std::string& heading, const std::string& table) {
     if (!table.empty()) text += heading_html(heading) + table;
   };
+  for (const auto& [heading, head, rows] : section.tables) {
+    std::vector<std::vector<std::string>> texts = rows;
+    for (std::vector<std::string>& row : texts) std::ranges::transform(row, row.begin(), html);
+    add(heading, plain_table(each(head, html), texts, true));
+  }
   for (const auto& [key, only, heading] : section.in_cases)
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
       add(heading, record_table(*info, columns_in(cases, key), {.only = only, .hidden = section.estimates}));
   for (const auto& [key, only, heading] : section.in_document)
     add(heading, part_of_document(answer->document, key, {.only = only, .hidden = section.estimates}));
-  const bool is_open = section.in_cases.empty() && section.in_document.empty();
+  const bool is_open = section.in_cases.empty() && section.in_document.empty() && section.tables.empty();
   const std::string every = document_html(all, *answer, section);
   return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
          (is_open ? every : folded_html("Every number", every));

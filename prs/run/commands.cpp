@@ -69,7 +69,7 @@ DocumentInfo document_info(const input::Source& source, Command command) {
   const OtherFile* const file = other_file(source);
   return {kVersion,
           kSchemaVersion,
-          file ? input::input_sha256(source, file->files(source)) : input::input_sha256(source),
+          file ? input::input_sha256(source, file->files(source)) : input::input_sha256(source, command == Command::fit),
           source.overrides,
           std::string(name(command)),
           source.name,

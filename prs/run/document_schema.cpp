@@ -186,7 +186,7 @@ Json whole(Parts d, std::string_view command) {
       {"input_sha256",
        {{"type", "string"},
         {"pattern", "^[0-9a-f]{64}$"},
-        {"description", "Of the file; with overrides or a history, of these too: of what was computed"}}},
+        {"description", "Of the file; with overrides, a history or curves of a fit, of these too: of what was computed"}}},
       {"overrides", list(type("string", "PATH=VALUE"))},
       {"warnings", list(text())},
       {"resolved_input", link("Input")},

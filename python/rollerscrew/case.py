@@ -403,10 +403,13 @@ class Case(Analyses):
             if curve not in names:
                 raise ValueError(f"{curve}: got no curve; expected one of {', '.join(names)}")
             arrays = {str(key): list(columns[key]) for key in columns}
+            if len({len(values) for values in arrays.values()}) > 1:
+                lengths = ", ".join(f"{key} has {len(values)}" for key, values in arrays.items())
+                raise ValueError(f"{curve}: got {lengths} values; expected as many of each column")
             rows = zip(*arrays.values(), strict=True)
             table = io.StringIO()
             csv.writer(table, lineterminator="\n").writerows([list(arrays), *rows])
-            file = f"data of {curve}.csv"
+            file = f"data of curve {names.index(curve) + 1}.csv"
             given[file] = table.getvalue().encode()
             changed.append(f"fit.curves[{names.index(curve)}].file={override_text(file)}")
         return self._from_source(_source(name, text, changed, folder, given))

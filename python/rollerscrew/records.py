@@ -2454,12 +2454,14 @@ class FitStart(Record):
     """A search.
 
     objective: S + 2 sum of rows x ln(estimated deviation)
+    values: of the parameters, where it ended
     status: how the search ended
     best: whether the fit is this one
     """
 
     __slots__ = ()
     objective: float | None
+    values: Array | None
     status: str
     best: bool
 
@@ -2476,7 +2478,7 @@ class Fit(Record):
     reduced_chi_square: over the sum of their redundancies
     p_value: probability of more
     evaluations: rows that were computed
-    iterations: of the best search
+    iterations: of all searches
     parameters: inputs, then offsets of curves
     correlation: of the values
     covariance: in the units of the values

@@ -60,6 +60,9 @@ def test_data_takes_the_place_of_files(bench: rs.Case) -> None:
     assert result.parameters_frame()["profile_low"][0] < result.parameters_frame()["value"][0]
     twice = {key: np.repeat(frame[key], 2) for key in frame}
     assert rs.fit(bench, parameters, [TORQUE], data={"torque": twice}).fit.curves[0].rows == 32
+    unequal = {"force_kN": [1.0, 2.0], "torque_Nm": [1.0]}
+    with pytest.raises(ValueError, match="expected as many of each column"):
+        rs.fit(bench, parameters, [TORQUE], data={"torque": unequal})
     with pytest.raises(ValueError, match="expected one of torque"):
         rs.fit(bench, parameters, [TORQUE], data={"turque": frame})
 

@@ -132,6 +132,61 @@ TEST(Estimation, CutCurvesAndOtherOrdersChangeNothing) {
   EXPECT_NEAR(a.low, b.low, 1e-9);
 }
 
+TEST(Estimation, LogarithmsMoveNoOptimum) {
+  Bench linear = line(), log = line();
+  for (Bench* b : {&linear, &log}) {
+    b->problem.unknowns[0].from = 0.1;
+    b->problem.curves[0].deviation.assign(6, 0.5);
+    b->model = [](const auto& u, std::size_t, double x) { return 3.0 * std::sqrt(u[0]) * x; };
+  }
+  log.problem.unknowns[0].is_log = true;
+  const Result a = linear.solved(), b = log.solved();
+  EXPECT_NEAR(*a.unknowns[0].value, std::pow(slope_of(kX, kY).value / 3.0, 2), 1e-8);
+  EXPECT_NEAR(*b.unknowns[0].value, *a.unknowns[0].value, 1e-8);
+  EXPECT_NEAR(b.objective, a.objective, 1e-9);
+  EXPECT_NEAR(b.unknowns[0].estimate->deviation, a.unknowns[0].estimate->deviation, 1e-5);
+}
+
+/// A curve that feels the second unknown only beyond 2, which the first one alone leads to.
+TEST(Estimation, WhatACurveFeelsAwayFromTheStartAloneCounts) {
+  Bench b = line();
+  b.problem.unknowns[0] = {.from = 0.0, .to = 10.0, .start = 0.5};
+  b.problem.curves[0].deviation.assign(6, 0.5);
+  std::vector<double> beyond;
+  for (const double x : kX) beyond.push_back(0.5 * x);
+  b.add(kX, beyond, std::vector<double>(6, 1e-3));
+  b.model = [](const auto& u, std::size_t c, double x) { return (c == 0 ? u[0] : std::max(0.0, u[0] - 1.5)) * x; };
+  for (const double start : {0.5, 5.0}) {
+    b.problem.unknowns[0].start = start;
+    const Result r = b.solved();
+    ASSERT_EQ(r.status, Status::converged);
+    // Weighted mean of both slopes.
+    const double w1 = 1.0 / 0.25, w2 = 1e6;
+    EXPECT_NEAR(*r.unknowns[0].value, (w1 * slope_of(kX, kY).value + w2 * 2.0) / (w1 + w2), 1e-8) << start;
+    EXPECT_NEAR(r.unknowns[0].estimate->deviation, 1.0 / std::sqrt((w1 + w2) * slope_of(kX, kY).sum), 1e-9) << start;
+  }
+}
+
+/// The deviation of exp(-x/u) in closed form, in bounds of any width.
+TEST(Estimation, WideBoundsChangeNoDeviation) {
+  for (const double to : {1.0, 30.0, 100.0}) {
+    Bench b = line();
+    b.problem.unknowns[0] = {.from = 0.0, .to = to, .start = 0.6};
+    b.model = [](const auto& u, std::size_t, double x) { return std::exp(-x / std::max(u[0], 1e-9)); };
+    b.problem.curves[0].measured.clear();
+    double information = 0.0;
+    for (const double x : kX) {
+      b.problem.curves[0].measured.push_back(std::exp(-x / 0.5));
+      information += std::pow(std::exp(-x / 0.5) * x / 0.25 / 1e-3, 2);
+    }
+    b.problem.curves[0].deviation.assign(6, 1e-3);
+    const Result r = b.solved();
+    ASSERT_EQ(r.status, Status::converged) << to;
+    EXPECT_NEAR(*r.unknowns[0].value, 0.5, 1e-5) << to;
+    EXPECT_NEAR(r.unknowns[0].estimate->deviation * std::sqrt(information), 1.0, 0.01) << to;
+  }
+}
+
 TEST(Estimation, RowsThatStandTwiceHalveTheVariance) {
   Bench once = line(), twice = line();
   once.problem.curves[0].deviation.assign(6, 0.5);
@@ -158,6 +213,17 @@ TEST(Estimation, ReadingsPlusAConstantMoveTheOffsetAlone) {
   EXPECT_NEAR(near.unknowns[0].estimate->value, far.unknowns[0].estimate->value, 1e-7);
   EXPECT_NEAR(near.unknowns[0].estimate->deviation, far.unknowns[0].estimate->deviation, 1e-7);
   EXPECT_NEAR(near.unknowns[1].estimate->value + 10200.0, far.unknowns[1].estimate->value, 1e-5);
+}
+
+/// A probe's zero of many ranges is none of its noise.
+TEST(Estimation, TheLeastDeviationKnowsNoZeroOfAProbe) {
+  const auto deviation = [](double shift) {
+    Bench b = with_offset(0.0);
+    for (std::size_t i = 0; i < 6; ++i)
+      b.problem.curves[0].measured[i] = 2.0 * kX[i] + 1e-3 * (kY[i] - 2.0 * kX[i]) + shift;
+    return b.solved().unknowns[0].estimate->deviation;
+  };
+  EXPECT_NEAR(deviation(1e5) / deviation(0.0), 1.0, 1e-3);
 }
 
 TEST(Estimation, AWideHuberLossIsThatOfSquares) {

@@ -3,11 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "prs/run/commands.h"
+#include "prs/study/derivatives.h"
 #include "prs/study/response.h"
+#include "tests/support/count.h"
 
 namespace prs {
 namespace {
@@ -92,7 +96,7 @@ TEST(FitCase, WrongInputSaysWhereAndWhatIsAllowed) {
   const std::vector<Wrong> all{
       {"/fit/curves/0/use", "compare", "none", "none"},
       {"/fit/parameters/0/path", "friction.coulom", "parameters[0].path", "did you mean `friction.coulomb`"},
-      {"/fit/parameters/0/path", "mechanism.type", "mechanism.type", "standard | inverted"},
+      {"/fit/parameters/0/path", "mechanism.type", "parameters[0].path", "may vary continuously"},
       {"/fit/parameters/0/from", 0.5, "parameters[0].from", "less than `to`"},
       {"/fit/parameters/0/start", 0.5, "parameters[0].start", "0.02 to 0.4"},
       {"/fit/parameters/1/scale", "log", "parameters[1].from", "more than 0"},
@@ -115,6 +119,13 @@ TEST(FitCase, WrongInputSaysWhereAndWhatIsAllowed) {
        "curves[0].along",
        "no series"},
       {"/fit/curves/1/name", "torque", "curves[1].name", "of its own"},
+      {"/fit/curves/0/conditions/1",
+       {{"path", "load_cases[0].axial_force"}, {"value", "3 kN"}},
+       "conditions[1].path",
+       "a second time"},
+      {"/fit/parameters/0/path", "friction.model.coulom", "parameters[0].path", "did you mean `friction"},
+      {"/fit/parameters/0/path", "load_cases", "parameters[0].path", "may vary continuously"},
+      {"/fit/parameters/0/to", 0.02, "parameters[0].from", "two different ones"},
       {"/fit/curves/0/loss", "hubert", "curves[0].loss", "squares, huber, cauchy"},
       {"/fit/curves/0/loss", {{"huber", 0}}, "curves[0].loss", "above 0"},
       {"/fit/level", "20 %", "fit.level", "50 %"},
@@ -245,6 +256,42 @@ TEST(FitCase, ASeriesIsTakenAtItsRowsAndTemperaturesShift) {
   EXPECT_LT(found["curves"][0]["rms"].get<double>(), 1e-6);
 }
 
+TEST(FitCase, LossesThatAreKnownMakeTheSameCycle) {
+  const json input = warming_up();
+  const FitInput read = read_fit_input(bench_source(input, {{"warm.csv", "minutes,T\n5,70\n30,80\n60,90\n"}}));
+  const auto at = [&](FitEvaluation& evaluation, double conductance) {
+    return evaluation({{{conductance}, {true}}})[0].values[0];
+  };
+  FitEvaluation fresh(read, 1), used(read, 1);
+  at(used, 4.0);
+  const std::vector<double> alone = at(fresh, 4.3), after = at(used, 4.3);
+  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_NEAR(alone[i], after[i], 1e-7);
+}
+
+TEST(FitCase, ReadingsOfOneNameStandApartBesideTheFittedFile) {
+  json input = input_of("friction-on-the-bench");
+  input["fit"]["curves"][0]["file"] = "a/bench.csv";
+  input["fit"]["curves"][1]["file"] = "residuals.csv";
+  std::map<std::string, std::string> files = *bench_source(input).files;
+  const input::Source source =
+      bench_source(input, {{"a/bench.csv", files["bench_torque.csv"]}, {"residuals.csv", files["bench_loss.csv"]}});
+  const FitResult r = fit_case(source, {.threads = 1});
+  input::Source again{.name = "fitted.yaml", .text = fitted_case(r), .overrides = {}};
+  again.files.emplace();
+  for (const OutputFile& file : fit_analysis().files(r, {})) again.files->emplace(file.name, file.content);
+  EXPECT_TRUE(again.files->contains("2_residuals.csv"));
+  EXPECT_NEAR(fit_case(again, {.threads = 1}).found.objective, r.found.objective, 1e-6);
+}
+
+TEST(FitCase, ThePageHasATableOfTheValues) {
+  const FitResult r = fit_case(bench_source(input_of("friction-on-the-bench")), {.threads = 1});
+  const PageSection page = fit_analysis().section(r);
+  ASSERT_EQ(page.tables.size(), 3U);
+  EXPECT_EQ(page.tables[0].rows[1][0], "carrier.screw_torque");
+  EXPECT_EQ(page.tables[0].rows[1].size(), page.tables[0].head.size());
+  EXPECT_EQ(page.tables[1].rows.size(), 2U);
+}
+
 TEST(FitCase, RowsBeyondThePeriodAreRefused) {
   EXPECT_THAT(refusal(warming_up(), {{"warm.csv", "minutes,T\n1,70\n9999,80\n"}}), HasSubstr("warm.csv:3:1: error"));
 }
@@ -306,12 +353,202 @@ TEST(FitCase, OfTwoTorquesThatActAlikeOnlyASumIsTold) {
   EXPECT_THAT(fit_analysis().table(r), HasSubstr("told: carrier.screw_torque + "));
 }
 
+/// Lesson 34 with a softer blow, its play and friction unknown. Readings are numbers of runs with the
+/// truth, at times between the samples of the case itself, backwards.
+input::Source reversal(const std::string& fit, const std::vector<std::string>& overrides = {}) {
+  std::ifstream in(PRS_SOURCE_DIR "/configs/34_reversal.yaml");
+  input::Source source{.name = "reversal.yaml", .text = {std::istreambuf_iterator<char>(in), {}}, .overrides = {}};
+  source.text += fit;
+  source.overrides = {"response.material_damping.loss_factor=40 %", "response.duration=40 ms"};
+  source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
+  return source;
+}
+
+json reversed(const std::vector<std::string>& overrides) {
+  const input::Source source = reversal("", overrides);
+  const Json all =
+      analysis_of(Command::response).run(source, input::read_case_input(source, Command::response)).document({});
+  return json::parse(all.dump())["response"];
+}
+
+constexpr const char* kReversal = R"(
+fit:
+  parameters:
+    - {path: preload.backlash, from: 0 um, to: 80 um, start: 24 um}
+    - {path: friction.coulomb, from: 0.02, to: 0.3, start: 0.08}
+  curves:
+    - name: position
+      file: motion.csv
+      response: response.position_mm
+      measured: {column: x, unit: um}
+      deviation: 5 um
+      along: {response: response.time_s, column: ms, unit: ms}
+    - name: lost motion
+      file: lost.csv
+      response: response.lost_motion_um
+      measured: {column: lost, unit: um}
+      use: compare
+      conditions: [{path: response.load.mass, column: kg, unit: kg}]
+)";
+
+TEST(FitCase, AReversalTellsPlayAndFriction) {
+  const json motion = reversed({"response.sample_interval=1.2345 ms"});
+  input::Source source = reversal(kReversal);
+  std::string rows = "ms,x\n", lost = "kg,lost\n";
+  for (std::size_t k = motion["time_s"].size(); k-- > 0;)
+    rows +=
+        fmt::format("{},{}\n", 1e3 * motion["time_s"][k].get<double>(), 1e3 * motion["position_mm"][k].get<double>());
+  for (const int mass : {150, 90})
+    lost += fmt::format("{},{}\n", mass,
+                        reversed({fmt::format("response.load.mass={} kg", mass)})["lost_motion_um"].get<double>());
+  source.files = {{"motion.csv", rows}, {"lost.csv", lost}};
+  const json found = document(fit_case(source, {.threads = 1}));
+  ASSERT_EQ(found["status"], "converged");
+  EXPECT_NEAR(found["parameters"][0]["value"].get<double>(), 30.0, 1e-3);
+  EXPECT_NEAR(found["parameters"][1]["value"].get<double>(), 0.1, 1e-6);
+  // Interpolated between samples of 0.1 ms it would be off by 1e-5.
+  EXPECT_LT(found["curves"][0]["rms"].get<double>(), 1e-7);
+  EXPECT_EQ(found["curves"][0]["command"], "response");
+  EXPECT_LT(found["curves"][1]["rms"].get<double>(), 1e-3);
+}
+
+TEST(FitCase, SeriesOfADriveStandOverItsTime) {
+  const auto told = [](const std::string& from, const std::string& to, const char* rows = "ms,x\n1,0\n2,0\n3,1\n") {
+    std::string fit = kReversal;
+    fit.replace(fit.find(from), from.size(), to);
+    input::Source source = reversal(fit);
+    source.files = {{"motion.csv", rows}, {"lost.csv", "kg,lost\n150,40\n"}};
+    try {
+      fit_case(source, {.threads = 1});
+    } catch (const input::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_THAT(told("      along: {response: response.time_s, column: ms, unit: ms}\n", ""),
+              HasSubstr("add `along: {response: response.time_s"));
+  EXPECT_THAT(told("response.time_s", "response.force_N"), HasSubstr("expected response.time_s"));
+  EXPECT_THAT(told("response.position_mm", "response.positon_mm"), HasSubstr("which is no series"));
+  EXPECT_THAT(told("ms,", "ms,", "x,ms\n0,1\n0,55\n"),
+              HasSubstr("motion.csv:3:3: error: response.time_s: got 0.055 s"));
+}
+
+/// Where the program has exact derivatives, the deviations of a fit are theirs.
+TEST(FitCase, DeviationsAreThoseOfExactDerivatives) {
+  json input = input_of("play-on-the-bench");
+  input.erase("preload"), input.erase("fit");
+  json study = input, fit = input;
+  study["study"] = {{"command", "solve"},
+                    {"plan", "derivatives"},
+                    {"factors", {{{"path", "materials.youngs_modulus"}}, {{"path", "structure.nut.outer_diameter"}}}},
+                    {"responses", {"axial_displacement_um"}}};
+  std::string csv = "F,u\n";
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  for (int force = 2; force <= 20; force += 2) {
+    study["load_cases"][0]["axial_force"] = fmt::format("{} kN", force);
+    const CaseDerivatives d = case_derivatives(
+        input::read_study_input(input::Source{.name = "case.yaml", .text = study.dump(), .overrides = {}}));
+    const Eigen::Vector2d slope(d.factors[0].responses[0]->value, d.factors[1].responses[0]->value);
+    information += slope * slope.transpose() / 0.01;
+    csv += fmt::format("{},{}\n", force, *d.values[0]);
+  }
+  fit["fit"] = {
+      {"parameters",
+       {{{"path", "materials.youngs_modulus"}, {"from", "150 GPa"}, {"to", "260 GPa"}, {"start", "190 GPa"}},
+        {{"path", "structure.nut.outer_diameter"}, {"from", "42 mm"}, {"to", "60 mm"}, {"start", "50 mm"}}}},
+      {"curves",
+       json::array({{{"file", "u.csv"},
+                     {"response", "axial_displacement_um"},
+                     {"measured", {{"column", "u"}, {"unit", "um"}}},
+                     {"deviation", "0.1 um"},
+                     {"conditions", {{{"path", "load_cases[0].axial_force"}, {"column", "F"}, {"unit", "kN"}}}}}})}};
+  const FitResult r = fit_case(bench_source(fit, {{"u.csv", csv}}), {.threads = 1});
+  ASSERT_TRUE(r.converged());
+  const Eigen::Matrix2d covariance = information.inverse();
+  EXPECT_NEAR(*r.found.unknowns[0].value, 207.0, 1e-3);
+  EXPECT_NEAR(*r.found.unknowns[1].value, 46.0, 1e-3);
+  for (Eigen::Index j = 0; j < 2; ++j)
+    EXPECT_NEAR(r.found.unknowns[static_cast<std::size_t>(j)].estimate->deviation / std::sqrt(covariance(j, j)), 1.0,
+                1e-4);
+}
+
+/// Benches of a real screw with a known truth: torque over force, travel through play with a probe's
+/// zero. Deviations are stated or estimated, without outliers or with some under a robust loss.
+TEST(FitCase, IntervalsHoldTheTruthOfAScrewAsOftenAsTheySay) {
+  json input = input_of("play-on-the-bench");
+  const json torque = input_of("friction-on-the-bench");
+  for (const char* block : {"friction", "carrier", "operation", "load_cases"}) input[block] = torque[block];
+  json curves = json::array({torque["fit"]["curves"][0], input["fit"]["curves"][0]});
+  for (json& curve : curves) curve.erase("deviation");
+  curves[0]["file"] = "torque.csv", curves[1]["file"] = "travel.csv";
+  input["fit"] = {{"parameters",
+                   {{{"path", "friction.coulomb"}, {"from", 0.01}, {"to", 0.5}, {"scale", "log"}},
+                    {{"path", "carrier.screw_torque"}, {"from", "0 N m"}, {"to", "4 N m"}},
+                    {{"path", "preload.backlash"}, {"from", "0 um"}, {"to", "120 um"}}}},
+                  {"curves", curves}};
+  std::vector<double> forces, loads;
+  for (int k = 0; k < 12; ++k) forces.push_back(1.0 + 1.5 * k);
+  for (int k = 0; k < 17; ++k) loads.push_back(-8.0 + k);
+  const auto table = [](const char* names, const std::vector<double>& x, const std::vector<double>& y) {
+    std::string text = std::string(names) + "\n";
+    for (std::size_t k = 0; k < x.size(); ++k) text += fmt::format("{},{}\n", x[k], y[k]);
+    return text;
+  };
+  const auto files = [&](const std::vector<double>& moments, const std::vector<double>& travels) {
+    return std::map<std::string, std::string>{{"torque.csv", table("force_kN,torque_Nm", forces, moments)},
+                                              {"travel.csv", table("force_kN,travel_um", loads, travels)}};
+  };
+  std::mt19937_64 random(20);
+  std::normal_distribution<double> noise;
+  std::uniform_real_distribution<double> unit;
+  constexpr double kSigma[] = {0.06, 0.5};
+  int held = 0, all = 0;
+  for (int k = 0; k < test::samples(60, 1000); ++k) {
+    const std::vector<double> truth{0.05 + 0.1 * unit(random), 0.6 + 0.8 * unit(random), 15.0 + 40.0 * unit(random)};
+    const double zero = 3.0 * noise(random);
+    const FitInput plain = read_fit_input(bench_source(input, files(forces, loads)));
+    std::vector<std::vector<double>> y = FitEvaluation(plain, 1)({{truth, {true, true}}})[0].values;
+    json bench = input;
+    for (std::size_t c = 0; c < 2; ++c) {
+      if (k % 2 == 0) bench["fit"]["curves"][c]["deviation"] = fmt::format("{} {}", kSigma[c], c == 0 ? "N m" : "um");
+      if (k % 4 > 1) bench["fit"]["curves"][c]["loss"] = "huber";
+      for (double& value : y[c]) {
+        value += kSigma[c] * noise(random) + (c == 1 ? zero : 0.0);
+        if (k % 4 > 1 && unit(random) < 0.06) value += kSigma[c] * (unit(random) < 0.5 ? -8.0 : 8.0);
+      }
+    }
+    const FitResult r = fit_case(bench_source(bench, files(y[0], y[1])), {.threads = 1});
+    ASSERT_TRUE(r.converged()) << k;
+    const std::vector<double> known{truth[0], truth[1], truth[2], zero};
+    for (std::size_t j = 0; j < known.size(); ++j) {
+      const modules::fit::Estimate& e = *r.found.unknowns[j].estimate;
+      held += e.low <= known[j] && known[j] <= e.high;
+      ++all;
+    }
+  }
+  const double share = static_cast<double>(held) / all;
+  RecordProperty("share", std::to_string(share));
+  // Of 240 intervals the share strays by 2 %; under sanitizers there are fewer.
+  EXPECT_NEAR(share, 0.9, test::thorough() ? 0.03 : test::sanitized() ? 0.1 : 0.05);
+}
+
+TEST(FitCase, TheHashOfADocumentCoversItsCurves) {
+  const auto hash = [](const char* readings, Command command) {
+    input::Source source = bench_source(input_of("friction-on-the-bench"));
+    (*source.files)["bench_torque.csv"] = readings;
+    return document_info(source, command).input_sha256;
+  };
+  EXPECT_NE(hash("force_kN,torque_Nm\n1,2\n", Command::fit), hash("force_kN,torque_Nm\n1,3\n", Command::fit));
+  EXPECT_EQ(hash("force_kN,torque_Nm\n1,2\n", Command::slip), hash("force_kN,torque_Nm\n1,3\n", Command::slip));
+}
+
 TEST(FitCase, FilesHoldAllRows) {
   const FitResult r = fit_case(bench_source(input_of("friction-on-the-bench")), {.threads = 1});
   const std::vector<OutputFile> files = fit_analysis().files(r, {});
   std::vector<std::string> names;
   for (const OutputFile& f : files) names.push_back(f.name);
-  EXPECT_THAT(names, testing::ElementsAre("fit_parameters.csv", "residuals.csv", "fit_bands.csv", "fitted.yaml"));
+  EXPECT_THAT(names, testing::ElementsAre("fit_parameters.csv", "residuals.csv", "fit_bands.csv", "fitted.yaml",
+                                          "bench_torque.csv", "bench_loss.csv"));
   EXPECT_EQ(std::ranges::count(files[1].content, '\n'), 1 + 16 + 24);
   EXPECT_THAT(files[1].content, HasSubstr("torque,2,load_cases[0].axial_force=1 kN,N m,1.1859,"));
   EXPECT_THAT(fit_analysis().table(r), HasSubstr("friction.coulomb"));
