@@ -66,7 +66,12 @@ bool is_stiff(const DriveRun& run, const PrsRun& core) {
 class Cvode {
  public:
   Cvode(const DriveRun& run, PrsRun& core) : core_(core), tolerance_(std::max(kShare * run.tolerance, 1e-12)) {
+#if SUNDIALS_VERSION_MAJOR >= 7
+    SUNContext_Create(SUN_COMM_NULL, &context_);
+    SUNContext_ClearErrHandlers(context_);
+#else
     SUNContext_Create(nullptr, &context_);
+#endif
     y_ = N_VNew_Serial(PRS_STATES, context_);
     memory_ = CVodeCreate(CV_BDF, context_);
     N_VConst(0.0, y_);
@@ -76,8 +81,10 @@ class Cvode {
     matrix_ = SUNDenseMatrix(PRS_STATES, PRS_STATES, context_);
     linear_ = SUNLinSol_Dense(y_, matrix_, context_);
     CVodeSetLinearSolver(memory_, linear_, matrix_);
+#if SUNDIALS_VERSION_MAJOR < 7
     CVodeSetErrHandlerFn(
         memory_, [](int, const char*, const char*, char*, void*) {}, nullptr);
+#endif
     CVodeSetMaxStep(memory_, largest_step(run));
     prs_scales(&core, scales_);
   }
