@@ -227,28 +227,17 @@ static double commanded_torque(const PrsRun* run, const PrsInputs* in, const dou
   return bound == 0 ? v->wanted : (bound > 0 ? d->largest_torque : -d->largest_torque);
 }
 
-static void evaluate(const PrsRun* run, double t, const double* y, double* rate, PrsView* v, int all) {
+/* What holds the screw at rest: torques beyond these let it go upwards and downwards. */
+static void holding(const PrsRun* run, double force, double rest, double* up, double* down) {
+  const double drag = run->drive->drag;
+  *up = largest_of(0.0, prs_friction_torque(&run->friction, force, 0.0, 1) + drag) + rest;
+  *down = largest_of(0.0, drag - prs_friction_torque(&run->friction, force, 0.0, -1)) + rest;
+}
+
+static void take_force(const PrsRun* run, PrsView* v) {
   const PrsDrive* const d = run->drive;
   const PrsModes* const m = &run->state.modes;
-  const double r = run->reach;
-  const int by_speed = d->by == PRS_BY_SPEED, rigid = !d->coupled;
-  double reference_slope, command, bending, compliance, compliance_slope, acceleration, turning, rotor, free_torque;
-  double rotor_friction, thread = 0.0, motor_turning;
-  PrsInputs in;
-  int i, motor_sense;
-  run->signals.at(run->signals.self, t, &in);
-  v->t = t;
-  v->x = d->start_position + y[PRS_X];
-  v->v = y[PRS_V];
-  v->delta = y[PRS_DELTA];
-  v->theta = rigid ? 0.0 : y[PRS_THETA];
-  v->omega = rigid && by_speed ? in.motor : y[PRS_OMEGA];
-  v->omega_m = by_speed ? in.motor : rigid ? y[PRS_OMEGA] : y[PRS_OMEGA_M];
-  v->delta_rate = r * v->omega - v->v;
-  v->theta_rate = rigid ? 0.0 : v->omega_m - v->omega;
-  v->external = in.force;
-
-  /* Force of the screw. */
+  double compliance, compliance_slope;
   v->left_shaft = !prs_shaft_compliance(d, v->x, &compliance, &compliance_slope);
   v->pressed = 0.0;
   if (can_open(run) && (m->flank == 0 ? run->play[0] + run->play[1] > 0.0 : m->flank * v->delta < 0.0)) {
@@ -256,8 +245,7 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
     v->u = v->delta;
   } else {
     v->static_force = prs_series_force(&d->curves, v->delta, compliance, &v->u, &v->tangent);
-    bending = d->material_damping * v->tangent * v->delta_rate;
-    v->force = v->static_force + bending;
+    v->force = v->static_force + d->material_damping * v->tangent * v->delta_rate;
     v->pressed = m->flank * v->force;
     if (is_loose(run)) {
       if (m->lifted) v->force = 0.0;
@@ -267,8 +255,12 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
     }
   }
   v->shaft_force = 0.5 * v->static_force * v->static_force * compliance_slope;
+}
 
-  /* End stops. */
+static void take_stops(const PrsRun* run, PrsView* v) {
+  const PrsDrive* const d = run->drive;
+  const PrsModes* const m = &run->state.modes;
+  int i;
   v->stop_force = v->stop_pressed = v->stop_damped = 0.0;
   for (i = 0; i < 2; ++i) {
     const PrsStop* const stop = &d->stop[i];
@@ -282,12 +274,109 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
     v->stop_pressed += stop->stiffness * p * factor;
     v->stop_damped += stop->stiffness * p * (factor - 1.0) * p_rate;
   }
+}
+
+/* Places that come to rest or are let go. */
+static void take_events_of_places(const PrsRun* run, double rotor_friction, PrsView* v) {
+  const PrsDrive* const d = run->drive;
+  const PrsModes* const m = &run->state.modes;
+  int i;
+  for (i = 0; i < PRS_PLACES; ++i) {
+    const double w = i == PRS_LOAD ? v->v : i == PRS_SCREW ? v->omega : v->omega_m;
+    v->event[2 * i] = v->event[2 * i + 1] = 1.0;
+    if (i == PRS_MOTOR && d->by == PRS_BY_SPEED) {
+      if (m->place[i] != 0) v->event[2 * i] = m->place[i] * w;
+      continue;
+    }
+    if (m->place[i] == PRS_FREE) continue;
+    if (m->place[i] != PRS_STICKS) {
+      v->event[2 * i] = m->place[i] * w;
+      continue;
+    }
+    if (i == PRS_LOAD) {
+      v->up[i] = v->down[i] = d->load_friction;
+    } else if (i == PRS_MOTOR) {
+      v->up[i] = v->down[i] = rotor_friction;
+    } else {
+      holding(run, v->force, d->coupled ? 0.0 : rotor_friction, &v->up[i], &v->down[i]);
+    }
+    v->event[2 * i] = v->up[i] - v->drive[i];
+    v->event[2 * i + 1] = v->drive[i] + v->down[i];
+  }
+}
+
+static void take_events_of_flanks(const PrsRun* run, PrsView* v) {
+  const PrsModes* const m = &run->state.modes;
+  v->event[EVENT_FLANK] = v->event[EVENT_FLANK + 1] = 1.0;
+  if (can_open(run)) {
+    if (m->flank == 1) v->event[EVENT_FLANK] = v->delta - run->play[0];
+    if (m->flank == -1) v->event[EVENT_FLANK] = -v->delta - run->play[1];
+    if (m->flank == 0 && run->play[0] + run->play[1] > 0.0) {
+      v->event[EVENT_FLANK] = run->play[0] - v->delta;
+      v->event[EVENT_FLANK + 1] = v->delta + run->play[1];
+    }
+  }
+  v->event[EVENT_LIFT] = 1.0;
+  if (run->drive->material_damping > 0.0 && is_loose(run)) v->event[EVENT_LIFT] = m->lifted ? -v->pressed : v->pressed;
+}
+
+/* The controller at its bounds of speed and torque. */
+static void take_events_of_controller(const PrsRun* run, PrsView* v) {
+  const PrsDrive* const d = run->drive;
+  const PrsModes* const m = &run->state.modes;
+  v->event[EVENT_SPEED] = v->event[EVENT_SPEED + 1] = 1.0;
+  if (d->by >= PRS_SPEED_LOOP && !m->cut && d->largest_speed < HUGE_VAL) {
+    v->event[EVENT_SPEED] = m->clipped != 0 ? m->clipped * v->asked - d->largest_speed : d->largest_speed - v->asked;
+    if (m->clipped == 0) v->event[EVENT_SPEED + 1] = d->largest_speed + v->asked;
+  }
+  v->event[EVENT_BOUND] = v->event[EVENT_BOUND + 1] = v->event[EVENT_WIND] = 1.0;
+  if (d->by >= PRS_SPEED_LOOP && !m->cut && d->largest_torque < HUGE_VAL) {
+    const double sense = m->bound < 0 ? -1.0 : 1.0;
+    if (m->bound == 0) {
+      v->event[EVENT_BOUND] = d->largest_torque - v->wanted;
+      v->event[EVENT_BOUND + 1] = d->largest_torque + v->wanted;
+    } else if (m->bound == 1 || m->bound == -1) {
+      v->event[EVENT_BOUND] = sense * v->wanted - d->largest_torque;
+    } else {
+      v->event[EVENT_BOUND] = -sense * v->speed_error_rate;
+      v->event[EVENT_BOUND + 1] = sense * (v->speed_error + d->integral_time * v->speed_error_rate);
+    }
+    if (d->integral_time > 0.0 && (m->bound == 1 || m->bound == -1))
+      v->event[EVENT_WIND] = (m->winds ? -m->bound : m->bound) * v->speed_error;
+  }
+}
+
+/* The equations: all quantities of an instant, derivatives where `rate` is not null, and with
+   `with_events` angles, what holds places, and events. */
+static void evaluate(const PrsRun* run, double t, const double* y, double* rate, PrsView* v, int with_events) {
+  const PrsDrive* const d = run->drive;
+  const PrsModes* const m = &run->state.modes;
+  const double r = run->reach;
+  const int by_speed = d->by == PRS_BY_SPEED, rigid = !d->coupled;
+  double reference_slope, command, acceleration, turning, free_force;
+  double rotor_friction, thread = 0.0, motor_turning;
+  PrsInputs in;
+  int motor_sense;
+  run->signals.at(run->signals.self, t, &in);
+  v->t = t;
+  v->x = d->start_position + y[PRS_X];
+  v->v = y[PRS_V];
+  v->delta = y[PRS_DELTA];
+  v->theta = rigid ? 0.0 : y[PRS_THETA];
+  v->omega = rigid && by_speed ? in.motor : y[PRS_OMEGA];
+  v->omega_m = by_speed ? in.motor : rigid ? y[PRS_OMEGA] : y[PRS_OMEGA_M];
+  v->delta_rate = r * v->omega - v->v;
+  v->theta_rate = rigid ? 0.0 : v->omega_m - v->omega;
+  v->external = in.force;
+
+  take_force(run, v);
+  take_stops(run, v);
 
   /* Motor. */
   v->coupling_torque = rigid ? 0.0 : d->coupling_stiffness * v->theta + d->coupling_damping * v->theta_rate;
   v->wanted = v->speed_error = v->asked = 0.0;
   command = commanded_torque(run, &in, y, v, &reference_slope);
-  if (all && m->bound == 0 && d->by >= PRS_SPEED_LOOP && fabs(command) > d->largest_torque)
+  if (with_events && m->bound == 0 && d->by >= PRS_SPEED_LOOP && fabs(command) > d->largest_torque)
     command = sign_of(command) * d->largest_torque; /* By rounding, at the event itself. */
   v->motor_torque = d->time_constant > 0.0 ? y[PRS_TORQUE] : command;
   rotor_friction = d->motor_friction + (m->braked ? d->brake_torque : 0.0);
@@ -296,11 +385,11 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
   v->motor_friction = motor_sense * rotor_friction;
 
   /* Load. */
-  free_torque = v->force + v->shaft_force - v->external + v->stop_force;
-  v->drive[PRS_LOAD] = free_torque;
+  free_force = v->force + v->shaft_force - v->external + v->stop_force;
+  v->drive[PRS_LOAD] = free_force;
   v->load_friction = m->place[PRS_LOAD] == PRS_FREE ? 0.0 : m->place[PRS_LOAD] * d->load_friction;
   acceleration =
-      m->place[PRS_LOAD] == PRS_STICKS ? 0.0 : (free_torque - v->load_friction - d->load_damping * v->v) / d->mass;
+      m->place[PRS_LOAD] == PRS_STICKS ? 0.0 : (free_force - v->load_friction - d->load_damping * v->v) / d->mass;
 
   /* Screw, and with it the rotor where both are one. */
   {
@@ -333,9 +422,9 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
       const double load = r * v->force;
       double held = thread + v->motor_friction;
       if (motor_sense == 0) {
-        const double up = largest_of(0.0, prs_friction_torque(&run->friction, v->force, 0.0, 1) + d->drag);
-        const double down = largest_of(0.0, d->drag - prs_friction_torque(&run->friction, v->force, 0.0, -1));
-        held = smallest_of(largest_of(-load, -(down + rotor_friction)), up + rotor_friction);
+        double up, down;
+        holding(run, v->force, rotor_friction, &up, &down);
+        held = smallest_of(largest_of(-load, -down), up);
       }
       v->motor_torque = (d->motor_inertia + d->screw_inertia) * in.slope + load + held + d->motor_damping * v->omega_m;
     }
@@ -350,13 +439,12 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
   v->speed_error_rate = reference_slope - motor_turning;
 
   if (rate) {
-    rotor = by_speed || rigid ? 0.0 : motor_turning;
     rate[PRS_X] = v->v;
     rate[PRS_V] = acceleration;
     rate[PRS_DELTA] = v->delta_rate;
     rate[PRS_OMEGA] = rigid && by_speed ? 0.0 : turning;
     rate[PRS_THETA] = v->theta_rate;
-    rate[PRS_OMEGA_M] = rotor;
+    rate[PRS_OMEGA_M] = by_speed || rigid ? 0.0 : motor_turning;
     rate[PRS_INTEGRAL] = 0.0;
     if (d->integral_time > 0.0 && !m->cut) {
       if (m->bound == 2 || m->bound == -2)
@@ -366,65 +454,13 @@ static void evaluate(const PrsRun* run, double t, const double* y, double* rate,
     }
     rate[PRS_TORQUE] = d->time_constant > 0.0 ? (command - y[PRS_TORQUE]) / d->time_constant : 0.0;
   }
-  if (!all) return;
+  if (!with_events) return;
 
   v->phi = (v->x + v->delta) / r;
   v->phi_m = v->phi + v->theta;
-  for (i = 0; i < PRS_PLACES; ++i) {
-    const double w = i == PRS_LOAD ? v->v : i == PRS_SCREW ? v->omega : v->omega_m;
-    v->event[2 * i] = v->event[2 * i + 1] = 1.0;
-    if (i == PRS_MOTOR && by_speed) {
-      if (m->place[i] != 0) v->event[2 * i] = m->place[i] * w;
-      continue;
-    }
-    if (m->place[i] == PRS_FREE) continue;
-    if (m->place[i] != PRS_STICKS) {
-      v->event[2 * i] = m->place[i] * w;
-      continue;
-    }
-    if (i == PRS_LOAD) {
-      v->up[i] = v->down[i] = d->load_friction;
-    } else if (i == PRS_MOTOR) {
-      v->up[i] = v->down[i] = rotor_friction;
-    } else {
-      const double more = d->drag, rest = rigid ? rotor_friction : 0.0;
-      v->up[i] = largest_of(0.0, prs_friction_torque(&run->friction, v->force, 0.0, 1) + more) + rest;
-      v->down[i] = largest_of(0.0, more - prs_friction_torque(&run->friction, v->force, 0.0, -1)) + rest;
-    }
-    v->event[2 * i] = v->up[i] - v->drive[i];
-    v->event[2 * i + 1] = v->drive[i] + v->down[i];
-  }
-  v->event[EVENT_FLANK] = v->event[EVENT_FLANK + 1] = 1.0;
-  if (can_open(run)) {
-    if (m->flank == 1) v->event[EVENT_FLANK] = v->delta - run->play[0];
-    if (m->flank == -1) v->event[EVENT_FLANK] = -v->delta - run->play[1];
-    if (m->flank == 0 && run->play[0] + run->play[1] > 0.0) {
-      v->event[EVENT_FLANK] = run->play[0] - v->delta;
-      v->event[EVENT_FLANK + 1] = v->delta + run->play[1];
-    }
-  }
-  v->event[EVENT_SPEED] = v->event[EVENT_SPEED + 1] = 1.0;
-  if (d->by >= PRS_SPEED_LOOP && !m->cut && d->largest_speed < HUGE_VAL) {
-    v->event[EVENT_SPEED] = m->clipped != 0 ? m->clipped * v->asked - d->largest_speed : d->largest_speed - v->asked;
-    if (m->clipped == 0) v->event[EVENT_SPEED + 1] = d->largest_speed + v->asked;
-  }
-  v->event[EVENT_BOUND] = v->event[EVENT_BOUND + 1] = v->event[EVENT_WIND] = 1.0;
-  if (d->by >= PRS_SPEED_LOOP && !m->cut && d->largest_torque < HUGE_VAL) {
-    const double sense = m->bound < 0 ? -1.0 : 1.0;
-    if (m->bound == 0) {
-      v->event[EVENT_BOUND] = d->largest_torque - v->wanted;
-      v->event[EVENT_BOUND + 1] = d->largest_torque + v->wanted;
-    } else if (m->bound == 1 || m->bound == -1) {
-      v->event[EVENT_BOUND] = sense * v->wanted - d->largest_torque;
-    } else {
-      v->event[EVENT_BOUND] = -sense * v->speed_error_rate;
-      v->event[EVENT_BOUND + 1] = sense * (v->speed_error + d->integral_time * v->speed_error_rate);
-    }
-    if (d->integral_time > 0.0 && (m->bound == 1 || m->bound == -1))
-      v->event[EVENT_WIND] = (m->winds ? -m->bound : m->bound) * v->speed_error;
-  }
-  v->event[EVENT_LIFT] = 1.0;
-  if (d->material_damping > 0.0 && is_loose(run)) v->event[EVENT_LIFT] = m->lifted ? -v->pressed : v->pressed;
+  take_events_of_places(run, rotor_friction, v);
+  take_events_of_flanks(run, v);
+  take_events_of_controller(run, v);
 }
 
 void prs_rates(const PrsRun* run, double t, const double y[PRS_STATES], double rate[PRS_STATES]) {

@@ -18,13 +18,14 @@ double integral(const PrsView points[PRS_POINTS], const Value& value) {
   return sum * (points[PRS_POINTS - 1].t - points[0].t);
 }
 
-/// The same where the points stand evenly in the root of the time behind `start`, at which what is
-/// integrated begins with a root.
+/// The same where the points stand evenly in the root of the time from `anchor`, at which what is
+/// integrated has a root.
 template <class Value>
-double integral_behind(double start, const PrsView points[PRS_POINTS], const Value& value) {
+double integral_in_root(double anchor, const PrsView points[PRS_POINTS], const Value& value) {
+  const auto root = [&](int k) { return std::sqrt(std::abs(points[k].t - anchor)); };
   double sum = 0.0;
-  for (int k = 0; k < PRS_POINTS; ++k) sum += kWeights[k] * value(points[k]) * 2.0 * std::sqrt(points[k].t - start);
-  return sum * (std::sqrt(points[PRS_POINTS - 1].t - start) - std::sqrt(points[0].t - start));
+  for (int k = 0; k < PRS_POINTS; ++k) sum += kWeights[k] * value(points[k]) * 2.0 * root(k);
+  return sum * std::abs(root(PRS_POINTS - 1) - root(0));
 }
 
 /// Mass that a closing flank stops.
@@ -190,19 +191,20 @@ void Recorder::step(const PrsView points[PRS_POINTS]) {
   DriveResult& r = result_;
   const PrsDrive& d = run_.drive;
   const double from = points[0].t, to = points[PRS_POINTS - 1].t;
-  // Behind a closing flank force and damping begin with the root of the time.
-  const bool roots = from - closed_ < 8.0 * (to - from);
+  // Behind a closing flank force and damping begin with the root of the time; a lifted one opens likewise.
+  const bool opens = core_.state.modes.lifted != 0, roots = opens || from - closed_ < 8.0 * (to - from);
+  const double anchor = opens ? to : closed_;
   PrsView even[PRS_POINTS];
   if (roots) {
-    const double first = std::sqrt(from - closed_), last = std::sqrt(to - closed_);
+    const double first = std::sqrt(std::abs(from - anchor)), last = std::sqrt(std::abs(to - anchor));
     even[0] = points[0], even[PRS_POINTS - 1] = points[PRS_POINTS - 1];
     for (int k = 1; k + 1 < PRS_POINTS; ++k) {
       const double root = first + prs_places[k] * (last - first);
-      even[k] = at(closed_ + root * root);
+      even[k] = at(anchor + (opens ? -1.0 : 1.0) * root * root);
     }
   }
   const auto add = [&](double& sum, const auto& value) {
-    sum += roots ? integral_behind(closed_, even, value) : integral(points, value);
+    sum += roots ? integral_in_root(anchor, even, value) : integral(points, value);
   };
   add(r.motor, motor_power);
   add(r.load, load_power);

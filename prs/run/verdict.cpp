@@ -95,11 +95,6 @@ Found static_safety(const VerdictFacts& f) {
 Found peak_pressure(const VerdictFacts& f) {
   if (!f.loads && !f.life && !f.response) return without(f, Command::solve, Sense::greatest);
   Found found{Sense::greatest};
-  if (f.response)
-    for (const Direction d : kDirections)
-      if (const auto& largest = f.response->largest[d]; largest && largest->peak_pressure)
-        found.take(*largest->peak_pressure * per_si::megapascal, "response",
-                   fmt::format("largest force in {}", name(d)));
   const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
   for (const Result* result : {f.loads, f.slip})  // Slip has the loads of warm parts.
     for (std::size_t k = 0; result && k < result->load_cases.size(); ++k)
@@ -113,6 +108,13 @@ Found peak_pressure(const VerdictFacts& f) {
         if (const auto& flank = f.life->flanks[d]; flank && flank->peak_pressure[i])
           found.take(*flank->peak_pressure[i] * per_si::megapascal, loads_of(*f.life),
                      fmt::format("{}, {}", at(i), name(d)));
+  const std::optional<double> best = found.best;
+  if (f.response)
+    for (const Direction d : kDirections)
+      if (const auto& largest = f.response->largest[d]; largest && largest->peak_pressure)
+        found.take(*largest->peak_pressure * per_si::megapascal, "response",
+                   fmt::format("largest force in {}", name(d)));
+  found.best = best;  // Of load cases.
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;
 }

@@ -212,7 +212,7 @@ def test_unit_starts_where_initialization_ends(tmp_path: Path) -> None:
     unit.freeInstance()
     assert angle == pytest.approx(0.125, rel=1e-9)
     ramp = {"points": [{"at": "0 s", "value": "0 rad/s"}, {"at": "5 ms", "value": "50 rad/s"}]}
-    step = {"steps": [{"at": "-1 s", "value": "0 N"}, {"at": "1 ns", "value": "1 kN"}]}
+    step = {"steps": [{"at": "-1 s", "value": "0 N"}, {"at": "0.001 us", "value": "1 kN"}]}
     changes = {"response.motor.speed": ramp, "response.load.force": step}
     run = case.with_({**changes, "response.sample_interval": "5 ms"}).response().response
     assert force == pytest.approx(run.force_N[1], abs=1e-4 * np.ptp(run.force_N) + 1.0)
