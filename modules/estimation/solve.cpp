@@ -16,6 +16,8 @@ constexpr double kConverged = 1e-4;      // Of a standard deviation.
 constexpr double kSettled = 1e-6;        // What the search goes on to, where it can.
 constexpr double kSpreadSettled = 1e-8;  // Relative change of a deviation.
 constexpr double kNoInfluence = 1e-12;   // Of the response.
+constexpr double kEven = 1e-6;           // Difference of both sides over their distance from the middle.
+constexpr double kAside = 0.03;          // Of z, where a search cannot begin.
 constexpr double kLeastSlope = 0.05;     // Of a loss, as a mean over its curve.
 
 /// What is known at one place of the unknowns.
@@ -24,6 +26,7 @@ struct State {
   std::vector<VectorXd> values;            ///< Of each fitted curve, with its offset.
   std::vector<MatrixXd> slopes = {};       ///< By z, once they are asked for.
   std::vector<MatrixXd> information = {};  ///< J'J over the squares of stated deviations.
+  std::vector<Index> even = {};            ///< Unknowns about which every curve is even here.
 };
 using StatePtr = std::shared_ptr<State>;
 
@@ -81,6 +84,7 @@ class Search {
       fitted_.push_back(curve.use == Curve::Use::fit);
     }
     step_ = VectorXd::Constant(count_, kStep);
+    moved_ = MatrixXd::Zero(static_cast<Index>(fitted_.size()), count_);
     prior_ = MatrixXd::Zero(count_, count_);
     for (Index j = 0; j < count_; ++j)
       if (const auto& prior = unknown(j).prior) prior_(j, j) = std::pow(range(j) / prior->deviation, 2);
@@ -99,9 +103,8 @@ class Search {
       bool moves = false;
       for (std::size_t c = 0; c < fitted_.size(); ++c) {
         if (!fitted_[c]) continue;
-        const auto moved = 2.0 * kStep * state->slopes[c].col(j).array().abs();
-        moves = moves || (moved > kNoInfluence * (state->values[c].array() - offset(c, z)).abs()).any();
-        reached_[c][static_cast<std::size_t>(j)] = (state->slopes[c].col(j).array() != 0.0).any();
+        moves = moves || moved_(static_cast<Index>(c), j) > kNoInfluence;
+        reached_[c][static_cast<std::size_t>(j)] = moved_(static_cast<Index>(c), j) > 0.0;
       }
       looked_at_ = z;
       if (!moves) result.without_influence = static_cast<std::size_t>(j);
@@ -123,6 +126,16 @@ class Search {
     failure_.reset();
     VectorXd z = from;
     reaches_more(z);
+    // No search leaves a place about which all curves are even: a tilt of 0.
+    if (const StatePtr state = with_slopes(z))
+      for (const Index j : state->even) {
+        const VectorXd aside = kAside * VectorXd::Unit(count_, j), up = moved(z, aside), down = moved(z, -aside);
+        const StatePtr above = at(up), below = at(down);
+        if (above && (!below || objective(*above) <= objective(*below)))
+          z = up;
+        else if (below)
+          z = down;
+      }
     const bool jumps = std::ranges::any_of(losses_, [](const Loss& l) { return l.kind == Loss::Kind::cauchy; });
     Status status = Status::converged;
     if (jumps) {  // From afar most rows would look like outliers.
@@ -211,6 +224,7 @@ class Search {
     std::optional<std::vector<MatrixXd>> slopes = differentiate(z, state->values, fitted_);
     if (!slopes) return nullptr;
     state->slopes = *std::move(slopes);
+    state->even = even_;
     for (std::size_t c = 0; c < fitted_.size(); ++c) {
       const MatrixXd weighted = fitted_[c] ? MatrixXd(weight_[c].asDiagonal() * state->slopes[c]) : MatrixXd(0, count_);
       state->information.emplace_back(weighted.transpose() * weighted);
@@ -243,6 +257,7 @@ class Search {
         requests.push_back(request(moved, reached));
       }
     };
+    even_.clear();
     std::vector<MatrixXd> slopes;
     for (std::size_t c = 0; c < curves.size(); ++c)
       slopes.emplace_back(MatrixXd::Zero(curves[c] ? static_cast<Index>(problem_.curves[c].rows) : 0, count_));
@@ -273,16 +288,19 @@ class Search {
           continue;
         }
         const double h = side == Side::behind ? -step_[j] : step_[j];
+        bool moves = false, is_even = side == Side::both;
         for (std::size_t c = 0; c < curves.size(); ++c) {
           if (!curves[c] || !reached_[c][static_cast<std::size_t>(j)]) continue;
           const VectorXd a = values_of(one.values[c]), b = values_of(two.values[c]);
-          if (side == Side::both) {
-            slopes[c].col(j) = (b - a) / (2.0 * h);
-          } else {
-            const VectorXd here = values[c].array() - offset(c, z);
-            slopes[c].col(j) = (-3.0 * here + 4.0 * a - b) / (2.0 * h);
-          }
+          const VectorXd here = values[c].array() - offset(c, z);
+          slopes[c].col(j) =
+              side == Side::both ? VectorXd((b - a) / (2.0 * h)) : VectorXd((-3.0 * here + 4.0 * a - b) / (2.0 * h));
+          const Eigen::ArrayXd by = (a - here).array().abs().max((b - here).array().abs());
+          moved_(static_cast<Index>(c), j) = (by > 0.0).select(by / here.array().abs(), 0.0).maxCoeff();
+          moves = moves || moved_(static_cast<Index>(c), j) > kNoInfluence;
+          is_even = is_even && ((b - a).array().abs() <= kEven * by).all();
         }
+        if (moves && is_even) even_.push_back(j);
       }
       asked = std::move(again);
     }
@@ -309,7 +327,7 @@ class Search {
     for (Index j = 0; j < count_; ++j)
       for (std::size_t c = 0; c < fitted_.size(); ++c) {
         if (unknown(j).is_offset || known[c][static_cast<std::size_t>(j)]) continue;
-        if (!fitted_[c] || ((*slopes)[c].col(j).array() == 0.0).all()) continue;
+        if (!fitted_[c] || !(moved_(static_cast<Index>(c), j) > 0.0)) continue;
         reached_[c][static_cast<std::size_t>(j)] = more = true;
       }
     if (more) known_.clear();
@@ -586,8 +604,10 @@ class Search {
   std::vector<VectorXd> measured_, weight_;
   std::vector<double> spread_, first_spread_, floor_;
   std::vector<std::vector<bool>> reached_;
-  VectorXd looked_at_;  ///< Where slopes of all curves were taken last.
-  VectorXd step_;       ///< Of differences in z.
+  VectorXd looked_at_;       ///< Where slopes of all curves were taken last.
+  VectorXd step_;            ///< Of differences in z.
+  MatrixXd moved_;           ///< By the last differences, over the response: a row per curve.
+  std::vector<Index> even_;  ///< Unknowns whose sides were equal in them.
   std::vector<bool> fitted_;
   MatrixXd prior_;
   VectorXd place_;

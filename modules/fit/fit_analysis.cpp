@@ -1,5 +1,6 @@
 #include "modules/fit/fit_analysis.h"
 
+#include <map>
 #include <set>
 
 #include "prs/input/force_history.h"
@@ -513,16 +514,27 @@ Figures curve_figures(const FitResult& r) {
       order.resize(kept);
     }
     Panel panel{shown_name(c.curve().name)};
-    const auto add = [&](std::size_t style, const std::vector<double>& y) {
+    const auto add = [&](std::size_t style, const std::vector<double>& y, const std::vector<std::size_t>& rows_of) {
       if (y.empty()) return;
       Series series{style};
-      for (const std::size_t i : order) series.add(x[i], y[i]);
+      for (const std::size_t i : rows_of) series.add(x[i], y[i]);
       panel.series.push_back(std::move(series));
     };
-    add(band, f.low);
-    add(band, f.high);
-    add(line, f.fitted);
-    add(points, c.curve().measured);
+    // A line for all rows that only their place tells apart.
+    std::map<std::vector<std::string>, std::vector<std::size_t>> lines;
+    for (const std::size_t i : order) {
+      std::vector<std::string> others;
+      for (const FitCondition& condition : c.curve().conditions)
+        if (const auto number = input::parse_number(condition.texts[i]); !number || *number != x[i])
+          others.push_back(condition.texts[i]);
+      lines[others].push_back(i);
+    }
+    for (const auto& [others, rows_of] : lines) {
+      add(band, f.low, rows_of);
+      add(band, f.high, rows_of);
+      add(line, f.fitted, rows_of);
+    }
+    add(points, c.curve().measured, order);
     panel.x = course.first;
     const std::string& response = c.curve().response;
     const std::size_t series = response.find("[].");

@@ -342,6 +342,10 @@ class FitReader : input::VariedInput {
       prior.deviation = 0.01 * written->number * std::abs(prior.mean);
     else if (written && written->unit.empty() == p.unit.empty())
       if (const auto by = conversion(written->unit, p.unit)) prior.deviation = by->factor * written->number;
+    if (written && written->unit == "%" && slot.dimension && zero_depends_on_unit(*slot.dimension))
+      fail(path_ + ".prior.deviation",
+           "got {} of a temperature, whose zero is a convention; expected a value; write for example `deviation: 1 K`",
+           shown(item.deviation));
     if (written && written->unit == "%" && written->number > 0.0 && prior.mean == 0.0)
       fail(path_ + ".prior.deviation", "got {} of a mean of 0; expected a value; write for example `deviation: {}`",
            shown(item.deviation), with_unit(1.0, p.unit));

@@ -505,28 +505,22 @@ std::optional<Edit> insertion(const std::string& text, const Node& root, const s
 /// The text with each override in the place of the scalar that it replaces, or added; none where
 /// one has no such place.
 std::optional<std::string> edited(const Source& source) {
-  const Node root = document_of({source.name, source.text, {}});
   std::map<std::string, std::string> last;  // Later overrides of a path win.
-  for (const std::string& text : source.overrides)
-    last[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
-  std::vector<Edit> edits;
+  for (const std::string& override : source.overrides)
+    last[override.substr(0, override.find('='))] = override.substr(override.find('=') + 1);
+  std::string text = source.text;
   for (const auto& [path, value] : last) {
-    const Node* node = input::find_path(root, path);
-    if (!node) {
-      const std::optional<Edit> edit = insertion(source.text, root, path, value);
-      if (!edit) return std::nullopt;
-      edits.push_back(*edit);
-      continue;
-    }
-    const std::size_t at = node->place.offset;
-    if (node->kind != Node::Kind::scalar || node->quoted || source.text.compare(at, node->text.size(), node->text) != 0)
-      return std::nullopt;
-    edits.push_back({at, node->text.size(), value});
+    const Node root = document_of({source.name, text, {}});
+    std::optional<Edit> edit;
+    if (const Node* node = input::find_path(root, path); !node)
+      edit = insertion(text, root, path, value);
+    else if (const std::size_t at = node->place.offset;
+             node->kind == Node::Kind::scalar && !node->quoted && text.compare(at, node->text.size(), node->text) == 0)
+      edit = {at, node->text.size(), value};
+    if (!edit) return std::nullopt;
+    text.replace(edit->offset, edit->length, edit->text);
   }
-  std::ranges::stable_sort(edits, std::ranges::greater{}, &Edit::offset);
-  std::string result = source.text;
-  for (const Edit& edit : edits) result.replace(edit.offset, edit.length, edit.text);
-  return result;
+  return text;
 }
 
 /// Maps and lists of maps over lines, the rest on one line each.

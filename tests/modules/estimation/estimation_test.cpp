@@ -167,6 +167,18 @@ TEST(Estimation, WhatACurveFeelsAwayFromTheStartAloneCounts) {
   }
 }
 
+TEST(Estimation, ASearchLeavesTheMiddleOfAnEvenResponse) {
+  Bench b;
+  b.problem.unknowns = {{.from = -2.0, .to = 2.0, .start = 0.0}};
+  b.add({1.0, 2.0, 3.0}, {1.44, 2.88, 4.32}, {0.1, 0.1, 0.1});
+  b.model = [](const auto& u, std::size_t, double x) { return u[0] * u[0] * x; };
+  b.problem.starts = 2;  // The second in the middle, too.
+  const Result r = b.solved();
+  ASSERT_EQ(r.status, Status::converged);
+  EXPECT_NEAR(std::abs(*r.unknowns[0].value), 1.2, 1e-6);
+  EXPECT_LT(*r.starts[1].objective, 1e-6);
+}
+
 /// The deviation of exp(-x/u) in closed form, in bounds of any width.
 TEST(Estimation, WideBoundsChangeNoDeviation) {
   for (const double to : {1.0, 30.0, 100.0}) {
