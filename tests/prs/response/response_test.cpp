@@ -172,7 +172,7 @@ TEST(Response, SignalsFromFilesAreThoseOfTheirPoints) {
   source.overrides = {
       "response.motor.torque=[{file: {name: torque.csv, time: {column: t, unit: ms}, value: {column: torque, unit: N "
       "m}}}, 1 N m]"};
-  source.files = std::map<std::string, std::string>{{"torque.csv", "t,torque\n0,3\n15,3\n25,-6\n50,-6\n"}};
+  source.files.emplace().emplace("torque.csv", "t,torque\n0,3\n15,3\n25,-6\n50,-6\n");
   EXPECT_EQ(response_of(source)["motor_torque_Nm"], points["motor_torque_Nm"]);
 }
 
