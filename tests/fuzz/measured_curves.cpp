@@ -4,7 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ranges>
+#include <string>
+#include <vector>
 
 #include "modules/module.h"
 #include "prs/run/commands.h"
@@ -66,7 +67,10 @@ bool measured_curves(std::string_view input) {
 
   // The rows in another order.
   std::vector<std::string> lines;
-  for (const auto line : text | std::views::split('\n')) lines.emplace_back(line.begin(), line.end());
+  for (std::size_t from = 0, to = 0; to != text.npos; from = to + 1) {
+    to = text.find('\n', from);
+    lines.push_back(text.substr(from, to == text.npos ? to : to - from));
+  }
   if (!lines.back().empty() || text.find('#') != std::string::npos || text.find('\r') != std::string::npos) return true;
   lines.pop_back();
   const auto heading =

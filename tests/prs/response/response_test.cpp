@@ -211,9 +211,9 @@ TEST(Response, HashOfTheInputCoversFilesOfSignals) {
   input::Source source = source_of(solved()["cases"][0]);
   source.overrides = {
       "response.load.force={file: {name: force.csv, time: {column: t, unit: s}, value: {column: f, unit: N}}}"};
-  source.files = std::map<std::string, std::string>{{"force.csv", "t,f\n0,50\n1,50\n"}};
+  source.files.emplace().emplace("force.csv", "t,f\n0,50\n1,50\n");
   const std::string one = input::input_sha256(source);
-  source.files = std::map<std::string, std::string>{{"force.csv", "t,f\n0,50\n1,51\n"}};
+  source.files.emplace().emplace("force.csv", "t,f\n0,50\n1,51\n");
   EXPECT_NE(input::input_sha256(source), one);
 }
 
