@@ -191,7 +191,7 @@ TEST(Report, CitesTheRecordsOfTheModelsThatItUsed) {
   const auto cited = [](const char* lesson) {
     return cited_records(make_report(lesson_source(lesson), {.live = false}).html);
   };
-  EXPECT_EQ(cited("07_contact_geometry.yaml"), (std::set<std::string>{"contact"}));
+  EXPECT_EQ(cited("07_contact_geometry.yaml"), (std::set<std::string>{"contact", "measures"}));  // Solves nothing.
   EXPECT_THAT(cited("13_three_models.yaml"), testing::IsSupersetOf({"bars", "refined", "influence"}));
   EXPECT_THAT(cited("24_misalignment.yaml"), testing::Contains("full_mechanism"));
   EXPECT_THAT(cited("30_duty_cycle.yaml"), testing::IsSupersetOf({"slip", "heat"}));
