@@ -84,9 +84,11 @@ std::string with_drive(std::string xml, const ResponseInput& in, double reach) {
 std::string description_xml(const SystemModel& model, const std::string& guid) {
   const SystemCurves& curves = model.curves;
   const ModelText& text = model.text;
-  std::string xml = fmt::format(fmt::runtime(description()), fmt::arg("name", text.name), fmt::arg("guid", guid),
-                                fmt::arg("file", html(text.case_file)), fmt::arg("sha", text.case_sha256),
-                                fmt::arg("version", kVersion), fmt::arg("range", html(curves_text(curves))));
+  std::string xml = fmt::format(
+      fmt::runtime(description()), fmt::arg("name", text.name), fmt::arg("guid", guid),
+      fmt::arg("file", html(text.case_file)), fmt::arg("sha", text.case_sha256), fmt::arg("version", kVersion),
+      fmt::arg("stop", model.drive ? model.drive->duration : 1.0),
+      fmt::arg("step", model.drive ? model.drive->interval() : 1e-3), fmt::arg("range", html(curves_text(curves))));
   return model.drive ? with_drive(std::move(xml), *model.drive, curves.lead / (2.0 * std::numbers::pi)) : xml;
 }
 

@@ -47,7 +47,7 @@ struct Findings {
   const Findings* before = nullptr;  ///< Shown behind these, in grey.
   /// What has loads of its own, which stayed while those of the load cases moved, and why.
   std::map<Command, std::string> unmoved = {};
-  std::vector<Command> lacking = {};  ///< Commands whose module is not here.
+  std::vector<Command> lacking = {};       ///< Commands whose module is not here.
   std::string section = {};                ///< The one that is being written.
   std::map<std::string, int> places = {};  ///< How many of a name stand in it so far.
   bool keeps_figures = false;              ///< For those that are drawn behind others.

@@ -115,6 +115,7 @@ Found peak_pressure(const VerdictFacts& f) {
         found.take(*largest->peak_pressure * per_si::megapascal, "response",
                    fmt::format("largest force in {}", name(d)));
   found.best = best;  // Of load cases.
+  if (found.value && f.lacking.contains(Command::response)) found.note += ", without `response`";
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;
 }
