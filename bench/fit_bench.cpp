@@ -36,8 +36,9 @@ prs::input::Source three_curves() {
   return source;
 }
 
-void fit(benchmark::State& state) {
-  const prs::input::Source source = three_curves();
+void fit(benchmark::State& state, const std::vector<std::string>& overrides) {
+  prs::input::Source source = three_curves();
+  source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
   for (auto _ : state) {
     const prs::FitResult result = prs::fit_case(source, {.threads = 1});
     if (!result.converged()) state.SkipWithError("no fit");
@@ -46,6 +47,10 @@ void fit(benchmark::State& state) {
   }
 }
 
-BENCHMARK(fit)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fit, equal_shares, {})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fit, static_loads,
+                  {"load_cases[0]={name: run, axial_force: 12 kN, direction: tension, position: 31 mm}",
+                   "model.loads=static"})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -104,7 +104,7 @@ class Search {
       for (std::size_t c = 0; c < fitted_.size(); ++c) {
         if (!fitted_[c]) continue;
         moves = moves || moved_(static_cast<Index>(c), j) > kNoInfluence;
-        reached_[c][static_cast<std::size_t>(j)] = moved_(static_cast<Index>(c), j) > 0.0;
+        reached_[c][static_cast<std::size_t>(j)] = is_moved(state->slopes, c, j);
       }
       looked_at_ = z;
       if (!moves) result.without_influence = static_cast<std::size_t>(j);
@@ -310,6 +310,11 @@ class Search {
     return slopes;
   }
 
+  /// Whether an unknown moves a curve, by the last differences: more than the rounding between batches does.
+  bool is_moved(const std::vector<MatrixXd>& slopes, std::size_t c, Index j) const {
+    return moved_(static_cast<Index>(c), j) > kNoInfluence || (slopes[c].col(j).array() != 0.0).any();
+  }
+
   /// Whether an unknown moves a curve here that it moved nowhere before: what a curve feels only
   /// beyond a threshold counts from then on.
   bool reaches_more(const VectorXd& z) {
@@ -327,7 +332,7 @@ class Search {
     for (Index j = 0; j < count_; ++j)
       for (std::size_t c = 0; c < fitted_.size(); ++c) {
         if (unknown(j).is_offset || known[c][static_cast<std::size_t>(j)]) continue;
-        if (!fitted_[c] || !(moved_(static_cast<Index>(c), j) > 0.0)) continue;
+        if (!fitted_[c] || !is_moved(*slopes, c, j)) continue;
         reached_[c][static_cast<std::size_t>(j)] = more = true;
       }
     if (more) known_.clear();
@@ -562,7 +567,7 @@ class Search {
         }
         if (halved == 8) return norm <= kConverged && spread_change < kSpreadSettled;
       }
-      if (norm < 0.1) go_on(z, *s, held, 0.3 * enough);
+      if (norm < 1.0) go_on(z, *s, held, 0.3 * enough);
     }
     return norm <= kConverged;
   }

@@ -251,7 +251,8 @@ constexpr CaseRow kCaseRows[] = {
     {Command::study, kSearch, nullptr, add_study_options, study,
      "prs study case.yaml --output results\n"
      "prs study case.yaml --shard 1/8 --output part1"},
-    {Command::fit, kSearch, nullptr, add_threads, fit, "prs fit case.yaml\nprs fit case.yaml --output results\nprs solve results/fitted.yaml"},
+    {Command::fit, kSearch, nullptr, add_threads, fit,
+     "prs fit case.yaml\nprs fit case.yaml --output results\nprs solve results/fitted.yaml"},
     {Command::optimize, kSearch, nullptr, add_optimize_options, optimize, "prs optimize case.yaml --output results"},
 };
 

@@ -17,12 +17,13 @@ namespace {
 constexpr std::size_t kWidth = 80;
 constexpr std::size_t kTermWidth = 24;
 
-constexpr std::pair<const char*, const char*> kExitStatuses[] = {{"0", "done"},
-                                                                 {"1", "failed, or a result could not be written"},
-                                                                 {"2", "the input or the command line is wrong"},
-                                                                 {"3", "a load case, a study or a fit did not converge"},
-                                                                 {"130", "interrupted by Ctrl-C"},
-                                                                 {"143", "ended by SIGTERM"}};
+constexpr std::pair<const char*, const char*> kExitStatuses[] = {
+    {"0", "done"},
+    {"1", "failed, or a result could not be written"},
+    {"2", "the input or the command line is wrong"},
+    {"3", "a load case, a study or a fit did not converge"},
+    {"130", "interrupted by Ctrl-C"},
+    {"143", "ended by SIGTERM"}};
 
 struct Entry {
   std::string term, text;
