@@ -88,7 +88,7 @@ TEST_F(JumpingClock, ShowsInTheDateOfAPageAndTheTimeThatIsLeft) {
 TEST_F(JumpingClock, LeavesWhatIsPrintedAndWritten) {
   expect_same("solve " + kConfigs + "05_standard_screw.yaml --output out");
   expect_same("report " + kConfigs + "09_slip_and_dissipation.yaml --output out/page.html");
-  expect_same("export " + kConfigs + "09_slip_and_dissipation.yaml --fmu --output out/screw.fmu");
+  expect_same("export " + kConfigs + "34_reversal.yaml --fmu --output out/screw.fmu");
   expect_same("study study.yaml --threads 2 --output out");
   expect_same("study study.yaml --threads 2 --shard 1/1 --output out/shard",
               "study merge out/shard --output out/merged");
