@@ -17,13 +17,14 @@ int points(const input::LoadCaseItem& item) {
 }
 
 /// Steps of an integration: the vibrations of what is stiffest and lightest.
-bool vibrates_much(const ResponseInput& in) {
+bool vibrates_much(ResponseInput in) {
   const double stiffness = std::max({1e10, in.end_stops.upper ? in.end_stops.upper->stiffness : 0.0,
                                      in.end_stops.lower ? in.end_stops.lower->stiffness : 0.0});
   double fastest = std::sqrt(stiffness / std::max(in.load.mass, 1e-9));
   if (in.coupling) fastest = std::max(fastest, std::sqrt(in.coupling->stiffness / std::max(in.screw.inertia, 1e-12)));
   if (in.motor.current_loop) fastest = std::max(fastest, 1.0 / std::max(in.motor.current_loop->time_constant, 1e-12));
-  const bool signals = in.load.force.many.size() + in.signal().many.size() > 8;
+  bool signals = false;
+  in.for_each_signal([&](const std::string&, const Signal& signal) { signals |= signal.many.size() > 8; });
   return signals || !(in.duration * fastest < 3e3) || in.duration / in.interval() > 2e3 ||
          (in.frequency_response && in.frequency_response->points > 200);
 }
