@@ -64,6 +64,8 @@ def lost(pages: dict[Path, Page | Markdown]) -> Iterator[str]:
 def main() -> int:
     if len(sys.argv) > 1:
         files = sorted(Path(sys.argv[1]).resolve().rglob("*.html"))
+        if not files:
+            sys.exit(f"check_links: {sys.argv[1]}: no HTML files; name the folder of a built site")
         pages: dict[Path, Page | Markdown] = {file: Page(file.read_text()) for file in files}
     else:
         listed = subprocess.run(

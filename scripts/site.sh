@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-prs=$(realpath "${1:-build/release/prs/cli/prs}")
+prs=$(realpath -m "${1:-build/release/prs/cli/prs}")
 if [[ ! -x $prs ]]; then
   echo "site: no program $prs, which writes the live pages. Build it by \`cmake --preset release && cmake --build" \
     "--preset release --target prs\`, or name one: scripts/site.sh PRS" >&2

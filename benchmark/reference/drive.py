@@ -12,7 +12,7 @@ from scipy.optimize import minimize_scalar
 X, V, DELTA, OMEGA, THETA, OMEGA_M = range(6)
 LOAD, SCREW, MOTOR = range(3)
 SPEED = (V, OMEGA, OMEGA_M)
-#: Integrals beside the states.
+#: Integrals over time, computed together with the states.
 SUMS = ("motor", "load", "screw_friction", "motor_friction", "load_friction", "coupling", "contact", "torque_squared")
 
 

@@ -18,14 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string kOnTheBench = input::kAbeviThreads + R"(  rollers: 11
-  contacts_per_roller: 4
-structure:
-  screw: {bore: 6 mm, free_length: 10 mm}
-  roller: {end_length: 5 mm, end_diameter: 5 mm}
-  nut: {length: 40 mm, outer_diameter: 46 mm, thrust: {tension: 0 mm, compression: 40 mm}}
-materials: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}
-load_cases: [{name: run, axial_force: 12 kN, share: equal}]
+const std::string kOnTheBench = input::kShortAbevi + R"(load_cases: [{name: run, axial_force: 12 kN, share: equal}]
 operation: {speed: 600 rpm}
 friction: {coulomb: 0.1}
 carrier: {screw_torque: 0.1 N m}

@@ -268,7 +268,16 @@ TEST(FitCase, LossesThatAreKnownMakeTheSameCycle) {
   for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_NEAR(alone[i], after[i], 1e-7);
 }
 
-TEST(FitCase, ReadingsOfOneNameStandApartBesideTheFittedFile) {
+TEST(FitCase, FrictionHasOneValueUnderBothOfItsPaths) {
+  json input = input_of("friction-on-the-bench");
+  const FitResult plain = fit_case(bench_source(input), {.threads = 1});
+  input["fit"]["parameters"][0]["path"] = "friction.model.coulomb";
+  const FitResult longer = fit_case(bench_source(input), {.threads = 1});
+  EXPECT_EQ(plain.input.parameters[0].path, longer.input.parameters[0].path);
+  EXPECT_EQ(*plain.found.unknowns[0].value, *longer.found.unknowns[0].value);
+}
+
+TEST(FitCase, CopiesOfReadingsNextToTheFittedFileHaveNamesOfTheirOwn) {
   json input = input_of("friction-on-the-bench");
   input["fit"]["curves"][0]["file"] = "a/bench.csv";
   input["fit"]["curves"][1]["file"] = "residuals.csv";

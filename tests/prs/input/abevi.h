@@ -15,6 +15,16 @@ inline const std::string kAbeviThreads = R"(mechanism:
   profile: {screw: straight, roller: {convex: 4.949747468 mm}, nut: straight}
 )";
 
+/// A short one, with a plain nut, of a case that goes on with what it asks for.
+inline const std::string kShortAbevi = kAbeviThreads + R"(  rollers: 11
+  contacts_per_roller: 4
+structure:
+  screw: {bore: 6 mm, free_length: 10 mm}
+  roller: {end_length: 5 mm, end_diameter: 5 mm}
+  nut: {length: 40 mm, outer_diameter: 46 mm, thrust: {tension: 0 mm, compression: 40 mm}}
+materials: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}
+)";
+
 /// The screw of Abevi 2015 in CONFIG 1 as a person would write it.
 inline const std::string kAbevi = kAbeviThreads + R"(  rollers: 11
   contacts_per_roller: 20
