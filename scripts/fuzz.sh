@@ -83,7 +83,7 @@ for target in "${targets[@]}"; do
     /INITED/ && !before { before = after }
     END { printf "%-14s %7.0f %11d %7.1f %8d %8d %9d", target, cpu, runs,
                  (cpu > 0 ? runs / cpu : 0), before, after, findings }' "$log")")
-  LLVM_PROFILE_FILE=$out/$target.profraw "$(program "$target")" -runs=0 "${limits[@]}" \
+  LLVM_PROFILE_FILE=$out/$target.profraw "$(program "$target")" -runs=0 "${limits[@]}" -artifact_prefix="$TMPDIR/" \
     "$out/corpus/$target" "$kept/$target" >/dev/null 2>&1
 done
 

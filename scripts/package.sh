@@ -28,7 +28,8 @@ wheel() { # BUILD_FOLDER
   pip wheel . --disable-pip-version-check --no-deps --no-build-isolation \
     -C build-dir="$1" -C cmake.define.PRS_BUILD_TESTS="$2" -w build/wheel
   auditwheel repair build/wheel/*.whl -w dist \
-    --exclude 'libceres.so.*' --exclude 'libglog.so.*' --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' \
+    --exclude 'libceres.so.*' --exclude 'libglog.so.*' --exclude 'libcxsparse.so.*' --exclude 'liblapack.so.*' \
+    --exclude 'libblas.so.*' --exclude 'libf77blas.so.*' --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' \
     --exclude 'libnetcdf.so.*' --exclude 'librsvg-2.so.*' --exclude 'libcairo.so.*' --exclude 'libg*-2.0.so.*'
 }
 wheel build/release ON

@@ -218,7 +218,7 @@ def mechanism_rows(rows, real=None, **changes):
         for body in ("screw", "nut"):
             at = data["finite elements"][real][body]
             rows.add(f"real_bodies.overload_factor_{body}", "-", at["overload_factor"],
-                     max(0.002, bar["overload_factor"]), "mesh", ELEMENTS, counts=False)
+                     at["overload_factor"] * max(0.001, bar["overload_factor"]), "mesh", ELEMENTS, counts=False)
             rows.add(f"real_bodies.largest_roller_share_{body}_percent", "%", max(at["roller_share_percent"]),
                      max(0.03, bar["roller_share_percent"]), "mesh", ELEMENTS, counts=False)
 

@@ -171,14 +171,23 @@ def level(folder, number, nut, base=None):
 
 
 def differences(a, b):
-    """Largest difference of shares (in percent of the load) and of largest loads (relative)."""
+    """Largest difference of shares (in percent of the load); of largest loads, overload factors and displacement (relative)."""
     out = {}
     for case in CASES:
         share = max(np.abs(np.array(a[case][i]["roller_share_percent"]) - b[case][i]["roller_share_percent"]).max() for i in ("screw", "nut"))
         load = max(abs(a[case][i]["largest_normal_load_N"] / b[case][i]["largest_normal_load_N"] - 1) for i in ("screw", "nut"))
         factor = max(abs(a[case][i]["overload_factor"] / b[case][i]["overload_factor"] - 1) for i in ("screw", "nut"))
-        out[case] = {"roller_share_percent": share, "largest_normal_load": load, "overload_factor": factor}
+        moved = abs(a[case]["axial_displacement_um"] / b[case]["axial_displacement_um"] - 1)
+        out[case] = {"roller_share_percent": share, "largest_normal_load": load, "overload_factor": factor, "axial_displacement": moved}
     return out
+
+
+def on_mesh(result):
+    """What shows whether the meshes converge."""
+    return {case: {"axial_displacement_um": r["axial_displacement_um"]} |
+            {f"{what}_{i}": value for i in ("screw", "nut") for what, value in (
+                ("overload_factor", r[i]["overload_factor"]), ("largest_roller_share_percent", max(r[i]["roller_share_percent"])),
+                ("largest_normal_load_N", r[i]["largest_normal_load_N"]))} for case, r in result.items()}
 
 
 if __name__ == "__main__":
@@ -194,6 +203,7 @@ if __name__ == "__main__":
         clamped = dict(limit, nut=limit["nut"] + level(sys.argv[1], 1, "nut_clamped")["nut"] - one["nut"])
         report |= {"finite elements": results(limit), "face clamped": results(clamped),
                    "error_bar": differences(results(meshes[fine]), results(meshes[coarse])), "meshes": [coarse, fine],
+                   "mesh by mesh": {str(n): on_mesh(results(m)) for n, m in sorted(meshes.items())},
                    "nodes": {f"{b} {n}": int(np.load(os.path.join(sys.argv[1], f"full_{b}_{n}.npz"))["nodes"]) for n in (coarse, fine)
                              for b in ("screw", "nut_free", "roller")}}
         rounded = lambda v: ({k: rounded(w) for k, w in v.items()} if isinstance(v, dict) else [rounded(w) for w in v] if isinstance(v, list)

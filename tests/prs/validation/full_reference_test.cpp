@@ -74,7 +74,7 @@ TEST(FullReference, BarsAreThisFarFromFiniteElements) {
     double share;                   ///< Largest difference of the shares of rollers.
   };
   const Ratio ratios[] = {{"missing roller", {0.974, 0.987}, 0.0},
-                          {"thick roller", {1.032, 1.034}, 0.0076},
+                          {"thick roller", {1.030, 1.032}, 0.0072},
                           {"moment", {1.111, 1.011}, 0.0011},
                           {"side force", {1.021, 1.004}, 0.0005}};
   for (const Ratio& ratio : ratios) {
@@ -123,19 +123,38 @@ TEST(FullReference, WhatMomentsAddIsThatOfFiniteElements) {
   }
 }
 
-/// The oval nut of the refined model: shares to the error bar, displacements to 1.2 %.
+/// The oval nut of the refined model: how far it is from the limit of three meshes.
 TEST(FullReference, RefinedBodiesShareTheLoadAsFiniteElementsDo) {
-  for (const std::string name : kFullCases) {
-    SCOPED_TRACE(name);
-    const LoadCaseResult got = computed(name, "refined");
-    const json& wanted = full_reference()["finite elements"][name];
-    const double displacement = wanted["axial_displacement_um"];
-    EXPECT_NEAR(*got.axial_displacement * 1e6, displacement, 0.012 * displacement);
-    const double bar = full_reference()["error_bar"][name]["roller_share_percent"];
+  struct Gap {
+    const char* name;
+    double displacement;  ///< Of the refined bodies, over that of the finite elements.
+    double share;         ///< Largest difference of the shares of rollers.
+  };
+  const Gap gaps[] = {{"aligned", 0.9832, 0.0},
+                      {"missing roller", 1.0003, 0.0},
+                      {"thick roller", 0.9848, 0.00044},
+                      {"moment", 0.9831, 0.00006},
+                      {"side force", 0.9832, 0.00003}};
+  for (const Gap& gap : gaps) {
+    SCOPED_TRACE(gap.name);
+    const LoadCaseResult got = computed(gap.name, "refined");
+    const json& wanted = full_reference()["finite elements"][gap.name];
+    const json& bar = full_reference()["error_bar"][gap.name];
+    EXPECT_NEAR(*got.axial_displacement * 1e6 / wanted["axial_displacement_um"].get<double>(), gap.displacement,
+                0.0005 + bar["axial_displacement"].get<double>());
     for (const Interface i : kInterfaces)
-      EXPECT_LT(share_difference(*(*got.threads)[i].rollers, wanted[i == Interface::screw ? "screw" : "nut"]),
-                0.01 * std::max(bar, 0.003));
+      EXPECT_NEAR(share_difference(*(*got.threads)[i].rollers, wanted[i == Interface::screw ? "screw" : "nut"]),
+                  gap.share, 0.00001 + 0.01 * bar["roller_share_percent"].get<double>());
   }
+}
+
+/// What beams give for a moment is not explained by the mesh: three of them agree on the elements' answer.
+TEST(FullReference, MeshesAgreeOnTheOverloadOfAMoment) {
+  const json& meshes = full_reference()["mesh by mesh"];
+  ASSERT_EQ(meshes.size(), 3u);
+  const double limit = full_reference()["finite elements"]["moment"]["screw"]["overload_factor"];
+  for (const auto& [number, mesh] : meshes.items())
+    EXPECT_NEAR(mesh["moment"]["overload_factor_screw"].get<double>(), limit, 4e-4) << "mesh " << number;
 }
 
 }  // namespace
