@@ -19,7 +19,7 @@ fi
 
 scripts/package.sh "$@"
 prs=build/release/prs/cli/prs
-[[ $("$prs" --version) == *" $version"* ]] || { echo "release: $prs is not of version $version" >&2; exit 1; }
+[[ $("$prs" --version) == "$version" ]] || { echo "release: $prs is not of version $version" >&2; exit 1; }
 "$prs" workbench --output "dist/prs-workbench-$version.html"
 scripts/site.sh "$prs"
 tar -C build/site --transform "s/^html/prs-$version-documents/" --sort=name --owner=0 --group=0 --numeric-owner \

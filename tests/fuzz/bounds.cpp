@@ -9,10 +9,10 @@
 namespace prs::fuzz {
 namespace {
 
-int points(const input::LoadCaseItem& item) {
-  const int orbit = item.spatial.orbit ? 2 * item.spatial.orbit->steps : 1;
-  const int positions =
-      item.travel ? 1 + std::min(std::abs(item.travel->turns), 100) * std::min(item.travel->steps, 100) : 1;
+double points(const input::LoadCaseItem& item) {
+  const double orbit = item.spatial.orbit ? 2.0 * item.spatial.orbit->steps : 1.0;
+  const double positions =
+      item.travel ? 1.0 + std::abs(static_cast<double>(item.travel->turns)) * item.travel->steps : 1.0;
   return item.axial_force.steps.value_or(1) * orbit * positions;
 }
 
@@ -46,7 +46,7 @@ bool asks_for_much(const input::Source& source) try {
   const Case& c = file.values;
   const Mechanism& m = c.mechanism;
   const bool full = c.model.mechanism == ModelOptions::Mechanism::full;
-  int loads = 0;
+  double loads = 0.0;
   for (const input::LoadCaseItem& item : file.load_cases) {
     if (points(item) > 8) return true;
     loads += points(item);

@@ -121,6 +121,18 @@ TEST(BothFlanks, OpenFlankLeavesTheScrewWithoutPreload) {
   }
 }
 
+TEST(BothFlanks, EqualSharesNeedNoStructure) {
+  json input = preloaded_screw();
+  input.erase("structure");
+  for (json& load : input["load_cases"]) load["share"] = "equal";
+  const Result with = analyze_slip(read(input));
+  input.erase("preload");
+  const Result without = analyze_slip(read(input));
+  ASSERT_FALSE(with.load_cases.empty());
+  EXPECT_EQ(with.load_cases[0].slip->slip_ratio, without.load_cases[0].slip->slip_ratio);
+  EXPECT_EQ(with.load_cases[0].slip->efficiency, without.load_cases[0].slip->efficiency);
+}
+
 TEST(BothFlanks, ZeroLoadNeedsPreload) {
   json input = preloaded_screw();
   input["load_cases"][0]["axial_force"] = "0 N";
