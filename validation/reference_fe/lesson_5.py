@@ -150,9 +150,11 @@ def harmonics(scratch):
 
 
 def bending(scratch):
-    rb.run(scratch, "both_end_nodes", 1, 2, list(range(2 * T)))
+    folder = os.path.join(scratch, "lesson_5")
+    os.makedirs(folder, exist_ok=True)
+    rb.run(folder, "both_end_nodes", 1, 2, list(range(2 * T)))
     for sub, layers in ((1, 4), (2, 2)):
-        rb.run(scratch, "both_end_nodes", sub, layers, [17, T + 17])
+        rb.run(folder, "both_end_nodes", sub, layers, [17, T + 17])
 
 
 def finer(one, run):
@@ -180,7 +182,7 @@ def extrapolated(body, one, two):
 
 def bent(scratch):
     """Harmonic 1 of the roller: as roller_bending.store()."""
-    load = lambda name: np.load(os.path.join(scratch, f"bending_both_end_nodes_{name}.npz"))
+    load = lambda name: np.load(os.path.join(scratch, "lesson_5", f"bending_both_end_nodes_{name}.npz"))
     base = load("1_2")["matrix"]
     factor, kappa = 1.0, 2.0**-rb.ORDER / (1 - 2.0**-rb.ORDER)
     for name, grow in (("1_4", 16 / 15), ("2_2", 1 + kappa)):
@@ -238,7 +240,7 @@ if __name__ == "__main__":
     steps = {"rings": rings, "harmonics": harmonics, "bending": bending, "curves": curves}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scratch", required=True)
-    parser.add_argument("steps", nargs="*", choices=[[], *steps])
+    parser.add_argument("steps", nargs="*", metavar="STEP", help=", ".join(steps))
     args = parser.parse_args()
     os.makedirs(args.scratch, exist_ok=True)
     for step in args.steps or steps:

@@ -73,10 +73,10 @@ TEST(FullReference, BarsAreThisFarFromFiniteElements) {
     PerInterface<double> overload;  ///< Of the bars, over that of the finite elements.
     double share;                   ///< Largest difference of the shares of rollers.
   };
-  const Ratio ratios[] = {{"missing roller", {0.974, 0.987}, 0.0},
+  const Ratio ratios[] = {{"missing roller", {0.9745, 0.9862}, 0.0},
                           {"thick roller", {1.030, 1.032}, 0.0072},
                           {"moment", {1.111, 1.011}, 0.0011},
-                          {"side force", {1.021, 1.004}, 0.0005}};
+                          {"side force", {1.0204, 1.0034}, 0.0005}};
   for (const Ratio& ratio : ratios) {
     SCOPED_TRACE(ratio.name);
     const LoadCaseResult got = computed(ratio.name);
@@ -139,22 +139,24 @@ TEST(FullReference, RefinedBodiesShareTheLoadAsFiniteElementsDo) {
     SCOPED_TRACE(gap.name);
     const LoadCaseResult got = computed(gap.name, "refined");
     const json& wanted = full_reference()["finite elements"][gap.name];
-    const json& bar = full_reference()["error_bar"][gap.name];
     EXPECT_NEAR(*got.axial_displacement * 1e6 / wanted["axial_displacement_um"].get<double>(), gap.displacement,
-                0.0005 + bar["axial_displacement"].get<double>());
+                0.0005);
     for (const Interface i : kInterfaces)
       EXPECT_NEAR(share_difference(*(*got.threads)[i].rollers, wanted[i == Interface::screw ? "screw" : "nut"]),
-                  gap.share, 0.00001 + 0.01 * bar["roller_share_percent"].get<double>());
+                  gap.share, 0.00001);
   }
 }
 
-/// What beams give for a moment is not explained by the mesh: three of them agree on the elements' answer.
-TEST(FullReference, MeshesAgreeOnTheOverloadOfAMoment) {
+/// No mesh explains what bars give for a moment: their overload is as far from each of the three.
+TEST(FullReference, BarsAreAsFarFromEveryMeshUnderAMoment) {
+  const auto largest = [](const std::string& name) {
+    return computed(name).threads->screw.rollers->largest_normal_load;
+  };
+  const double bars = largest("moment") / largest("aligned");
   const json& meshes = full_reference()["mesh by mesh"];
   ASSERT_EQ(meshes.size(), 3u);
-  const double limit = full_reference()["finite elements"]["moment"]["screw"]["overload_factor"];
   for (const auto& [number, mesh] : meshes.items())
-    EXPECT_NEAR(mesh["moment"]["overload_factor_screw"].get<double>(), limit, 4e-4) << "mesh " << number;
+    EXPECT_NEAR(bars / mesh["moment"]["overload_factor_screw"].get<double>(), 1.1106, 0.0005) << "mesh " << number;
 }
 
 }  // namespace

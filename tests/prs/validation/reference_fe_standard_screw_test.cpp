@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
@@ -30,7 +31,7 @@ LoadCaseResult computed(const std::string& bodies, bool flange_at_end) {
 }
 
 /// Limits are what was found, and a little: they say how large the gap is and are no tolerance. The
-/// elements' own meshes leave 0.1 % of the displacement and 0.002 percentage points of a load.
+/// elements' own meshes leave 0.1 % of the displacement and 0.002 percentage points of any load.
 TEST(StandardScrewReference, ModelsAreThisFarFromFiniteElements) {
   SKIP_UNDER_SANITIZERS();
   const json reference = json::parse(std::ifstream(PRS_SOURCE_DIR "/validation/reference_fe/data/lesson_5.json"));
