@@ -191,7 +191,9 @@ def of_tests(form: dict) -> str:
             in_words(test[1]) + tolerance(test.string[test.end() : end])
             for test, end in zip(found, ends)
         ]
-        text += fill(f"- [{path.name}](../../{name}), {len(found)} {'test' if len(found) == 1 else 'tests'}: {'; '.join(sentences)}.", "  ") + "\n"
+        count = "1 test" if len(found) == 1 else f"{len(found)} tests"
+        item = f"- [{path.name}](../../{name}), {count}: {'; '.join(sentences)}."
+        text += fill(item, "  ") + "\n"
     return text
 
 
