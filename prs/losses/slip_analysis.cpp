@@ -9,7 +9,7 @@ namespace {
 
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
-  if (!has_both_flanks(in.values, LoadCase::Share::solved)) add_preload_note(in.values, result.warnings);
+  if (!has_both_flanks(in.values)) add_preload_note(in.values, result.warnings);
   if (in.values.friction->of_film())
     if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
       result.warnings.push_back(std::move(*estimated));

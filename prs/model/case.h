@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "prs/model/deviations.h"
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
@@ -53,6 +55,10 @@ inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share
 /// Whether slip, heat and life have both flanks of a nut, or both nuts.
 inline bool has_both_flanks(const Conditions& c, LoadCase::Share share) {
   return c.preload && share == LoadCase::Share::solved && c.model.mechanism == ModelOptions::Mechanism::sector;
+}
+/// Whether some load case has.
+inline bool has_both_flanks(const Conditions& c) {
+  return std::ranges::any_of(c.load_cases, [&](const LoadCase& load) { return has_both_flanks(c, load.share); });
 }
 
 /// Whether `life` takes running loads: not where `heat` alone would know the temperature of the oil

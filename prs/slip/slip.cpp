@@ -550,8 +550,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
   const SlipModels models(c, result.contacts, oils);
   RunningSolver running(c, result.contacts, models);
   std::optional<FlankSolver> flanks;
-  if (std::ranges::any_of(c.load_cases, [&](const LoadCase& load) { return has_both_flanks(c, load.share); }))
-    flanks.emplace(c, result.contacts);
+  if (has_both_flanks(c)) flanks.emplace(c, result.contacts);
   for (LoadCaseResult& loaded : result.load_cases) {
     std::optional<SlipEquilibrium> found;
     if (runs(c, loaded.load_case) || has_both_flanks(c, loaded.load_case.share)) {

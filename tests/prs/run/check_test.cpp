@@ -195,6 +195,14 @@ TEST(Check, DerivedValuesHaveTheUnitsOfTables) {
   EXPECT_EQ(us.out.find("_mm"), std::string::npos);
 }
 
+/// Equal shares have no preload, which slip takes otherwise.
+TEST(Check, SlipSaysWhetherALoadIsWithoutPreload) {
+  const std::string lesson = PRS_SOURCE_DIR "/configs/34_reversal.yaml";
+  const auto note = HasSubstr("preload: the load cases are solved without preload");
+  EXPECT_THAT(warned(input::load_source(lesson, {}), Command::slip), Not(Contains(note)));
+  EXPECT_THAT(warned(input::load_source(lesson, {"load_cases[0].share=equal"}), Command::slip), Contains(note));
+}
+
 /// Warnings on single values stand first in every command's document.
 TEST(Check, OddValuesAreToldByEveryCommand) {
   const input::Source source =
