@@ -68,6 +68,12 @@ function(add_module name source library room)
     return()
   endif()
   set(module prs_module_${name})
+  if(PRS_ROOMS_HERE)
+    add_custom_target(${module} COMMAND ${CMAKE_COMMAND} -E copy_if_different
+      ${PRS_COMPILED_FROM}/lib/prs/prs_${name}.so ${PROJECT_BINARY_DIR}/lib/prs/prs_${name}.so)
+    add_dependencies(prs_modules ${module})
+    return()
+  endif()
   add_library(${module} MODULE ${source})
   set_target_properties(${module} PROPERTIES
     PREFIX "" OUTPUT_NAME prs_${name} LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/prs

@@ -72,6 +72,32 @@ function(add_room name folder)
   batch_sources(prs_${name})
 endfunction()
 
+# compile_here(ROOM..): of what stands in the program's libraries only these rooms are compiled in this
+# build; the others come from PRS_COMPILED_FROM.
+function(compile_here)
+  list(TRANSFORM ARGN PREPEND prs_ OUTPUT_VARIABLE here)
+  project_libraries(libraries prs::prs)
+  foreach(library IN LISTS here)
+    if(NOT library IN_LIST libraries)
+      message(FATAL_ERROR "PRS_ROOMS_HERE: there is no library ${library}")
+    endif()
+  endforeach()
+  list(REMOVE_ITEM libraries ${here})
+  set(nothing ${PROJECT_BINARY_DIR}/nothing.cpp)
+  file(CONFIGURE OUTPUT ${nothing} CONTENT "")
+  foreach(library IN LISTS libraries)
+    get_target_property(folder ${library} BINARY_DIR)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_BINARY_DIR})
+    get_target_property(uses ${library} INTERFACE_LINK_LIBRARIES)
+    add_library(${library}_there STATIC IMPORTED GLOBAL)
+    set_target_properties(${library}_there PROPERTIES
+      IMPORTED_LOCATION ${PRS_COMPILED_FROM}/${folder}/lib${library}.a INTERFACE_LINK_LIBRARIES "${uses}")
+    set_target_properties(${library} PROPERTIES
+      SOURCES ${nothing} UNITY_BUILD OFF DISABLE_PRECOMPILE_HEADERS ON)
+    target_link_libraries(${library} PUBLIC ${library}_there)
+  endforeach()
+endfunction()
+
 # project_libraries(RESULT TARGET..): the targets and what they link, as far as this project builds
 # it and it has objects.
 function(project_libraries result)
