@@ -61,16 +61,17 @@ macro(find_at_least package oldest)
 endmacro()
 
 # add_module(NAME SOURCE LIBRARY ROOM): the module prs_NAME.so, where there is a target LIBRARY; it sees
-# the headers that ROOM does.
+# the headers that ROOM does. With PRS_COMPILE_ONLY: that of PRS_COMPILED_FROM.
 function(add_module name source library room)
   if(NOT TARGET ${library})
     message(STATUS "Without ${library}: prs_${name}.so is not built, and tests that load it fail")
     return()
   endif()
   set(module prs_module_${name})
-  if(PRS_ROOMS_HERE)
+  if(PRS_COMPILE_ONLY)
     add_custom_target(${module} COMMAND ${CMAKE_COMMAND} -E copy_if_different
       ${PRS_COMPILED_FROM}/lib/prs/prs_${name}.so ${PROJECT_BINARY_DIR}/lib/prs/prs_${name}.so)
+    add_dependencies(${module} compiled_archives)
     add_dependencies(prs_modules ${module})
     return()
   endif()

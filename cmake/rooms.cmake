@@ -72,30 +72,38 @@ function(add_room name folder)
   batch_sources(prs_${name})
 endfunction()
 
-# compile_here(ROOM..): of what stands in the program's libraries only these rooms are compiled in this
-# build; the others come from PRS_COMPILED_FROM.
-function(compile_here)
+# compile_only(ROOM..): of the program's libraries, compiles these alone in this build, and links the
+# archives of PRS_COMPILED_FROM for the others, which stay as targets without sources. To be called after
+# all sources are known.
+function(compile_only)
   list(TRANSFORM ARGN PREPEND prs_ OUTPUT_VARIABLE here)
   project_libraries(libraries prs::prs)
   foreach(library IN LISTS here)
     if(NOT library IN_LIST libraries)
-      message(FATAL_ERROR "PRS_ROOMS_HERE: there is no library ${library}")
+      message(FATAL_ERROR "PRS_COMPILE_ONLY: there is no library ${library}")
     endif()
   endforeach()
   list(REMOVE_ITEM libraries ${here})
   set(nothing ${PROJECT_BINARY_DIR}/nothing.cpp)
   file(CONFIGURE OUTPUT ${nothing} CONTENT "")
+  set(archives "")
   foreach(library IN LISTS libraries)
     get_target_property(folder ${library} BINARY_DIR)
     cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_BINARY_DIR})
+    set(archive ${PRS_COMPILED_FROM}/${folder}/lib${library}.a)
+    list(APPEND archives ${archive})
     get_target_property(uses ${library} INTERFACE_LINK_LIBRARIES)
-    add_library(${library}_there STATIC IMPORTED GLOBAL)
-    set_target_properties(${library}_there PROPERTIES
-      IMPORTED_LOCATION ${PRS_COMPILED_FROM}/${folder}/lib${library}.a INTERFACE_LINK_LIBRARIES "${uses}")
+    add_library(${library}_archive STATIC IMPORTED GLOBAL)
+    set_target_properties(${library}_archive PROPERTIES
+      IMPORTED_LOCATION ${archive} INTERFACE_LINK_LIBRARIES "${uses}")
     set_target_properties(${library} PROPERTIES
       SOURCES ${nothing} UNITY_BUILD OFF DISABLE_PRECOMPILE_HEADERS ON)
-    target_link_libraries(${library} PUBLIC ${library}_there)
+    target_link_libraries(${library} PUBLIC ${library}_archive)
+    add_dependencies(${library} compiled_archives)
   endforeach()
+  # Up to date before they are linked, and the modules before they are copied.
+  add_custom_target(compiled_archives BYPRODUCTS ${archives} USES_TERMINAL
+    COMMAND ${CMAKE_COMMAND} --build ${PRS_COMPILED_FROM} --target prs prs-validate)
 endfunction()
 
 # project_libraries(RESULT TARGET..): the targets and what they link, as far as this project builds

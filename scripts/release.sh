@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes all that a release consists of, in dist/: packages, the workbench as one page, the site of documents,
-# the list of all libraries used, what has changed, checksums. release.sh [PYTHON..]: further wheels
-# (scripts/package.sh). Refuses a tree with changes that no commit has, and a version of which CHANGELOG.md
-# says nothing; tags and uploads nothing.
+# Runs the tests under sanitizers and makes all that a release consists of, in dist/: packages, the workbench
+# as one page, the site of documents, the list of all libraries used, what has changed, checksums. release.sh
+# [PYTHON..]: further wheels (scripts/package.sh). Refuses a tree with changes that no commit has, and a version
+# of which CHANGELOG.md says nothing; tags and uploads nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,6 +17,7 @@ if [[ -z ${changes//[[:space:]]/} ]]; then
   exit 1
 fi
 
+scripts/test.sh --sanitized
 scripts/package.sh "$@"
 prs=build/release/prs/cli/prs
 [[ $("$prs" --version) == "$version" ]] || { echo "release: $prs is not of version $version" >&2; exit 1; }

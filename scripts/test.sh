@@ -3,14 +3,18 @@
 # Python package as shipped, and those of documents on an engine whose rooms that take files apart
 # (preset `reading`) clang compiled under the address and undefined-behaviour sanitizers. Both at once.
 # --sanitized: instead, numbers and documents on an engine that is compiled so as a whole. --tools
-# installs only. Other arguments go to CMake's configuration.
+# installs only. Options of CMake, -D.., are passed on.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-step=quick
-case ${1:-} in
-  --tools | --sanitized) step=${1#--}; shift ;;
-esac
+step=quick options=()
+for argument in "$@"; do
+  case $argument in
+    --tools | --sanitized) step=${argument#--} ;;
+    -D?*) options+=("$argument") ;;
+    *) echo "test: got $argument; expected --tools, --sanitized or -D.. for CMake" >&2; exit 2 ;;
+  esac
+done
 scripts/setup.sh clang libclang-rt-dev llvm lld
 if [[ $step == tools ]]; then
   exec scripts/test_python.sh --tools
@@ -24,45 +28,46 @@ fi
 by_clang() { GLIBC_TUNABLES=glibc.malloc.hugetlb=1 cmake --build "$@"; }
 
 # All engines are linked with the same compiled tests.
-cmake --preset tests "$@" >/dev/null
-cmake --preset release -DPRS_BUILD_TESTS=ON -DPRS_TESTS_FROM="$PWD/build/tests" "$@" >/dev/null
+cmake --preset tests "${options[@]}" >/dev/null
+cmake --preset release -DPRS_BUILD_TESTS=ON -DPRS_TESTS_FROM="$PWD/build/tests" "${options[@]}" >/dev/null
 cmake --build --preset release --target prs prs-validate
 by_clang --preset tests
 
-# under_sanitizers BUILD TESTS ARGUMENT..: it takes what has no sanitizers from the release build.
-under_sanitizers() {
-  local build=$1 tests=$2
-  cmake --preset "$build" -DPRS_BUILD_TESTS=ON "${@:3}" >/dev/null &&
-    by_clang --preset "$build" --target prs prs-validate &&
-    flock build/release.lock cmake --build --preset "$build" || return
-  local reports=$PWD/build/$build/reports
+# What has no sanitizers comes from the release build, which is built by one at a time.
+build_with_sanitizers() { # PRESET
+  cmake --preset "$1" -DPRS_BUILD_TESTS=ON "${options[@]}" >/dev/null &&
+    GLIBC_TUNABLES=glibc.malloc.hugetlb=1 flock build/release.lock cmake --build --preset "$1"
+}
+run_with_sanitizers() { # PRESET TESTS
+  local reports=$PWD/build/$1/reports
   rm -rf "$reports" && mkdir "$reports"
-  ASAN_OPTIONS=log_path=$reports/asan ctest --preset "$tests" -j "$(nproc)" && return
+  ASAN_OPTIONS=log_path=$reports/asan ctest --preset "$2" -j "$(nproc)" && return
   # LeakSanitizer itself ends some of many programs whose threads are just ending. Where that is all that
   # was reported, what failed is run once more.
   cat "$reports"/* >&2 || return 1
   [[ -z $(grep -L "LeakSanitizer has encountered a fatal error" "$reports"/*) ]] || return 1
-  ctest --preset "$tests" --rerun-failed
+  ctest --preset "$2" --rerun-failed
 }
 if [[ $step == sanitized ]]; then
-  under_sanitizers sanitized quick-sanitized "$@"
+  build_with_sanitizers sanitized
+  run_with_sanitizers sanitized quick-sanitized
   exit
 fi
 cmake --build --preset release --target prs_tests
 wait "$tools" || { cat build/test_tools.txt; exit 1; }
 
-# Both build in build/release, one at a time.
+# Numbers first: meanwhile the build under sanitizers has the release build for itself.
 as_shipped() {
   local status=0
+  ctest --preset numbers -j "$(nproc)" >build/test_numbers.txt 2>&1 || status=1
   { flock build/release.lock scripts/test_python.sh --install &&
     scripts/test_python.sh --run; } >build/test_python.txt 2>&1 || status=1
-  ctest --preset numbers -j "$(nproc)" >build/test_numbers.txt 2>&1 || status=1
   return "$status"
 }
 failed=()
 as_shipped &
 shipped=$!
-under_sanitizers reading reading "$@" || failed+=("under sanitizers")
+{ build_with_sanitizers reading && run_with_sanitizers reading reading; } || failed+=("under sanitizers")
 wait "$shipped" || failed+=("as shipped")
 cat build/test_python.txt build/test_numbers.txt
 if ((${#failed[@]})); then

@@ -196,7 +196,7 @@ TEST(Check, DerivedValuesHaveTheUnitsOfTables) {
 }
 
 /// Equal shares have no preload, which slip takes otherwise.
-TEST(Check, SlipSaysWhetherALoadIsWithoutPreload) {
+TEST(Check, SlipSaysWhereNoLoadTakesThePreload) {
   const std::string lesson = PRS_SOURCE_DIR "/configs/34_reversal.yaml";
   const auto note = HasSubstr("preload: the load cases are solved without preload");
   EXPECT_THAT(warned(input::load_source(lesson, {}), Command::slip), Not(Contains(note)));
