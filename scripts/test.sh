@@ -25,18 +25,18 @@ if [[ $step == quick ]]; then
   tools=$!
 fi
 # In large pages clang takes a fifteenth less time.
-by_clang() { GLIBC_TUNABLES=glibc.malloc.hugetlb=1 cmake --build "$@"; }
+by_clang=(env GLIBC_TUNABLES=glibc.malloc.hugetlb=1 cmake --build)
 
 # All engines are linked with the same compiled tests.
 cmake --preset tests "${options[@]}" >/dev/null
 cmake --preset release -DPRS_BUILD_TESTS=ON -DPRS_TESTS_FROM="$PWD/build/tests" "${options[@]}" >/dev/null
 cmake --build --preset release --target prs prs-validate
-by_clang --preset tests
+"${by_clang[@]}" --preset tests
 
 # What has no sanitizers comes from the release build, which is built by one at a time.
 build_with_sanitizers() { # PRESET
   cmake --preset "$1" -DPRS_BUILD_TESTS=ON "${options[@]}" >/dev/null &&
-    GLIBC_TUNABLES=glibc.malloc.hugetlb=1 flock build/release.lock cmake --build --preset "$1"
+    flock build/release.lock "${by_clang[@]}" --preset "$1"
 }
 run_with_sanitizers() { # PRESET TESTS
   local reports=$PWD/build/$1/reports
