@@ -9,15 +9,19 @@
 namespace prs {
 namespace {
 
+/// Square, of at most `most` rows: Eigen compiles as much again for those without a bound.
+template <typename Number, int most>
+using AtMost = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
+
 /// M q'' + D q' + A q about the working point; q = (x, phi, phi_M) as far as free.
 struct SmallVibration {
-  Eigen::MatrixXd mass, damping, stiffness;
+  AtMost<double, 3> mass, damping, stiffness;
 };
 
 SmallVibration vibration_of(const PrsDrive& d, const WorkingPoint& f, double k) {
   const double r = d.curves.lead / (2.0 * std::numbers::pi), beta = d.material_damping;
   const bool held = f.speed == 0.0, by_speed = d.by == PRS_BY_SPEED;
-  SmallVibration all{Eigen::MatrixXd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3), Eigen::MatrixXd::Zero(3, 3)};
+  SmallVibration all{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
   double g = r, b = 0.0;
   if (!held) {
     const double speed = f.speed, force = f.force, step = 1e-4 * std::max(std::abs(force), 1.0), share = 1e-3;
@@ -44,23 +48,24 @@ SmallVibration vibration_of(const PrsDrive& d, const WorkingPoint& f, double k) 
     free = 2;
   }
   if (held) free = 1;
-  for (Eigen::MatrixXd* m : {&all.mass, &all.damping, &all.stiffness}) *m = m->topLeftCorner(free, free).eval();
+  for (auto* m : {&all.mass, &all.damping, &all.stiffness}) *m = m->topLeftCorner(free, free).eval();
   return all;
 }
 
 std::vector<Resonance> resonances_of(const SmallVibration& v) {
   const Eigen::Index n = v.mass.rows();
-  Eigen::MatrixXd first = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  const Eigen::MatrixXd inverse = v.mass.inverse();
+  AtMost<double, 6> first = AtMost<double, 6>::Zero(2 * n, 2 * n);
   first.topRightCorner(n, n).setIdentity();
-  first.bottomLeftCorner(n, n) = -inverse * v.stiffness;
-  first.bottomRightCorner(n, n) = -inverse * v.damping;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    first.row(n + k).head(n) = -v.stiffness.row(k) / v.mass(k, k);
+    first.row(n + k).tail(n) = -v.damping.row(k) / v.mass(k, k);
+  }
   // Rates and displacements of one size.
   const double w = std::sqrt(std::max(first.bottomLeftCorner(n, n).norm(), 1e-300));
   first.topRightCorner(n, n) *= w;
   first.bottomLeftCorner(n, n) /= w;
   std::vector<Resonance> found;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(first, false);
+  const Eigen::EigenSolver<AtMost<double, 6>> solver(first, false);
   for (const std::complex<double> lambda : solver.eigenvalues())
     if (lambda.imag() > 1e-6 * std::abs(lambda))
       found.push_back({std::abs(lambda) / (2.0 * std::numbers::pi), -lambda.real() / std::abs(lambda)});
@@ -84,7 +89,7 @@ FrequencyResponse small_vibration(const PrsDrive& d, const WorkingPoint& point, 
   input(r.of_torque ? n - 1 : 0) = 1.0;
   for (const double f : r.frequency) {
     const std::complex<double> iw(0.0, 2.0 * std::numbers::pi * f);
-    const Eigen::MatrixXcd dynamic = v.stiffness + iw * iw * v.mass + iw * v.damping;
+    const AtMost<std::complex<double>, 3> dynamic = v.stiffness + iw * iw * v.mass + iw * v.damping;
     const Eigen::VectorXcd x = dynamic.partialPivLu().solve(input);
     if (r.of_torque) {
       r.motor_speed.push_back(std::abs(iw * x(n - 1)));

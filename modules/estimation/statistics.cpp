@@ -93,6 +93,8 @@ Spectrum without_short(const VectorXd& length) {
   return spectrum;
 }
 
+using Decomposition = Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner>;
+
 }  // namespace
 
 Spectrum spectrum_of(const MatrixXd& normal) {
@@ -104,10 +106,9 @@ Spectrum spectrum_of(const MatrixXd& normal) {
     for (Index k = 0; k < n; ++k)
       scaled(i, k) /= spectrum.length[spectrum.columns[static_cast<std::size_t>(i)]] *
                       spectrum.length[spectrum.columns[static_cast<std::size_t>(k)]];
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scaled);
-  const VectorXd values = solver.eigenvalues().reverse().cwiseMax(0.0);
-  spectrum.ratios = (values / values[0]).cwiseSqrt();
-  spectrum.vectors = solver.eigenvectors().rowwise().reverse();
+  const Decomposition eigen(scaled, Eigen::ComputeFullV);  // Symmetric, and no eigenvalue is negative.
+  spectrum.ratios = (eigen.singularValues() / eigen.singularValues()[0]).cwiseSqrt();
+  spectrum.vectors = eigen.matrixV();
   return spectrum;
 }
 
@@ -117,13 +118,13 @@ Spectrum exact_spectrum(const MatrixXd& rows) {
   if (n == 0) return spectrum;
   MatrixXd scaled = rows(Eigen::all, spectrum.columns);
   for (Index k = 0; k < n; ++k) scaled.col(k).normalize();
-  if (scaled.rows() > n) {
-    const MatrixXd upper = Eigen::HouseholderQR<MatrixXd>(scaled).matrixQR().topRows(n);
-    scaled = upper.triangularView<Eigen::Upper>();
-  }
-  const Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeFullV);
-  spectrum.ratios = VectorXd::Zero(n);
-  spectrum.ratios.head(svd.singularValues().size()) = svd.singularValues() / svd.singularValues()[0];
+  MatrixXd square = MatrixXd::Zero(n, n);
+  if (scaled.rows() > n)
+    square.triangularView<Eigen::Upper>() = Eigen::HouseholderQR<MatrixXd>(scaled).matrixQR().topRows(n);
+  else
+    square.topRows(scaled.rows()) = scaled;
+  const Decomposition svd(square, Eigen::ComputeFullV);
+  spectrum.ratios = svd.singularValues() / svd.singularValues()[0];
   spectrum.vectors = svd.matrixV();
   return spectrum;
 }

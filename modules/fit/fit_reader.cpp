@@ -254,7 +254,7 @@ class FitReader : input::VariedInput {
     path_ = fmt::format("fit.parameters[{}]", k);
     FitParameter p{.path = input::with_indices(root_, item.path), .label = item.label.value_or(item.path), .unit = {}};
     if (!check_outside("path", item.path)) errors_.throw_if_any();
-    p.path = as_in_file(p.path, item.from);
+    p.path = as_in_file(p.path);
     if (CaseFile known = file_; find_slot(known, p.path).kind == input::Slot::Kind::none && wrong(p.path, item.from)) {
       std::set<std::string> all;
       std::vector<std::string> stated;
@@ -321,17 +321,14 @@ class FitReader : input::VariedInput {
   }
 
   /// `friction.coulomb` and `friction.model.coulomb` lead to the same: the one that the file has.
-  std::string as_in_file(const std::string& path, const std::string& text) const {
-    const auto problem = wrong(path, text);
-    if (!problem || problem->find("stands next to") == std::string::npos) return path;
+  std::string as_in_file(const std::string& path) const {
     constexpr std::string_view kModel = ".model.";
     std::string other = path;
     if (const std::size_t at = path.find(kModel); at != path.npos)
       other.replace(at, kModel.size(), ".");
     else if (const std::size_t dot = path.rfind('.'); dot != path.npos)
       other.replace(dot, 1, kModel);
-    const auto remains = wrong(other, text);
-    return remains && remains->find("stands next to") != std::string::npos ? path : other;
+    return find_path(base_, other) && !find_path(base_, path) ? other : path;
   }
 
   void read_prior(FitParameter& p, const FitParameterItem::Prior& item, const input::Slot& slot) const {
@@ -450,7 +447,7 @@ class FitReader : input::VariedInput {
     for (std::size_t j = 0; j < item.conditions.size(); ++j) {
       const FitConditionItem& condition = item.conditions[j];
       path_ = fmt::format("{}.conditions[{}]", at, j);
-      const std::string path = as_in_file(input::with_indices(root_, condition.path), condition.value.value_or("1"));
+      const std::string path = as_in_file(input::with_indices(root_, condition.path));
       check_condition(c, path, before.parameters);
       if (condition.values || condition.value.has_value() == condition.column.has_value())
         fail(path_,

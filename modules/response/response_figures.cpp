@@ -108,11 +108,19 @@ Figures frequency(const ResponseResult& r) {
   figure.x.logarithmic = true;
   figure.aspect = 0.4;
   const std::size_t first = figure.add(line_of(Colour::blue));
+  std::vector<ReferenceLine> resonances;
+  for (const Resonance& resonance : f.resonances)
+    if (resonance.frequency >= f.frequency.front() && resonance.frequency <= f.frequency.back())
+      resonances.push_back({0, resonance.frequency, true});
+  if (!resonances.empty()) {
+    const std::size_t style = figure.add("resonance", line_of(Colour::grey, Dash::dotted));
+    for (ReferenceLine& line : resonances) line.style = style;
+  }
   const auto panel = [&](const char* title, Axis axis, const std::vector<double>& values, double factor, bool is_size) {
     Series line{first};
     for (std::size_t k = 0; k < values.size(); ++k) line.add(f.frequency[k], factor * values[k]);
     axis.logarithmic = is_size;
-    Panel made{title, {std::move(line)}};
+    Panel made{title, {std::move(line)}, resonances};
     if (!is_size) axis.from = -190.0, axis.to = 190.0;
     made.y = std::move(axis);
     figure.panels.push_back(std::move(made));

@@ -7,9 +7,18 @@
 namespace prs {
 namespace {
 
+/// Says of which load cases the threads have nothing of the preload.
+void add_preload_notes(const Case& c, Result& result) {
+  if (!some_load_has_both_flanks(c)) return add_preload_note(c, result.warnings);
+  for (LoadCaseResult& r : result.load_cases)
+    if (!has_both_flanks(c, r.load_case.share))
+      r.warnings.push_back({"preload", "share_without_preload", "equal shares are those of the external load alone",
+                            "leave out `share: equal` for loads with the preload"});
+}
+
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
-  if (!has_both_flanks(in.values)) add_preload_note(in.values, result.warnings);
+  add_preload_notes(in.values, result);
   if (in.values.friction->of_film())
     if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
       result.warnings.push_back(std::move(*estimated));

@@ -56,8 +56,7 @@ inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share
 inline bool has_both_flanks(const Conditions& c, LoadCase::Share share) {
   return c.preload && share == LoadCase::Share::solved && c.model.mechanism == ModelOptions::Mechanism::sector;
 }
-/// Whether some load case has.
-inline bool has_both_flanks(const Conditions& c) {
+inline bool some_load_has_both_flanks(const Conditions& c) {
   return std::ranges::any_of(c.load_cases, [&](const LoadCase& load) { return has_both_flanks(c, load.share); });
 }
 

@@ -78,7 +78,7 @@ void need_slip(const Case& c, Problems& problems) {
   require_load_cases(c, Command::slip, problems);
   require_slip(c, problems);
   if (c.heat) require_heat(c, problems);
-  if (has_both_flanks(c)) require_preload(c, problems);
+  if (some_load_has_both_flanks(c)) require_preload(c, problems);
 }
 
 void need_measures(const Case& c, Problems& problems) {

@@ -550,7 +550,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
   const SlipModels models(c, result.contacts, oils);
   RunningSolver running(c, result.contacts, models);
   std::optional<FlankSolver> flanks;
-  if (has_both_flanks(c)) flanks.emplace(c, result.contacts);
+  if (some_load_has_both_flanks(c)) flanks.emplace(c, result.contacts);
   for (LoadCaseResult& loaded : result.load_cases) {
     std::optional<SlipEquilibrium> found;
     if (runs(c, loaded.load_case) || has_both_flanks(c, loaded.load_case.share)) {

@@ -292,7 +292,8 @@ bool run_on_engine(const char* command, const input::Source& source) {
 // What models of systems are made of
 
 /// Forces rise with the deflection, and what is written reads back as the same curves.
-bool run_export(const input::Source& source) {
+bool run_export(input::Source source) {
+  source.overrides.emplace_back("model.patch_points=9");  // The losses of all temperatures, forces and speeds.
   const SystemModel model = system_model(source, {});
   const SystemCurves& curves = model.curves;
   expect_finite(curves_json(curves), "");

@@ -203,6 +203,17 @@ TEST(Check, SlipSaysWhereNoLoadTakesThePreload) {
   EXPECT_THAT(warned(input::load_source(lesson, {"load_cases[0].share=equal"}), Command::slip), Contains(note));
 }
 
+TEST(Slip, SaysWhichLoadsTakeNothingOfThePreload) {
+  const input::Source source =
+      input::load_source(PRS_SOURCE_DIR "/configs/34_reversal.yaml",
+                         {"load_cases=[{name: solved, axial_force: 1 kN, direction: tension, position: 12 mm}, "
+                          "{name: shared, axial_force: 1 kN, direction: tension, share: equal}]"});
+  const Json cases =
+      run(analysis_of(Command::slip), source).document(document_info(source, Command::slip))["load_cases"];
+  EXPECT_EQ(cases[0]["warnings"].dump().find("external load alone"), std::string::npos);
+  EXPECT_THAT(cases[1]["warnings"].dump(), HasSubstr("preload: equal shares are those of the external load alone"));
+}
+
 /// Warnings on single values stand first in every command's document.
 TEST(Check, OddValuesAreToldByEveryCommand) {
   const input::Source source =
