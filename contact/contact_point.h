@@ -73,7 +73,7 @@ class FlankViolations {
   std::size_t size_ = 0;
 };
 
-/// Where two thread flanks touch.
+/// The point at which two thread flanks touch, and how its search ended.
 template <class Real>
 struct ContactPointOf {
   simd::EnumOf<ContactPointStatus, Real> status = ContactPointStatus::not_computed;
@@ -181,7 +181,7 @@ struct FlankEdge {
   double scale = 0.0;  ///< Factor on both semi-axes to reach the edge [-].
 };
 
-/// Where an ellipse of those semi-axes [m], both > 0, ends as it grows: the smallest ratio of the
+/// The end that an ellipse of those semi-axes [m], both > 0, meets first as it grows: the smallest ratio of the
 /// radial distance from the contact point to a root or crest over the ellipse's radial reach
 ///
 ///     sqrt((a t_1 e_r)^2 + (b t_2 e_r)^2)

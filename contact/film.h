@@ -55,7 +55,7 @@ struct FilmContactOf {
   Real curvature{};            ///< rho_x, the larger relative curvature [1/m]
   Real contact_modulus{};      ///< E* [Pa]; the E' of the formulas is 2 E* (Sandu's 2/Sigma).
   Real curvature_ratio = 1.0;  ///< lambda, smaller over larger relative curvature, above 0 to 1.
-  simd::EnumOf<FilmDirection, Real> direction = FilmDirection::minor_axis;  ///< Of `central_film`.
+  simd::EnumOf<FilmDirection, Real> direction = FilmDirection::minor_axis;  ///< Direction that `central_film` takes.
   FilmThinningOf<Real> thinning{};
 
   Real film_modulus() const { return 2.0 * contact_modulus; }  ///< E' [Pa]

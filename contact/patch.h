@@ -91,7 +91,7 @@ struct HeatedBody {
   double conductivity = 0.0;   ///< k [W/(m K)]
   double density = 0.0;        ///< [kg/m^3]
   double specific_heat = 0.0;  ///< [J/(kg K)]
-  double speed_major = 0.0;    ///< Of its surface along the major axis of the ellipse [m/s].
+  double speed_major = 0.0;    ///< Speed of its surface along the major axis of the ellipse [m/s].
   double speed_minor = 0.0;    ///< [m/s]
 };
 

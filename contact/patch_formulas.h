@@ -121,7 +121,7 @@ template <class Real>
 struct FrictionLawOf {
   simd::EnumOf<FrictionKind, Real> kind = FrictionKind::coulomb;
   Real coefficient{};            ///< Coulomb's, or that of flanks that touch.
-  Real exponent{}, roughness{};  ///< Of flanks that touch.
+  Real exponent{}, roughness{};  ///< Exponent and roughness of flanks that touch.
   LubricantOf<Real> oil{};
   FilmContactOf<Real> film{};
 

@@ -50,7 +50,7 @@ cholmod_dense view(const Eigen::Ref<const Eigen::MatrixXd>& b) {
   return d;
 }
 
-/// With a workspace of its own, so that threads do not meet.
+/// A factorization by CHOLMOD with a workspace of its own, so that threads do not meet.
 class Cholmod : public SparseFactorization {
  public:
   Cholmod(const SparseSymmetric& pattern, int kind) {
@@ -94,7 +94,7 @@ class Cholmod : public SparseFactorization {
   }
 
  private:
-  /// Of LDL'; false where one is no number.
+  /// Whether all pivots of LDL' are above that share of the largest; false if one is no number.
   bool pivots_are_above(double smallest_ratio) const {
     const int* first = static_cast<const int*>(factor_->p);
     const double* value = static_cast<const double*>(factor_->x);

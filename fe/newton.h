@@ -20,7 +20,7 @@ struct FollowingLoad {
   FollowingLoad(const Equations& equations, Eigen::VectorXd constant, const std::vector<std::vector<NodalLoad>>& loads);
 
   Eigen::VectorXd constant;
-  std::vector<std::vector<Share>> per_force;  ///< Of each spring.
+  std::vector<std::vector<Share>> per_force;  ///< Shares per force of each spring.
 };
 
 /// Newton's method for one set of equations. Holds the workspace (tangent, factorization, vectors),

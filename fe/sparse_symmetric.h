@@ -79,7 +79,7 @@ inline SparseSymmetric permuted(const SparseSymmetric& m, const std::vector<int>
   return places.compressed(m.size());
 }
 
-/// Where the value in row i and column j, or j and i, stands.
+/// Index of the value in row i and column j, or j and i.
 inline int slot_in(const SparseSymmetric& m, int i, int j) {
   if (i > j) std::swap(i, j);
   const auto begin = m.row.begin() + at(m.column_start, j);

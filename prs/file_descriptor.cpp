@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <cstdint>
+#include <system_error>
 
 namespace prs {
 namespace {
@@ -42,6 +43,11 @@ RegularFile open_regular(const char* path, int flags, mode_t mode, int folder) {
   }
   if (opened.error != 0) opened.file.close();
   return opened;
+}
+
+void throw_if_scarce(int error, const std::string& path) {
+  if (error == EMFILE || error == ENFILE || error == ENOMEM)
+    throw std::system_error(error, std::generic_category(), "cannot open '" + path + "'");
 }
 
 std::optional<std::string> content_of(const FileDescriptor& file, std::size_t most) {

@@ -61,6 +61,9 @@ struct RegularFile {
 /// regular file: a symbolic link at the end of the path is not followed, a pipe not waited for.
 RegularFile open_regular(const char* path, int flags, mode_t mode = 0, int folder = AT_FDCWD);
 
+/// Throws std::system_error if a file was not opened for what the machine lacks, not for what the file is.
+void throw_if_scarce(int error, const std::string& path);
+
 /// All bytes of an open file from its beginning, absent where it has more than `most` or cannot be
 /// read.
 std::optional<std::string> content_of(const FileDescriptor& file, std::size_t most);

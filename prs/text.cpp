@@ -124,7 +124,7 @@ namespace {
 
 bool is_continuation(unsigned char c) { return (c & 0xC0) == 0x80; }
 
-/// Where the code point number `index` begins.
+/// Offset at which the code point number `index` begins.
 std::size_t byte_offset(std::string_view text, std::size_t index) {
   std::size_t offset = 0;
   for (std::size_t k = 0; k < index; ++k) offset += sequence_length(text.substr(offset));

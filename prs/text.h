@@ -37,7 +37,7 @@ std::string wrapped(std::string_view text, std::string_view indent, std::size_t 
 /// in.
 std::string wrapped_lines(std::string_view text, std::size_t max_width);
 
-/// With a large first letter, where it begins a word and is no symbol.
+/// The text with a large first letter, where it begins a word and is no symbol.
 std::string capitalised(std::string text);
 
 }  // namespace prs

@@ -35,6 +35,7 @@ check markdown scripts/wrap_markdown.py
 check links scripts/check_links.py
 # A lambda with a return type as a template argument, which clang-format takes for the end of a namespace.
 check namespaces bash -c '! git grep -nE "^[>,]" -- "*.h" "*.cpp"'
+check comments bash -c '! git grep -nE "///< (Of|That|Where|With) " -- "*.h" "*.cpp"'
 if has clang-format; then
   check format xargs -a <(git ls-files '*.h' '*.cpp') -P "$(nproc)" -n 50 clang-format --dry-run --Werror
 fi

@@ -16,7 +16,7 @@ struct DriveRun {
   std::size_t samples;
   double tolerance;                            ///< Relative
   double fastest;                              ///< Highest frequency of the signals [Hz]; 0: none.
-  const std::vector<double>* times = nullptr;  ///< Of the samples, ascending; null: every interval.
+  const std::vector<double>* times = nullptr;  ///< Times of the samples, ascending; null: every interval.
 };
 
 /// An extreme of the whole run.
@@ -45,9 +45,9 @@ struct DriveResult {
   double coupling = 0.0, contact = 0.0, end_stop = 0.0, viscous = 0.0;
   DrivePeak tension, compression, torque, stop, error;
   double lost_motion = 0.0, torque_squared = 0.0, error_squared = 0.0;
-  double largest_force = 0.0, largest_speed = 0.0;  ///< Of the screw, magnitudes.
+  double largest_force = 0.0, largest_speed = 0.0;  ///< Magnitudes at the screw.
   double fastest = 0.0;                             ///< Bound of the frequency of vibrations [rad/s].
-  double last_reference = 0.0;                      ///< Of the controller, before a jump at the end.
+  double last_reference = 0.0;                      ///< Last reference of the controller, before a jump at the end.
   std::vector<DriveImpact> impacts;
 };
 

@@ -47,7 +47,7 @@ class BoundSignal {
   struct Term {
     SignalForm what;
     std::size_t piece = 0;  ///< Points at or before the time
-    bool is_over = false;   ///< Of a sweep
+    bool is_over = false;   ///< Whether a sweep has ended
   };
   std::vector<Term> terms_;
 };

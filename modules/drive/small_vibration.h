@@ -16,7 +16,7 @@ struct Resonance {
 struct WorkingPoint {
   double force = 0.0;      ///< [N]
   double position = 0.0;   ///< [m]
-  double speed = 0.0;      ///< Of a rolling screw [rad/s]; 0: held
+  double speed = 0.0;      ///< Speed of a rolling screw [rad/s]; 0: held
   bool of_torque = false;  ///< The motor's torque swings, else a force on the load.
 };
 

@@ -39,7 +39,7 @@ struct Curve {
   Use use = Use::fit;
   std::size_t rows = 0;
   std::vector<double> measured = {};
-  std::vector<double> deviation = {};  ///< Of each reading; empty: estimated.
+  std::vector<double> deviation = {};  ///< Standard deviation of each reading; empty: estimated.
   Loss loss = {};
   std::optional<std::size_t> offset = {};  ///< Index of the unknown; of `compare` no unknown.
   bool has_free_mean = false;              ///< `compare` with an offset.
@@ -57,7 +57,7 @@ struct Request {
   std::vector<bool> curves;
 };
 struct Answer {
-  std::vector<std::vector<double>> values;  ///< Of each curve that was asked for.
+  std::vector<std::vector<double>> values;  ///< Values of each curve that was asked for.
   std::optional<Failure> failure = {};
 };
 /// Answers of all requests, side by side.
@@ -75,10 +75,10 @@ struct Problem {
 /// The worst comes first.
 enum class Status { no_equilibrium, not_identifiable, no_redundancy, iteration_limit, converged };
 
-/// Of an unknown, or of a response.
+/// Estimate of an unknown, or of a response.
 struct Estimate {
   double value = 0.0, deviation = 0.0, low = 0.0, high = 0.0;
-  std::optional<double> degrees_of_freedom = {};  ///< Of Student's quantile; absent: the normal one.
+  std::optional<double> degrees_of_freedom = {};  ///< Degrees of freedom of Student's quantile; absent: the normal one.
 };
 
 struct UnknownResult {
@@ -112,12 +112,12 @@ struct Unidentified {
   std::vector<double> direction;
   double ratio = 0.0;
   double factor = 0.0;                       ///< a + factor b; of logarithms a b^factor.
-  std::optional<Estimate> combination = {};  ///< Of two unknowns of one scale.
+  std::optional<Estimate> combination = {};  ///< Estimate for two unknowns of one scale.
 };
 
 struct StartResult {
   std::optional<double> objective = {};  ///< S + 2 sum n ln sigma over estimated ones.
-  std::vector<double> values = {};       ///< Of the unknowns, where there is an objective.
+  std::vector<double> values = {};       ///< Values of the unknowns, if there is an objective.
   Status status = Status::no_equilibrium;
   bool is_best = false;
   bool is_another_minimum = false;  ///< Within 4 of the best.

@@ -23,7 +23,7 @@ constexpr double kLeastSlope = 0.05;     // Of a loss, as a mean over its curve.
 /// What is known at one place of the unknowns.
 struct State {
   VectorXd z;
-  std::vector<VectorXd> values;            ///< Of each fitted curve, with its offset.
+  std::vector<VectorXd> values;            ///< Values of each fitted curve, with its offset.
   std::vector<MatrixXd> slopes = {};       ///< By z, once they are asked for.
   std::vector<MatrixXd> information = {};  ///< J'J over the squares of stated deviations.
   std::vector<Index> even = {};            ///< Unknowns about which every curve is even here.
@@ -370,7 +370,7 @@ class Search {
     return any;
   }
 
-  /// Of one reading, over its deviation.
+  /// Residual of one reading, over its deviation.
   double scaled(const State& s, std::size_t c, Index i) const {
     return (measured_[c][i] - s.values[c][i]) * weight_[c][i] / spread_[c];
   }
@@ -609,8 +609,8 @@ class Search {
   std::vector<VectorXd> measured_, weight_;
   std::vector<double> spread_, first_spread_, floor_;
   std::vector<std::vector<bool>> reached_;
-  VectorXd looked_at_;       ///< Where slopes of all curves were taken last.
-  VectorXd step_;            ///< Of differences in z.
+  VectorXd looked_at_;       ///< Point at which slopes of all curves were taken last.
+  VectorXd step_;            ///< Step of differences in z.
   MatrixXd moved_;           ///< By the last differences, over the response: a row per curve.
   std::vector<Index> even_;  ///< Unknowns whose sides were equal in them.
   std::vector<bool> fitted_;

@@ -85,7 +85,7 @@ double halton(std::size_t k, std::size_t j) {
 
 namespace {
 
-/// Of columns that are long enough.
+/// Spectrum of the columns that are long enough.
 Spectrum without_short(const VectorXd& length) {
   Spectrum spectrum{.length = length, .columns = {}, .ratios = {}, .vectors = {}};
   for (Index j = 0; j < length.size(); ++j)

@@ -22,7 +22,7 @@ double consistency(const Loss& loss);
 
 double normal_probability(double x);                 ///< Below x.
 double chi_square_beyond(double x, double degrees);  ///< Probability beyond x.
-/// That of Student's distribution, or the normal one.
+/// Quantile of Student's distribution, or of the normal one.
 double quantile(double level, std::optional<double> degrees);
 
 /// Runs of sign in their order, zeros left out (Wald and Wolfowitz 1940).
@@ -66,7 +66,7 @@ struct Covariance {
   MatrixXd first, full, inverse;
   const std::vector<Weighed>* curves = nullptr;
 
-  /// Of g'z: its deviation and, after Satterthwaite (1946), degrees of freedom.
+  /// Estimate of g'z: its deviation and, after Satterthwaite (1946), degrees of freedom.
   Estimate of(const VectorXd& g, double value, double level) const;
 };
 Covariance covariance_of(const std::vector<Weighed>& curves, const MatrixXd& prior, const MatrixXd& inverse);

@@ -32,17 +32,17 @@ struct FitCurve {
 
   std::string name, file, response, unit, at;  ///< `at`: path in the document, `fit.curves[0]`.
   Command command = Command::solve;
-  bool is_usual_command = true;  ///< That of such responses.
+  bool is_usual_command = true;  ///< Whether it is the command of such responses.
   Use use = Use::fit;
   modules::fit::Loss loss;
   bool has_offset = false;
-  std::vector<FitCondition> conditions;  ///< Of rows; those that are the same in all stand in `base`.
+  std::vector<FitCondition> conditions;  ///< Conditions of rows; those that are the same in all stand in `base`.
   std::vector<std::pair<std::string, std::string>> constants = {};  ///< The others, for a band's document.
   std::string series;                                               ///< What `places` are of; empty: rows on their own.
   std::vector<double> places;                                       ///< SI
-  std::vector<std::size_t> columns = {};                            ///< Where they stand in their lines.
+  std::vector<std::size_t> columns = {};                            ///< Columns of the readings in their lines.
   std::vector<double> measured, deviation;
-  std::vector<std::size_t> lines;  ///< Of the file.
+  std::vector<std::size_t> lines;  ///< Lines of the file.
   std::size_t rows = 0;
   input::Node base = {};  ///< The case with starting values and conditions, without searches.
 };

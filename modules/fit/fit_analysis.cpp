@@ -361,7 +361,7 @@ std::size_t offsets_of(const FitResult& r) {
       r.input.curves, [](const FitCurve& c) { return c.has_offset && c.use == FitCurve::Use::fit; }));
 }
 
-/// Of a reading; their range where they differ.
+/// Standard deviation of a reading; the range of the readings' deviations if they differ.
 std::string deviation_text(const FittedCurve& c) {
   const std::vector<double>& all = c.found().deviation;
   if (all.empty()) return std::string(kAbsent);

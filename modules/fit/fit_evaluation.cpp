@@ -23,7 +23,7 @@ using modules::fit::Failure, modules::fit::Request;
 
 /// What one design gives: a number for each response, or rows of them.
 struct RowsOfDesign {
-  std::vector<std::vector<double>> values;  ///< Of each curve of its group; NaN where there is none.
+  std::vector<std::vector<double>> values;  ///< Values of each curve of its group; NaN where there is none.
   std::string reason;                       ///< Why there are none at all.
   bool is_refused = false;
 };
@@ -34,12 +34,12 @@ struct Group {
   std::vector<std::size_t> curves;
   input::StudyInput input;
   std::vector<std::vector<Draw>> designs;           ///< Draws of the conditions, each once.
-  std::vector<std::vector<std::size_t>> design_of;  ///< Of each curve, row by row.
-  std::vector<double> places = {};                  ///< Of a series, ascending.
+  std::vector<std::vector<std::size_t>> design_of;  ///< Design of each row of each curve.
+  std::vector<double> places = {};                  ///< Places of a series, ascending.
   std::vector<std::vector<std::size_t>> place_of = {};
   std::unique_ptr<DesignEngine> engine = {};
   std::string without_answer = {};  ///< Why there is no engine.
-  /// Of cycles, by the parameters that losses depend on.
+  /// Losses of cycles, by the parameters that they depend on.
   std::map<std::vector<double>, DutyLosses> losses = {};
   std::vector<DesignReader> idle = {};
   std::unique_ptr<std::mutex> mutex = std::make_unique<std::mutex>();
@@ -195,7 +195,7 @@ struct FitEvaluation::Parts {
     }
   }
 
-  /// That of the first row; what is wrong with it stands there.
+  /// The case of the first row; what is wrong with it stands there.
   Case first_case(const input::CaseFile& file, const Group& group, input::ErrorList& errors) const {
     const std::size_t c = group.curves[0];
     const FitCurve& curve = input.curves[c];

@@ -137,7 +137,7 @@ class FitTable {
     return true;
   }
   std::size_t line() const { return line_; }
-  /// Of the line, from 1, where a field starts.
+  /// Column of the line, from 1, at which a field starts.
   std::size_t column_at(std::size_t field) const {
     return 1 + reader_.field_offset(reader_.row_offset(), field) - reader_.row_offset();
   }

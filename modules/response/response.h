@@ -32,13 +32,13 @@ struct MostLoaded {
 struct LargestForce {
   double force = 0.0, time = 0.0;
   std::optional<PerInterface<MostLoaded>> threads = {};  ///< Without preload.
-  std::optional<double> normal_load = {};                ///< With preload, of both sides [N].
+  std::optional<double> normal_load = {};                ///< Normal load of both sides, present with preload [N].
   std::optional<double> peak_pressure = {};              ///< The largest [Pa].
 };
 
 struct SettlingResult {
   double final_position = 0.0;
-  std::optional<double> reference = {};  ///< Of a position loop, at the end.
+  std::optional<double> reference = {};  ///< Reference of a position loop, at the end.
   std::optional<bool> settled = {};
   std::optional<double> time = {};
 };
@@ -59,7 +59,7 @@ struct ResponseResult {
   std::optional<FrequencyResponse> frequency_response;
   bool can_open = true;
   std::string load_case = {};                     ///< Whose position and conditions the curves have.
-  double curves_force = 0.0, curves_speed = 0.0;  ///< Where the curves end [N], [rad/s]; speed 0 without friction.
+  double curves_force = 0.0, curves_speed = 0.0;  ///< Ends of the curves [N], [rad/s]; speed 0 without friction.
   std::vector<Warning> warnings;
 
   bool converged() const { return run.status == DriveStatus::converged; }

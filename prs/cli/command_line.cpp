@@ -65,7 +65,7 @@ std::string named(const CLI::ParseError& error) {
 
 /// For exceptions that are faults of the program.
 struct Extra {
-  std::size_t depth = 0;  ///< Of the command that met it.
+  std::size_t depth = 0;  ///< Depth of the command that met it.
   std::string text;
 };
 

@@ -69,7 +69,7 @@ void require_place(const std::filesystem::path& output, const std::vector<const 
     fail(", which is a file", "another name, or a folder");
 }
 
-/// Where the files of the forms go, and under which names.
+/// The place to which the files of the forms go, and their names.
 struct Destination {
   std::filesystem::path folder;
   std::vector<OutputFile> files;

@@ -41,7 +41,7 @@ std::string term(const OptionText& option) {
   return text.empty() ? value : text + " " + value;
 }
 
-/// Of an argument: the words that it may be stand in the text, unless that explains each.
+/// Text of an argument: the words that it may be stand in it, unless it explains each already.
 std::string text(const OptionText& option) {
   const bool explained = !option.words.empty() && option.help.find(option.words.front() + ":") != std::string::npos;
   if (!option.names.empty() || option.words.empty() || explained) return option.help;

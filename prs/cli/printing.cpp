@@ -22,7 +22,7 @@ int write_lines(int stream, std::string_view text) {
   throw std::system_error(error, std::generic_category(), "cannot write to standard output");
 }
 
-/// Of the terminal that shows messages, which would break words; 0 where there is none.
+/// Columns of the terminal that shows messages, which would break words; 0 if there is none.
 std::size_t message_columns() noexcept {
   constexpr std::size_t kLeast = 40;
   winsize size{};

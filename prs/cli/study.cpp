@@ -91,7 +91,7 @@ int derivatives(const input::StudyInput& in, const Options& options) {
   return deliver(delivery, document_info(in.source, Command::study), options);
 }
 
-/// Where the designs of a run come from; the counts add up.
+/// Origin of the designs of a run; the counts add up.
 std::string origin(const StudyProgress& progress) {
   return fmt::format("{} were in the journal, {} computed", progress.found, progress.done - progress.found);
 }

@@ -61,7 +61,7 @@ void require_sound(const Case& c) {
   for (const Problem& problem : check_case(c)) throw CaseError(problem);
 }
 
-/// With each model of the bodies that is at hand.
+/// Compares all models of the bodies that are at hand.
 ModelComparison compare_bodies(const Case& c) {
   ModelComparison comparison;
   for (const Bodies bodies : {Bodies::bars, Bodies::refined, Bodies::influence}) {

@@ -7,7 +7,7 @@ namespace prs {
 /// The load cases of a case, solved with each model of the bodies.
 struct ModelComparison {
   std::vector<Result> models;     ///< The best model last; load cases alike in all.
-  std::vector<Warning> warnings;  ///< Of the geometry, and why a model is left out.
+  std::vector<Warning> warnings;  ///< Warnings of the geometry, and why a model is left out.
 
   const Result& best() const { return models.back(); }
   std::size_t load_cases() const { return best().load_cases.size(); }

@@ -81,7 +81,7 @@ pagmo::algorithm in_batches(A algorithm) {
   return pagmo::algorithm(std::move(algorithm));
 }
 
-/// With pagmo's own settings, but that none stops before its last generation.
+/// The algorithm with pagmo's own settings, except that none stops before its last generation.
 pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensions, std::size_t population) {
   const auto generations = static_cast<unsigned>(options.generations - 1);
   const auto seed = static_cast<unsigned>(options.seed ^ (options.seed >> 32U));

@@ -134,7 +134,7 @@ struct ScrewData {
   double lead = 0.0;                             ///< l of screw and nut [m]; < 0 left-handed.
   std::optional<int> starts = {};                ///< n of screw and nut.
   int roller_starts = 1;                         ///< n_R
-  double flank_angle = 0.25 * std::numbers::pi;  ///< Of all parts [rad].
+  double flank_angle = 0.25 * std::numbers::pi;  ///< Flank angle of all parts [rad].
   std::optional<double> nut_diameter = {};       ///< D, outer, of a plain cylinder [m].
   /// L [m]: of the whole nut; inverted of the tube in which the rollers travel.
   std::optional<double> nut_length = {};
@@ -153,9 +153,9 @@ struct CompleteScrew {
   Case c;
   PerPart<double> pitch_diameter;
   double centre_distance = 0.0;
-  int most_rollers = 0;         ///< That fit before their crests touch.
+  int most_rollers = 0;         ///< Most that fit before their crests touch.
   std::vector<GearPair> gears;  ///< Most suitable first.
-  double position = 0.0;        ///< Of the first contact on the nut, rollers in the middle [m].
+  double position = 0.0;        ///< First contact on the nut, rollers in the middle [m].
   double load = 0.0, speed = 0.0;
 };
 

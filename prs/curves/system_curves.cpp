@@ -61,7 +61,7 @@ PrsCurves in_tension(const BranchTable& table) {
   return curves;
 }
 
-/// Where an interval is looked at and divided: there the slope of a cubic errs most, as
+/// Place where an interval is looked at and divided: there the slope of a cubic errs most, as
 /// t^2 (1 - t)^2 is steepest.
 constexpr double kPlace = 0.2113248654051871;
 

@@ -27,7 +27,7 @@ struct BranchTable {
 struct FrictionTable {
   std::vector<double> root_force;         ///< Signed root of the force [N^0.5].
   std::vector<double> speed;              ///< Magnitude [rad/s].
-  std::vector<double> forward, backward;  ///< Of both senses of rotation.
+  std::vector<double> forward, backward;  ///< Values for both senses of rotation.
 };
 
 /// What a model of a system needs of a screw: force over deflection, torque over force and speed.

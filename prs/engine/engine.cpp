@@ -34,7 +34,7 @@ struct Question {
   input::Source source;
   std::vector<std::string> load_cases;
   bool figures = false;
-  std::size_t rank = 0;  ///< Of the candidate that is written.
+  std::size_t rank = 0;  ///< Rank of the candidate that is written.
   NewOptions new_case;
 };
 
@@ -43,7 +43,7 @@ struct Answer {
   Json document = nullptr;
   Json figures = Json::array();
   std::vector<std::string> messages = {};
-  std::string document_text = {};  ///< Of a document that is long and simple, in its place.
+  std::string document_text = {};  ///< Text of a document that is long and simple, in place of `document`.
 };
 
 // The question

@@ -9,7 +9,7 @@ namespace prs {
 struct ModelText {
   std::string name;         ///< An identifier of C and Modelica, see `model_name`.
   std::string case_file;    ///< As it was given.
-  std::string case_sha256;  ///< Of its text.
+  std::string case_sha256;  ///< SHA-256 of the case's text.
 };
 
 /// The curves of a case file, and what is told with them.
@@ -17,11 +17,11 @@ struct SystemModel {
   SystemCurves curves;
   ModelText text;
   DocumentInfo info;
-  std::optional<ResponseInput> drive = {};  ///< Of a model with the drive.
+  std::optional<ResponseInput> drive = {};  ///< Input of a model with the drive.
   std::optional<Case> case_with_drive = {};
 };
 
-/// With the drive of the case: never, where it states one, always.
+/// Whether the model holds the drive of the case: never, if the case states one, always.
 enum class WithDrive { never, stated, needed };
 
 /// Reads the case and computes its curves, warnings on single values among theirs. With the drive they
@@ -32,7 +32,7 @@ SystemModel system_model(const input::Source& source, const CurveOptions& option
 /// An identifier made of the name of a case file: `12_preload.yaml` -> `screw_12_preload`.
 std::string model_name(const std::string& case_file);
 
-/// Where the curves end and how good they are, in sentences.
+/// Sentences on the ends of the curves and on how good they are.
 std::string curves_text(const SystemCurves& curves);
 
 /// A co-simulation unit of FMI 2.0: a ZIP archive. The same curves and text give the same bytes.

@@ -125,7 +125,7 @@ Conditions with_coarse_patches(Conditions c) {
 constexpr int kMostPoints = 9;       // Along a coordinate: 3, 5, 9, each within the next.
 constexpr int kMostOfAPanel = 250;   // Beyond that a panel is halved.
 constexpr double kNarrowest = 0.02;  // Of a panel [K].
-/// Where a panel is checked, between its points on [-1, 1].
+/// Places at which a panel is checked, between its points on [-1, 1].
 constexpr double kChecks[][3] = {{0.55, -0.19, -0.83}, {-0.85, 0.53, 0.21}};
 
 /// T_0 .. T_{n-1} at x, or their derivatives.

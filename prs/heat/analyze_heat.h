@@ -10,8 +10,8 @@ namespace prs {
 /// What friction makes of power at given temperatures [W].
 struct Losses {
   OfParts heat = OfParts::Zero();  ///< Into each part.
-  double input = 0.0;              ///< That shaft and load bring in, each while it drives.
-  double output = 0.0;             ///< That they take out, each while it is driven.
+  double input = 0.0;              ///< Power that shaft and load bring in, each while it drives.
+  double output = 0.0;             ///< Power that they take out, each while it is driven.
 };
 
 /// A case with one load case alone, its parts at these temperatures [K]: with solved shares they
@@ -27,7 +27,7 @@ bool heat_may_grow(const Conditions& c);
 /// Losses of one load case over the temperatures of the parts. Refers to conditions and contacts.
 class CaseLosses {
  public:
-  /// With the load case's shares, or with equal ones in their place.
+  /// Losses with the load case's shares, or with equal ones in their place.
   CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load, LoadCase::Share share);
 
   /// Loads, slip and friction at these temperatures of the parts [K]; none where there is no slip.
@@ -57,7 +57,7 @@ class CaseLosses {
 struct LossShare {
   double share = 0.0;
   std::shared_ptr<CaseLosses> losses;
-  std::string name;  ///< Where it is to be told apart.
+  std::string name;  ///< Name to tell it apart; else empty.
 
   /// Why it had no losses.
   std::string failure() const {
@@ -152,7 +152,7 @@ class LossTable {
 /// Losses over a cycle: none at rest, then those of each load case of the duty.
 struct DutyLosses {
   std::vector<LossTable> tables;
-  std::vector<TemperatureBox> covered = {};  ///< Of the load cases, where their tables hold.
+  std::vector<TemperatureBox> covered = {};  ///< Temperatures of the load cases at which their tables hold.
   OfParts start = OfParts::Zero();           ///< First temperatures of the cycle.
 };
 

@@ -284,7 +284,7 @@ bool contain(const std::vector<TemperatureBox>& covered, const std::vector<Tempe
   return true;
 }
 
-/// With tables that are known; none where the cycle leaves them.
+/// The cycle with tables that are known; none if it leaves them.
 std::optional<Periodic> repeated(const RepeatedCycle& cycle, const DutyLosses& known) {
   Periodic found{known};
   RepeatedCycle::Factors factors;

@@ -33,7 +33,7 @@ OfParts heat_of(const PowerBySource& power);
 /// Oil at the contacts of an interface has the mean temperature of its two bodies [K].
 PerInterface<double> oil_temperatures(const OfParts& temperature);
 
-/// Where bearing steel turns into austenite, Ac1 [K]: beyond it no part is what the case states.
+/// Temperature Ac1 at which bearing steel turns into austenite [K]: beyond it no part is what the case states.
 inline constexpr double kHottest = 1000.0;
 
 /// Heat that friction puts into the parts [W], over their temperatures [K].
@@ -55,7 +55,7 @@ struct SteadyHeat {
   std::string reason;
   OfParts temperature = OfParts::Zero();  ///< [K]
   OfParts heat = OfParts::Zero();         ///< Into each part [W].
-  int evaluations = 0;                    ///< Of the exact heat.
+  int evaluations = 0;                    ///< Evaluations of the exact heat.
   bool others = false;                    ///< Hotter steady states exist.
 
   bool converged() const { return status == HeatStatus::converged; }

@@ -290,7 +290,7 @@ void fields(const Fields& io, Mechanism& m) {
      "Threads of a roller in contact, at each interface");
 }
 
-/// Of a displacement or a force across the axis, or a rotation about axes across it.
+/// Keys of a displacement or a force across the axis, or of a rotation about axes across it.
 template <class Kind>
 auto lateral(Lateral& value, const Kind& kind) {
   return Keys{[&value, kind](const Fields& io) {

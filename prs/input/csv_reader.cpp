@@ -150,7 +150,7 @@ struct CsvReader::Parts {
 
   std::string_view text;
   std::size_t next;     ///< Offset of the line that comes next.
-  std::size_t row = 0;  ///< Where the row begins.
+  std::size_t row = 0;  ///< Offset at which the row begins.
   char separator;
   FieldParser parser;
   std::vector<std::string_view> fields;

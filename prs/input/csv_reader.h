@@ -39,10 +39,10 @@ class CsvReader {
   /// Fields of the row, valid until the next row is read.
   const std::vector<std::string_view>& fields() const;
 
-  /// Where the row begins in the text.
+  /// Offset at which the row begins in the text.
   std::size_t row_offset() const;
 
-  /// Where a field of a row that begins at `row` begins; behind the last field, where the row ends.
+  /// Offset of a field of a row that begins at `row`; behind the last field, of the end of the row.
   std::size_t field_offset(std::size_t row, std::size_t field) const;
 
  private:

@@ -36,7 +36,7 @@ EditDistance edit_distance(std::string_view a, std::string_view b) {
   return {row.back(), *std::ranges::min_element(row)};
 }
 
-/// That of whole words, or little more than that of a word to what the other begins with.
+/// Distance of whole words, or little more than that of a word to what the other begins with.
 std::size_t distance(std::string_view word, std::string_view known) {
   const std::size_t beginning = std::min(edit_distance(word, known).beginning, edit_distance(known, word).beginning);
   return std::min(edit_distance(word, known).whole, beginning + 1);

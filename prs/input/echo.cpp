@@ -89,7 +89,7 @@ std::string_view stripped(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
 }
 
-/// Where the comment of a line begins, at its `#`; npos without one.
+/// Offset of the comment of a line, at its `#`; npos without one.
 std::size_t comment_in(std::string_view line) {
   char quote = 0;
   for (std::size_t k = 0; k < line.size(); ++k) {

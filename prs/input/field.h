@@ -203,12 +203,12 @@ struct Alternative {
   std::string_view meaning;
   bool holds;  ///< Now.
   std::function<void()> choose;
-  std::function<Value()> content;  ///< Of the key; none of a word.
+  std::function<Value()> content;  ///< Value of the key; none of a word.
 };
 
 struct ChoiceValue {
   std::function<std::vector<Alternative>()> alternatives;
-  std::string_view command = {};  ///< That lists them where they are many.
+  std::string_view command = {};  ///< Command that lists them if they are many.
 };
 
 struct Field;

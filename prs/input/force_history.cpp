@@ -222,6 +222,7 @@ std::string named_file_text(const std::string& name, std::string_view key, const
   require_place(path);
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   const int why = file.is_open() ? 0 : errno;
+  throw_if_scarce(why, path.string());
   struct stat status {};
   if (why == ENOENT || why == ENOTDIR || why == ENXIO ||
       (why == 0 && (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode))))

@@ -37,13 +37,13 @@ void read_columns(std::string_view text, const std::string& name, std::string_vi
 /// `may_stand_anywhere`: inputs come from others too. Throws InputError.
 std::string named_file_text(const std::string& file, std::string_view path, const Source& source,
                             bool may_stand_anywhere = false);
-/// That of a history; with its SHA-256 it may stand anywhere. Throws InputError, also for another
-/// hash.
+/// Text of a history's file; with its SHA-256 it may stand anywhere. Throws InputError, also for
+/// another hash.
 std::string force_history_text(const HistorySource& history, const Source& source);
 /// The name of such a file in messages.
 std::string name_in_messages(const std::string& file, const Source& source);
 
-/// Where that file stands, absolute; its name where there is no folder to find it in.
+/// Absolute path of that file; its name if there is no folder to find it in.
 std::filesystem::path place_of_history(const HistorySource& history, const Source& source);
 
 /// The source with the text of that file, which no run reads again.

@@ -274,7 +274,7 @@ void read(const Written& w, const ChoiceValue& choice) {
 
 void read(const Written& w, const MapValue& map);
 
-/// Of a map that names two alternatives, or one next to the key that chooses.
+/// Refuses a map that names two alternatives, or one next to the key that chooses.
 bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
   const ChoiceNames names(under.choice);
   const Node* first = nullptr;
@@ -364,7 +364,7 @@ class MapReader {
     return is_of_range && has_values ? "write `values: {from: .., to: .., steps: ..}`" : "";
   }
 
-  /// Where a key stands that is missing its path: `mechanism.rollers` of `rollers`.
+  /// Hint at the place of a key that is missing its path: `mechanism.rollers` of `rollers`.
   std::string elsewhere_hint(std::string_view key) const {
     constexpr std::size_t kMost = 2;
     const bool is_case = std::ranges::find(known_, "mechanism") != known_.end();

@@ -32,7 +32,7 @@ CaseFile read_case_file(const Node& root, ErrorList& errors);
 /// One load case for each point of each range.
 std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items);
 
-/// Where the cases of an item begin among the expanded ones.
+/// Index of the first case of an item among the expanded ones.
 std::size_t first_case(const std::vector<LoadCaseItem>& items, std::size_t item);
 
 /// Sets force, position and speed of the cases that were expanded from an item before its numbers

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <tuple>
 
+#include "prs/file_descriptor.h"
 #include "prs/text.h"
 
 namespace prs::input {
@@ -31,7 +32,10 @@ Source load_source(const std::string& file, std::vector<std::string> overrides) 
     throw refusal(file, "no regular file", "copy it to a file first, or pipe it into `prs .. -`");
 
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw refusal(file, "a file that cannot be opened", "check its permissions");
+  if (!in) {
+    throw_if_scarce(errno, file);
+    throw refusal(file, "a file that cannot be opened", "check its permissions");
+  }
   return read_source(in, file, std::move(overrides));
 }
 

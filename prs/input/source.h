@@ -19,7 +19,7 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where something was written: an offset into the file's text; of a `--set` argument, where it
+/// Position of something that was written: an offset into the file's text; of a `--set` argument, where it
 /// takes effect.
 struct Place {
   std::size_t offset = 0;
@@ -33,7 +33,7 @@ struct Source {
   std::string name;  ///< The file, as given.
   std::string text;
   std::vector<std::string> overrides;  ///< `path=value` each.
-  /// Where the files that it names are looked for; empty: in the folder of `name`.
+  /// Folder of the files that it names; empty: the folder of `name`.
   std::filesystem::path folder = {};
   /// The texts of the files that it names, by their names. Without a folder no other is read.
   std::optional<std::map<std::string, std::string>> files = {};

@@ -38,7 +38,7 @@ Case read_design(const StudyInput& input, const std::vector<std::string>& overri
 struct OptimizeInput {
   StudyInput start;  ///< For the engine: its study is that of `optimization`.
   Optimization optimization;
-  std::vector<std::string> asked_at;  ///< Where in the document each response is first asked for.
+  std::vector<std::string> asked_at;  ///< Places in the document at which each response is first asked for.
 };
 
 /// Reads the optimization of a source and checks it: the file's own design in full, and that each

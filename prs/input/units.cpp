@@ -242,7 +242,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-/// Of inches and feet alone, also where their names are misspelt.
+/// Whether a unit takes fractions: inches and feet alone, also with misspelt names.
 bool takes_fractions(std::string_view unit) {
   constexpr std::string_view kUnits[] = {"in", "ft", "inch", "inches", "foot", "feet"};
   return std::ranges::find(kUnits, unit) != std::end(kUnits);

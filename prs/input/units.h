@@ -46,7 +46,7 @@ struct Unit {
 
 /// A physical dimension and the units in which it may be written; values are SI inside.
 struct Dimension {
-  std::string_view name;       ///< With its article: `a length`.
+  std::string_view name;       ///< Name with its article: `a length`.
   std::string_view example;    ///< A typical value: `5 mm`.
   std::string_view canonical;  ///< The unit in which values are printed.
   std::span<const Unit> units;

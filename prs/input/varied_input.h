@@ -76,7 +76,7 @@ class VariedInput {
 
 struct CaseFile;
 
-/// Where the value at a path of the input is kept in a case file: what a number must be, and where
+/// Place in a case file of the value at a path of the input: what a number must be, and where
 /// it goes.
 struct Slot {
   enum class Kind {

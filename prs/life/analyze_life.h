@@ -26,13 +26,13 @@ struct ThreadLives {
   std::vector<double> largest_load;     ///< Axial, under the largest force [N].
   /// Equivalent range of the axial load over the cycles of the history [N]; empty without history.
   std::vector<double> equivalent_range;
-  std::optional<RollerLives> rollers;  ///< Of a full mechanism.
+  std::optional<RollerLives> rollers;  ///< Lives at the rollers; full mechanism only.
 };
 
 /// One sense of the load, whose flanks the other sense does not touch unless they are preloaded.
 struct FlankLife {
   double revolutions = 0.0;    ///< Under this sense of the load.
-  double largest_force = 0.0;  ///< Of this sense [N].
+  double largest_force = 0.0;  ///< Largest force of this sense [N].
   /// Cubic mean over the revolutions of *both* senses [N]; of what the flanks carry at the screw,
   /// which differs from the force with preload alone.
   double mean_load = 0.0;
@@ -68,8 +68,8 @@ struct WeakestThread {
   Direction direction = Direction::tension;
   Interface interface = Interface::screw;
   std::size_t thread = 0;
-  std::optional<Part> part;           ///< Of a full mechanism: whose thread it is.
-  std::optional<std::size_t> roller;  ///< Of a roller of a full mechanism: which.
+  std::optional<Part> part;           ///< Part whose thread it is; full mechanism only.
+  std::optional<std::size_t> roller;  ///< Roller whose thread it is; only for a roller of a full mechanism.
   double equivalent_load = 0.0;
   double life = 0.0;
 };
@@ -84,12 +84,12 @@ struct LifeResult {
   double dynamic_capacity = 0.0;
   Interval dynamic_capacity_range;
   PerInterface<double> failure_shares;
-  /// Of a full mechanism: the rollers' part of the failures of each interface.
+  /// The rollers' part of the failures of each interface; full mechanism only.
   std::optional<PerInterface<double>> roller_shares;
   double reliability_factor = 1.0;  ///< a1
   double element_ratio = 0.0;       ///< gamma = d_r cos(alpha)/(2 c)
 
-  std::optional<PerPart<double>> temperature;    ///< Of the parts, by `heat` [K].
+  std::optional<PerPart<double>> temperature;    ///< Temperatures of the parts, by `heat` [K].
   std::optional<HeatStatus> temperature_status;  ///< How the search for them ended.
 
   std::vector<LoadStep> steps;  ///< Steps of the history or the spectrum.

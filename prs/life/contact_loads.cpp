@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kNodes = ShareCurve::kNodes;
 /// Panels get no narrower: a kink costs that many halvings.
 constexpr int kMostHalvings = 22;
-/// Where a panel is checked, between its nodes on [-1, 1].
+/// Places at which a panel is checked, between its nodes on [-1, 1].
 constexpr double kChecks[] = {-0.96, -0.55, 0.19, 0.75};
 
 /// Chebyshev points of the second kind on [-1, 1], ends included.

@@ -42,7 +42,7 @@ class ShareCurve {
   /// the shares at the next smaller one.
   ShareCurve(const Solve& solve, std::vector<double> forces);
 
-  /// Where no equilibrium was found; the curve must then not be used.
+  /// Force at which no equilibrium was found; the curve must then not be used.
   std::optional<double> failed_at() const { return failed_at_; }
   int solves() const { return solves_; }
   /// Largest error found of l and l^3 over their largest value, weighted, on the final panels.
@@ -82,18 +82,18 @@ class ShareCurve {
 /// roller at the screw and at the nut. With preload the load of the flank follows, which is none of
 /// a contact.
 struct RatedContacts {
-  std::size_t threads = 0;   ///< Of a roller.
-  std::size_t rollers = 0;   ///< Of a full mechanism; 0: one roller stands for all.
+  std::size_t threads = 0;   ///< Threads of a roller.
+  std::size_t rollers = 0;   ///< Rollers of a full mechanism; 0: one roller stands for all.
   bool both_flanks = false;  ///< Tension and compression flanks under each load: preload.
 
   std::size_t of_flank() const { return 2 * threads * (1 + rollers) + (both_flanks ? 1 : 0); }
   std::size_t count() const { return (both_flanks ? 2 : 1) * of_flank(); }
-  /// Where the flanks of a direction begin.
+  /// Index at which the flanks of a direction begin.
   std::size_t flank(Direction d) const { return both_flanks && d == Direction::compression ? of_flank() : 0; }
-  /// Where those of an interface begin on a flank: of screw or nut, and of the rollers.
+  /// Indices at which an interface begins on a flank: threads of screw or nut, and of the rollers.
   std::size_t body(Interface i) const { return i == Interface::screw ? 0 : threads; }
   std::size_t roller(Interface i) const { return threads * (i == Interface::screw ? 2 : 2 + rollers); }
-  /// Where the load of a flank stands on it, with preload.
+  /// Index of the load of a flank on that flank, with preload.
   std::size_t side() const { return 2 * threads * (1 + rollers); }
 };
 
@@ -102,14 +102,14 @@ using LargestLoads = PerInterface<std::vector<double>>;
 
 /// Loads of a mechanism under one axial force.
 struct ContactLoads {
-  /// Of each rated contact the load of the mechanism at which all carried as much as it does; as a
+  /// For each rated contact the load of the mechanism at which all carried as much as it does; as a
   /// share of the force, with preload in N. A thread of screw or nut meets all rollers in turn and
   /// has the cubic mean of their loads, over a turn of the carrier; a thread of a roller has its
   /// own.
   std::vector<double> rated;
   /// Largest axial load of each thread over all rollers and positions of the carrier [N].
   PerDirection<LargestLoads> largest;
-  /// Of a full mechanism: where the carrier stands when an interface has its largest load [rad].
+  /// Angle of the carrier when an interface has its largest load [rad]; full mechanism only.
   PerInterface<double> carrier_angle;
 };
 

@@ -38,7 +38,7 @@ std::string folded_names(const std::vector<std::string>& names);
 
 struct CaseColumn {
   std::string_view title;
-  std::string_view subtitle;  ///< With the unit of documents at its end.
+  std::string_view subtitle;  ///< Subtitle with the unit of documents at its end.
   bool left_aligned;
   std::string (*cell)(const LoadCaseResult&);
 };
@@ -48,14 +48,14 @@ struct CaseTable {
   std::span<const CaseColumn> columns;
   std::size_t load_columns = 0;                   ///< The first say what the load is; a failed case has no others.
   std::string (*failure)(const LoadCaseResult&);  ///< Stands in their place; empty where none.
-  std::string_view file;                          ///< That has all points of a range.
+  std::string_view file;                          ///< File that has all points of a range.
 };
 
 /// The table as a rule within `kTableWidth` columns. Beyond 24 cases a range shows its first,
 /// middle and last point.
 std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>& results);
 
-/// Of a case without equilibrium; else empty.
+/// Text for a case without equilibrium; else empty.
 std::string not_converged(const LoadCaseResult& result);
 
 // Cells that tables of load cases share.

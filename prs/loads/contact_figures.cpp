@@ -50,7 +50,7 @@ struct Cut {
 struct InterfaceCut {
   Cut body;
   Cut roller;
-  double contact_z = 0.0;  ///< Of the contact point next to z = 0.
+  double contact_z = 0.0;  ///< Position of the contact point next to z = 0.
   double contact_x = 0.0;
 };
 

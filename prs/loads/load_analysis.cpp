@@ -279,7 +279,7 @@ std::string mechanism_line(const Contacts& contacts) {
 using Number = std::optional<double>;
 
 struct PartRow {
-  std::string_view label;  ///< With the unit of documents at its end.
+  std::string_view label;  ///< Label with the unit of documents at its end.
   std::string_view unit;
   Number (*value)(const Thread&);
 };

@@ -61,7 +61,7 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
                              .with(v.by, {}, text_unit::millimetre));
 }
 
-/// Of missing rollers.
+/// Number of contacts of missing rollers.
 std::ptrdiff_t missing_contacts(const InterfaceLoads& loads) {
   return loads.rollers ? static_cast<std::ptrdiff_t>(loads.rollers->missing) * loads.threads_per_roller : 0;
 }

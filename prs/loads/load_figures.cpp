@@ -137,7 +137,7 @@ Figures load_distribution(const Result& result, const FigureOptions& options) {
   return from_zero(std::move(figure));
 }
 
-/// With the pressure up to which contacts are rated.
+/// Figures of the peak pressure, with the pressure up to which contacts are rated.
 Figures peak_pressure(const Result& result, const FigureOptions& options) {
   std::optional<Figure> figure =
       thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure", "MPa",

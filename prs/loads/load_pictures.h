@@ -38,7 +38,7 @@ std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result
 /// Whether one roller stands for all.
 bool has_shares(const LoadCaseResult& result);
 
-/// With values from zero on; none of none.
+/// The figure with values from zero on; none of none.
 Figures from_zero(std::optional<Figure> figure);
 
 /// A thread of a load case; its number counts over all rollers, from 0.
@@ -68,7 +68,7 @@ struct OfThreads {
 Figures map_of_rollers(Figure figure, const Result& result, const FigureOptions& options, ColourScale colours,
                        const OfThreads& of);
 
-/// Of travels and modes.
+/// Pictures of travels and modes.
 Pictures motion_pictures(const Result& result);
 
 // What each command can show. The result must outlive the list.
@@ -76,9 +76,9 @@ Pictures contact_pictures(const Result& result);
 Pictures solve_pictures(const Result& result);
 /// Sections of the threads through their contacts, and the contact ellipses.
 Pictures contact_drawings(const Result& result);
-/// Of a full mechanism.
+/// Pictures of all rollers; full mechanism only.
 Pictures roller_pictures(const Result& result);
-/// Of the mechanism, asked for by their names alone.
+/// Drawings of the mechanism, asked for by their names alone.
 Pictures drawings(const Case& c, const Result& result);
 Pictures with_drawings(Pictures pictures, const Case& c, const Result& result);
 

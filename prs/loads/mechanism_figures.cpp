@@ -10,7 +10,7 @@ constexpr double kMm = per_si::millimetre;
 /// One external thread, or the air in the nut's, cut through its axis. Lengths in mm.
 struct Teeth {
   double pitch = 0.0, radius = 0.0, root = 0.0, crest = 0.0;
-  double slope = 0.0;  ///< Of the flanks: axial over radial.
+  double slope = 0.0;  ///< Slope of the flanks: axial over radial.
 
   /// Half of a tooth's thickness at a radius.
   double half_thickness(double r) const { return std::clamp(0.25 * pitch - (r - radius) * slope, 0.0, 0.5 * pitch); }
@@ -36,7 +36,7 @@ Polyline tooth_outline(const Teeth& t, double tooth, double from, double to) {
   return line;
 }
 
-/// Where things stand on the nut's axis [mm].
+/// Places along the nut's axis [mm].
 struct SectionPlace {
   double first = 0.0;  ///< The roller's first contact.
   double pitch = 0.0;

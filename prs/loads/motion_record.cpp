@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::string_view kIso = "ISO 3408-3, names of its actual values";
 
-/// Where all positions have an equilibrium.
+/// Getter of travels whose positions all have an equilibrium.
 template <auto get>
 constexpr auto travelled = of<get, &TravelResult::converged>;
 

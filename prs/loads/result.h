@@ -12,7 +12,7 @@ enum class RunningStatus {
   iteration_limit,
   slip_no_equilibrium,  ///< No slip ratio balances the moment on a roller.
   jammed,               ///< Friction takes more of a contact's axial force than its normal gives.
-  no_equilibrium,       ///< Of the loads with that friction.
+  no_equilibrium,       ///< The loads with that friction have no equilibrium.
   mechanism,
 };
 
@@ -33,7 +33,7 @@ struct FrictionForces {
 struct RunningLoads {
   RunningStatus status = RunningStatus::iteration_limit;
   int rounds = 0;       ///< Evaluations of slip.
-  double change = 0.0;  ///< Of a thread's load in the last round, over the largest load.
+  double change = 0.0;  ///< Change of a thread's load in the last round, over the largest load.
   /// R_near and R_far, forces of the guides on the roller, > 0 outwards; of each roller present
   /// [N]. None where rollers stay straight.
   std::vector<std::array<double, 2>> guide_force;
@@ -64,12 +64,12 @@ constexpr std::string_view name(HeatStatus status) {
 /// units; of all rollers together.
 struct HeatResult {
   HeatStatus status = HeatStatus::iteration_limit;
-  std::string reason = {};                  ///< Where not converged.
-  int evaluations = 0;                      ///< Of the losses at temperatures.
+  std::string reason = {};                  ///< Reason why it did not converge.
+  int evaluations = 0;                      ///< Evaluations of the losses at temperatures.
   bool others = false;                      ///< Hotter steady states exist.
   PerPart<double> temperature;              ///< [K]
-  std::optional<PerInterface<double>> oil;  ///< Of the contacts [K]; none without lubricant.
-  PerPart<double> heat;                     ///< That flows into each part [W].
+  std::optional<PerInterface<double>> oil;  ///< Oil at the contacts [K]; none without lubricant.
+  PerPart<double> heat;                     ///< Heat that flows into each part [W].
 
   bool converged() const { return status == HeatStatus::converged; }
 };
@@ -82,7 +82,7 @@ struct HeatCycle {
   PerPart<std::vector<double>> temperature;  ///< At these times [K].
   PerPart<double> peak, mean;                ///< [K]
   double period = 0.0;                       ///< [s]
-  double energy_in = 0.0;                    ///< That shaft and load bring in while they drive, per cycle [J].
+  double energy_in = 0.0;                    ///< Energy that shaft and load bring in while they drive, per cycle [J].
   double energy_lost = 0.0;                  ///< By friction, per cycle [J].
   std::optional<double> efficiency;          ///< What comes out over what goes in; none where nothing does.
 
@@ -91,12 +91,12 @@ struct HeatCycle {
 
 /// How an interface of the full mechanism spreads its load over the rollers.
 struct RollerShares {
-  std::vector<double> share;         ///< Of the axial load, one per roller; missing ones 0.
+  std::vector<double> share;         ///< Share of the axial load, one per roller; missing ones 0.
   double largest_normal_load = 0.0;  ///< [N]
-  int largest_roller = 0;            ///< Of the largest load, from 1.
+  int largest_roller = 0;            ///< Roller with the largest load, from 1.
   int largest_thread = 0;
   double overload_factor = 0.0;  ///< Largest load over that of the same screw loaded symmetrically.
-  int unloaded_threads = 0;      ///< Of the rollers present.
+  int unloaded_threads = 0;      ///< Unloaded ones among the rollers present.
   int missing = 0;               ///< Rollers that are not there.
 };
 
@@ -108,11 +108,11 @@ inline constexpr double kNoShare = std::numeric_limits<double>::quiet_NaN();
 /// Per-thread results of one interface of one roller; thread 1, next to the loaded end of the
 /// screw, stands first. Of a full mechanism roller after roller. SI units.
 struct InterfaceLoads {
-  int threads_per_roller = 0;  ///< Of a full mechanism; 0: one roller stands for all.
+  int threads_per_roller = 0;  ///< Threads per roller of a full mechanism; 0: one roller stands for all.
   std::optional<RollerShares> rollers;
   std::optional<double> hertz_constant;  ///< As used in the solve [N/m^1.5].
   double normal_angle = 0.0;             ///< As used in the solve [rad].
-  std::vector<double> axial_load;        ///< Of normal load and friction [N].
+  std::vector<double> axial_load;        ///< Sum of normal load and friction along the axis [N].
   std::vector<double> normal_load;       ///< At rest axial / cos psi [N].
   std::vector<double> load_rate;         ///< l_v = axial load / (force/rollers), Abevi (3) [-]
   std::vector<double> approach;          ///< delta [m]
@@ -120,7 +120,7 @@ struct InterfaceLoads {
   std::vector<double> semi_minor;
   std::vector<double> peak_pressure;     ///< [Pa]
   std::vector<double> max_shear_stress;  ///< Largest below the surface [Pa].
-  std::vector<double> max_shear_depth;   ///< Where it acts, for the case depth [m].
+  std::vector<double> max_shear_depth;   ///< Depth at which it acts, for the case depth [m].
   // Of a running screw:
   std::optional<FrictionForces> friction;
   std::optional<double> running_over_static;  ///< Largest normal load over that at rest.
@@ -129,8 +129,8 @@ struct InterfaceLoads {
 /// Threads of one flank of a roller.
 struct FlankThreads {
   std::vector<double> normal_load;  ///< [N]
-  std::vector<double> axial_load;   ///< Of normal load and friction [N].
-  std::vector<double> power;        ///< That friction takes, with slip [W].
+  std::vector<double> axial_load;   ///< Sum of normal load and friction along the axis [N].
+  std::vector<double> power;        ///< Power that friction takes, with slip [W].
 };
 
 /// Under preload: the flank that the load does not name, of the same threads or of the other nut.
@@ -140,7 +140,7 @@ struct OtherFlank {
   /// named flank first; > 0 outwards [N].
   std::vector<std::array<double, 2>> guide_force;
   double rollers = 1.0;
-  bool of_second_roller = false;  ///< Of a double nut, whose nuts have rollers of their own.
+  bool of_second_roller = false;  ///< Whether it is that of a double nut, whose nuts have rollers of their own.
 };
 
 /// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
@@ -153,11 +153,11 @@ struct LoadCaseResult {
   std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
-  std::optional<OtherFlank> other_flank;                ///< With preload.
-  std::shared_ptr<const FullLoads> full;                ///< Of the full mechanism, see load_case_result.h.
-  std::optional<RunningLoads> running;                  ///< Where these are loads of the running screw.
-  std::optional<SlipResult> slip;                       ///< Where it was asked for and the loads are known.
-  std::optional<HeatResult> heat;                       ///< With `heat` the slip is that at its temperatures.
+  std::optional<OtherFlank> other_flank;                ///< Present with preload.
+  std::shared_ptr<const FullLoads> full;                ///< Loads of the full mechanism, see load_case_result.h.
+  std::optional<RunningLoads> running;                  ///< Present if these are loads of the running screw.
+  std::optional<SlipResult> slip;                       ///< Present if it was asked for and the loads are known.
+  std::optional<HeatResult> heat;                       ///< Present with `heat`: the slip is that at its temperatures.
   std::vector<Warning> warnings;
 
   bool converged() const { return (!solve || solve->converged()) && (!running || running->converged()); }
@@ -168,7 +168,7 @@ struct Result {
   Contacts contacts;
   ModelOptions model;
   std::vector<LoadCaseResult> load_cases;
-  std::optional<HeatCycle> heat_cycle;  ///< Where the case has a duty.
+  std::optional<HeatCycle> heat_cycle;  ///< Present if the case has a duty.
   std::vector<Warning> warnings;
 };
 

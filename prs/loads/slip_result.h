@@ -10,7 +10,7 @@ namespace prs {
 /// Friction at the threads of one interface of one roller, thread 1 first; of a full mechanism
 /// roller after roller. SI units. An open thread has zeros.
 struct InterfaceSlip {
-  int threads_per_roller = 0;                ///< Of a full mechanism; 0: one roller stands for all.
+  int threads_per_roller = 0;                ///< Threads per roller of a full mechanism; 0: one roller stands for all.
   std::vector<double> power;                 ///< W_M, lost, >= 0 [W] (Sandu 2018, (3.51))
   std::vector<double> power_density;         ///< Over the ellipse pi a b [W/m^2]
   std::vector<double> friction_coefficient;  ///< mu_a, mean over the points (2.40)
@@ -21,7 +21,7 @@ struct InterfaceSlip {
   std::vector<double> central_film;          ///< `contact::central_film` [m]; the same.
   std::vector<double> film_factor;           ///< phi, `contact::film_factor`; the same.
   std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
-  std::vector<double> boundary_share;        ///< Of the load on flanks that touch; with film_ratio.
+  std::vector<double> boundary_share;        ///< Share of the load on flanks that touch; with film_ratio.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
   std::vector<double> flash_temperature;     ///< `contact::flash_temperature` [K]; empty without data.
   double along_major = 0.0;                  ///< Share of the squared rolling speed along the major axis.
@@ -137,7 +137,7 @@ struct SlipResult {
 
   ThreadOf hottest;                            ///< Thread with the largest power density.
   std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases, without preload.
-  /// Of a double nut: the rollers of the second one, by themselves. Powers, torques and efficiency
+  /// Rollers of the second nut of a double nut, by themselves. Powers, torques and efficiency
   /// above are of both nuts, all else is of the first one.
   std::shared_ptr<const SecondNut> second_nut;
 

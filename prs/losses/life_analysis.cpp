@@ -178,7 +178,7 @@ std::string lives_csv(const LifeResult& r, const CsvStyle& style, const Lives& (
   return csv.take();
 }
 
-/// With the estimates by equal thread loads.
+/// The table with the estimates by equal thread loads.
 std::string full_life_table(const LifeResult& r) { return table_with(r, true); }
 
 }  // namespace
@@ -406,7 +406,7 @@ std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& sty
 
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
-/// Of a stated capacity, which is of real screws, the catalogue's life is the headline.
+/// Page section of the life; its headline is the catalogue's life if a capacity, of real screws, is stated.
 PageSection life_section(const LifeResult& r) {
   const bool solved = r.life.share == LoadCase::Share::solved, stated = !r.lemor;
   const std::vector<std::string> lives =

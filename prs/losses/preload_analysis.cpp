@@ -19,7 +19,7 @@ Series curve_of(std::size_t style, const PreloadCurve& curve, const auto& value)
   return line;
 }
 
-/// With preload, and without where that is known.
+/// A panel of curves with preload, and without if that is known.
 Panel curve_panel(const PreloadResult& r, std::string title, Axis axis, const auto& value) {
   Panel panel{std::move(title)};
   if (r.without_preload) panel.series.push_back(curve_of(kWithout, *r.without_preload, value));

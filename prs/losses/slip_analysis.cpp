@@ -238,14 +238,14 @@ constexpr Quantity<EqualShareSlip> kEqualShares[] = {
     {"max_power_density_W_per_mm2", of<&EqualShareSlip::max_power_density>, "power of a thread over its ellipse"},
 };
 
-/// Where the search for the slip ratio converged.
+/// Getter of results whose search for the slip ratio converged.
 template <auto get>
 constexpr auto found = of<get, &SlipResult::converged>;
 
 template <Interface i>
 constexpr auto threads = found<[](const SlipResult& slip) -> const InterfaceSlip& { return slip.threads[i]; }>;
 
-/// Of one nut.
+/// Quantities of one nut.
 template <class Owner>
 constexpr Quantity<Owner> kSlipOf[] = {
     {"converged", of<&SlipResult::converged>, "whether there is an answer"},

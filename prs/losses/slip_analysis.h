@@ -33,7 +33,7 @@ std::string heat_cycle_csv(const HeatCycle& cycle, const CsvStyle& style);
 const Analysis<Result>& slip_analysis();
 
 Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures);
-/// That of one thread of all rollers, from 0.
+/// Figure of one thread of all rollers, counted from 0.
 Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields, std::size_t thread);
 /// Friction, power, efficiency and film over the speed (Stribeck's curve).
 Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve);

@@ -208,7 +208,7 @@ constexpr MomentCurve kCurves[] = {
     {"contacts", line_of(Colour::blue, Dash::dash_dotted), [](const RollerMoments& m) { return m.contacts; }},
     {"sum", line_of(Colour::ink, Dash::solid, Weight::strong), [](const RollerMoments& m) { return m.residue(); }},
 };
-/// Of the styles after those of the curves.
+/// Indices of the styles after those of the curves.
 constexpr std::size_t kIdeal = std::size(kCurves), kRoot = kIdeal + 1, kZero = kIdeal + 2;
 
 /// How a panel shows slip ratios: (slip ratio - from) * factor.

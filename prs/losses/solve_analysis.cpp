@@ -49,7 +49,7 @@ std::string full_solve_text(const Result& result) {
   return text;
 }
 
-/// Where threads carry more than those of the same screw loaded symmetrically, how much.
+/// How much threads carry that are loaded more than those of the same screw loaded symmetrically.
 std::vector<Headline> overloads(const Result& result) {
   constexpr double kNone = 1.0005;  // What four digits do not show as 1.
   std::vector<Headline> headlines;

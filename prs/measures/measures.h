@@ -75,7 +75,7 @@ struct Measures {
 struct LoadMeasures {
   // Stiffness of all threads of the mechanism side by side under equal shares, secant [N/m]
   PerInterface<std::optional<double>> hertz_stiffness;
-  /// With what the case says is in series with the mechanism, as solved at rest.
+  /// Stiffness with what the case says is in series with the mechanism, as solved at rest.
   std::optional<SystemStiffness> system_stiffness;
   std::optional<double> thread_stiffness;  ///< Both Hertz contacts and teeth in series.
   // Yang's load distribution, for comparison with that of the model; Detail::complete
@@ -92,10 +92,10 @@ struct LoadMeasures {
   std::optional<double> solved_static_safety;
   std::optional<StaticLimit> solved_static_safety_limit;
   /// Estimates of it, and what limits them.
-  std::optional<double> static_safety;         ///< With equal shares.
-  std::optional<double> thread_static_safety;  ///< With the shares under this load.
+  std::optional<double> static_safety;         ///< Estimate with equal shares.
+  std::optional<double> thread_static_safety;  ///< Estimate with the shares under this load.
   std::optional<StaticLimit> static_safety_limit, thread_static_safety_limit;
-  std::optional<double> buckling_safety;  ///< Where the load compresses the screw.
+  std::optional<double> buckling_safety;  ///< Present if the load compresses the screw.
   // Of a full mechanism with masses whose modes are asked for
   std::optional<double> lowest_frequency;  ///< [Hz]
   std::vector<double> speeds_to_avoid;     ///< At which an order meets it, ascending [rad/s].

@@ -10,7 +10,7 @@ namespace prs {
 namespace {
 
 constexpr TableRows kRows{58, 14};
-constexpr std::size_t kMostCases = 3;  ///< That fit side by side.
+constexpr std::size_t kMostCases = 3;  ///< Most cases that fit side by side.
 
 /// What documents have in newtons and single revolutions is that large here.
 ShownUnit row_unit(const ShownUnit& unit) {
@@ -174,7 +174,7 @@ std::vector<std::string> estimates_in(const MeasuresResult& result) {
       {result.slips, result.lives, solved, solved || known(&LoadMeasures::thread_static_safety), loaded});
 }
 
-/// With the estimates of what is computed.
+/// The table with the estimates of what is computed.
 std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }
 
 }  // namespace
@@ -234,7 +234,7 @@ constexpr double kPerMicrometrePerKilonewton = 1e9;  // From m/N.
 /// Name and compliance [m/N].
 using Compliance = std::pair<std::string, double>;
 
-/// Of the bodies, and of the teeth of all contacts together, the roller's at both interfaces.
+/// Compliances of the bodies, and of the teeth of all contacts together, the roller's at both interfaces.
 std::vector<Compliance> body_compliances(const MeasuresResult& result) {
   const Measures& m = result.measures;
   const Mechanism& mechanism = result.analysis.contacts.mechanism;

@@ -33,9 +33,9 @@ Record<SystemStiffness::Contribution> record_of(Type<SystemStiffness::Contributi
 /// What is computed from the thread loads of a case.
 struct Computed {
   bool slip = false, life = false;  ///< By `prs slip` and `prs life`.
-  bool static_safety = false;       ///< With the thread loads at the limit.
-  bool thread_safety = false;       ///< With those under the load, or at the limit.
-  bool thread_loads = false;        ///< Of every load case, by `prs solve`.
+  bool static_safety = false;       ///< Computed with the thread loads at the limit.
+  bool thread_safety = false;       ///< Computed with those under the load, or at the limit.
+  bool thread_loads = false;        ///< Those of every load case, by `prs solve`.
 };
 
 /// Keys of the measures that are estimates of what is computed. People see them where they ask for

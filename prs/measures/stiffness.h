@@ -81,7 +81,7 @@ double thread_stiffness(double force, int threads, double coefficient, double to
 struct SystemStiffness {
   struct Contribution {
     double stiffness = 0.0;  ///< [N/m]
-    double share = 0.0;      ///< Of the total compliance; all sum to 1.
+    double share = 0.0;      ///< Share of the total compliance; all sum to 1.
   };
   struct Contributions {
     std::optional<Contribution> mechanism, shaft, wind_up, support_bearing, housing;

@@ -247,7 +247,7 @@ class Around {
   Index contacts_, rollers_, motions_ = 0;
   MatrixXd shapes_;  ///< One column for each wave.
   std::vector<ContactsAround::Mode> modes_;
-  std::vector<Index> first_;  ///< Of the motions of each wave.
+  std::vector<Index> first_;  ///< First of the motions of each wave.
   MatrixXd hertz_, gap_;      ///< k_0 of each contact, 0 of a missing roller's; g of each wave.
   VectorXd load_;
   MatrixXd apart_;  ///< S/S_m - 1

@@ -333,8 +333,8 @@ struct FullSolver::Parts {
   std::unique_ptr<Assembled> pinned = {};  ///< The same with idle rollers pinned, of the last load.
   std::vector<Solved> last = {};           ///< Solved before, the latest at the end.
 
-  /// Of the latest state, of those with the next forces below and above and of what lies between
-  /// these, the one that leaves least of the load. Nothing where there is none.
+  /// The one that leaves least of the load among the latest state, those with the next forces below
+  /// and above and what lies between these. Nothing where there is none.
   std::optional<fe::State> nearest(double force, const Eigen::VectorXd& load) const {
     if (last.empty()) return std::nullopt;
     const Solved *below = nullptr, *above = nullptr;

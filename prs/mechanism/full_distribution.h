@@ -24,7 +24,7 @@ struct SupportForce {
 
 struct RingForce {
   double position = 0.0;        ///< x where force and moment act [m].
-  Lateral force;                ///< Of the ring on the rollers [N].
+  Lateral force;                ///< Force of the ring on the rollers [N].
   Lateral moment;               ///< The same about y and z there [N m].
   std::vector<double> rollers;  ///< On each roller, outwards; missing ones 0 [N].
 };
@@ -39,14 +39,14 @@ struct SymmetricLoads {
 /// How a load spreads over all rollers. SI units.
 struct FullDistribution {
   fe::NewtonSummary solve;
-  std::string reason;  ///< Of a load that has no equilibrium: which motion, or how much is left.
+  std::string reason;  ///< Reason why a load has no equilibrium: which motion, or how much is left.
   int freedoms = 0;
   PerInterface<RollerThreads> normal_load;  ///< N [N]
   PerInterface<RollerThreads> approach;     ///< Hertz approach delta [m]
-  double axial_displacement = 0.0;          ///< Of the loaded section, > 0 along the load [m].
+  double axial_displacement = 0.0;          ///< Displacement of the loaded section, > 0 along the load [m].
   std::optional<double> tangent_stiffness;  ///< dF/du, see `axial_compliance` [N/m]
   ScrewEnd screw_end;
-  PerInterface<double> largest_opening;  ///< Of a contact that is open, along its normal [m].
+  PerInterface<double> largest_opening;  ///< Largest opening of an open contact, along its normal [m].
   std::vector<int> idle_rollers;         ///< Numbers from 0 of those that carry no load.
   SupportForce nut;
   std::array<RingForce, 2> rings;  ///< Near and far.
@@ -68,7 +68,7 @@ std::optional<FullDistribution> mechanism(const FullModel& model, const FullStru
 /// screw's end belongs to Detail::complete.
 FullDistribution solve(const FullModel& model, Detail detail = Detail::complete);
 
-/// Where the iteration of one model after the other begins.
+/// Start of the iteration for one model after the other.
 enum class FullStart {
   linear,     ///< As if each were the first: no answer depends on those before.
   neighbour,  ///< The nearest of the last states: fewer iterations to the same loads, within the
@@ -107,7 +107,7 @@ struct OrbitLoads {
   double largest = 0.0;              ///< N, of any position [N].
   double least = 0.0;                ///< [N]
   double carrier_angle = 0.0;        ///< At the largest load [rad].
-  int roller = 0, thread = 0;        ///< Of the largest load, from 1.
+  int roller = 0, thread = 0;        ///< Roller and thread of the largest load, from 1.
 };
 
 struct Orbit {
@@ -120,9 +120,9 @@ struct Orbit {
   bool converged() const { return !failure; }
 
   int steps = 0;      ///< Positions for each spacing of the rollers.
-  int positions = 0;  ///< Of the whole turn.
+  int positions = 0;  ///< Positions of the whole turn.
   double exponent = 0.0;
-  std::vector<double> carrier_angle;  ///< Of each position [rad].
+  std::vector<double> carrier_angle;  ///< Angle at each position [rad].
   PerInterface<OrbitLoads> loads;
   std::vector<double> axial_displacement;  ///< At the positions that differ [m].
   double axial_error = 0.0;                ///< Peak to peak [m].

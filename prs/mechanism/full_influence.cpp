@@ -26,7 +26,7 @@ std::vector<double> ring_sections(const FullModel& f, Rings::Carrier body, const
 /// A displacement across the axis or a slope of a station of the screw. Slopes, like all rotations
 /// here, are times r_R and moments over r_R.
 struct Held {
-  Index freedom = 0;  ///< Of the stations': two for each, the displacement first.
+  Index freedom = 0;  ///< Index among the stations' freedoms: two for each, the displacement first.
   double stiffness = kRigid;
   Lateral rest;
 };
@@ -120,8 +120,8 @@ class Assembly {
   Index row(Interface i, int thread) const { return (i == Interface::screw ? 0 : threads_) + thread; }
   /// Rings that move against what carries them.
   Index floating() const { return f_.floating_rings() ? 2 : 0; }
-  /// Of the waves of order 1, where reactions begin: across the axis, slope, each roller along its
-  /// axis, rings.
+  /// Index of the first reaction in waves of order 1, behind the motions: across the axis, slope,
+  /// each roller along its axis, rings.
   Index first_reaction() const { return 3 + floating(); }
   Eigen::Index rings_on_screw() const { return f_.carrier == Rings::Carrier::screw ? 2 : 0; }
 
@@ -248,7 +248,7 @@ class Assembly {
     return mode;
   }
 
-  /// Of cos(theta_j) over all rollers.
+  /// Amplitude of cos(theta_j) over all rollers.
   double amplitude() const { return std::sqrt(f_.rollers == 2 ? 2.0 : 0.5 * f_.rollers); }
 
   void add_waves() {

@@ -8,12 +8,12 @@ namespace prs {
 /// The bodies of the full mechanism by their flexibilities, for one direction of the load and one
 /// position; each roller's is the same.
 struct FullBodies {
-  FlexibilityAround screw, nut;    ///< With the sections of `screw_stations` and `nut_stations`.
+  FlexibilityAround screw, nut;    ///< Flexibilities with the sections of `screw_stations` and `nut_stations`.
   Eigen::MatrixXd roller;          ///< Contacts at the screw, then those at the nut.
   std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder, in mode 0.
 };
 
-/// Where a ring guides the rollers: the middles of their ends, or the outer nodes [m].
+/// Places at which a ring guides the rollers: the middles of their ends, or the outer nodes [m].
 std::array<double, 2> guide_places(const FullModel& model);
 
 /// Places on the screw whose displacements matter, from the loaded section on [m]: rings that it
@@ -71,16 +71,16 @@ struct ContactsAround {
 };
 
 struct ContactsAroundOptions {
-  double force = 1.0;   ///< Of which residuals of forces are shares [N].
-  double length = 1.0;  ///< Of which residuals of approaches are shares [m].
+  double force = 1.0;   ///< Force of which residuals of forces are shares [N].
+  double length = 1.0;  ///< Length of which residuals of approaches are shares [m].
   /// Contacts of this stiffness give the first state [N/m]; tangents in the matrix of a step are at
   /// least `least_tangent` times it.
   double stiffness = 1.0;
   double least_tangent = 1e-7;
-  /// Of every residual; where no step lessens it further, what rounding can leave is enough.
+  /// Tolerance of every residual; where no step lessens it further, what rounding can leave is enough.
   double tolerance = 1e-12;
-  double step_tolerance = 1e-6;  ///< Of a step's linear equations.
-  int most_directions = 120;     ///< Of GMRES, before the equations are solved densely.
+  double step_tolerance = 1e-6;  ///< Tolerance of a step's linear equations.
+  int most_directions = 120;     ///< Most directions of GMRES, before the equations are solved densely.
   int max_iterations = 50;
   int max_halvings = 40;
 };

@@ -34,7 +34,7 @@ struct Shift {
   double radial = 0.0, axial = 0.0;
 };
 
-/// Of the thread of screw or nut at xi and the azimuth alpha on the part; `arm` is the radius at
+/// Shift of the thread of screw or nut at xi and the azimuth alpha on the part; `arm` is the radius at
 /// which it moves as it tilts.
 Shift shift_of(const TurningThread& t, double alpha, double xi, double middle, double arm) {
   const double tilt = t.wobble.amount * std::cos(alpha - t.wobble.angle);
@@ -46,7 +46,7 @@ Shift shift_of(const TurningThread& t, double alpha, double xi, double middle, d
   return s;
 }
 
-/// Of the thread of roller j, turned by `spin`, `from_middle` along it, on its side of the screw or
+/// Shift of the thread of roller j, turned by `spin`, `from_middle` along it, on its side of the screw or
 /// the nut.
 Shift shift_of(const TurningRollers& t, std::size_t j, Interface i, double spin, double from_middle,
                double roller_radius) {

@@ -8,7 +8,7 @@ namespace prs {
 /// The nut's wall as it goes out of round, w(x) cos(n phi) and w(x) sin(n phi) alike.
 struct NutHarmonic {
   int order = 2;                          ///< n
-  std::vector<fe::ShellMatrix> segments;  ///< Of the whole nut, between the nodes of its line.
+  std::vector<fe::ShellMatrix> segments;  ///< Segments of the whole nut, between the nodes of its line.
 };
 
 /// Harmonics up to this one: the wall of the screw of lesson 1 dies out over a fifth of its radius
@@ -32,7 +32,7 @@ struct BodyPiece {
 
 /// The wall of the whole nut in place of its bars.
 struct NutWall {
-  NutLine line;                        ///< With the contacts of all rollers.
+  NutLine line;                        ///< Line with the contacts of all rollers.
   NutShell shell;                      ///< Round.
   std::vector<NutHarmonic> harmonics;  ///< Out of round.
 };
@@ -58,7 +58,7 @@ struct FullModel {
   int rollers = 0;                    ///< Missing ones included.
   std::vector<Roller> present;
   std::vector<BodyPiece> screw, nut;  ///< Along x, without gaps between them; at least one.
-  std::optional<NutWall> nut_wall;    ///< Of refined bodies.
+  std::optional<NutWall> nut_wall;    ///< Wall of refined bodies.
   double loaded_section = 0.0;        ///< x_L [m]
   double thrust = 0.0;                ///< x of the held section of the nut [m].
   Ends roller_ends;                   ///< Outer faces of the rollers' ends.
@@ -82,16 +82,16 @@ struct FullModel {
 struct Turn {
   double screw = 0.0, nut = 0.0;
   double carrier = 0.0;
-  double travel = 0.0;  ///< Of the screw against the nut, along x [m].
+  double travel = 0.0;  ///< Travel of the screw against the nut, along x [m].
 
-  /// Of the part to which gears tie the rollers, by the starts.
+  /// Turn of the part to which gears tie the rollers, by the starts.
   double geared(Mechanism::Type type) const { return type == Mechanism::Type::standard ? nut : screw; }
 };
 
 /// d_S/(d_S + d_N), or what is stated; the mechanism must be complete.
 double slip_ratio(const Mechanism& mechanism, const Travel& travel);
 
-/// With the screw turned by theta against the nut: one of both turns, the carrier by the slip
+/// The turn when the screw has turned by theta against the nut: one of both turns, the carrier by the slip
 /// ratio.
 Turn turn_of(const Mechanism& mechanism, const Travel& travel, double theta);
 
@@ -134,7 +134,7 @@ struct FullStructure {
     std::vector<double> x;                    ///< Theirs [m].
     PerInterface<std::vector<int>> contacts;  ///< Node of each thread.
     std::array<std::vector<int>, 2> guided;   ///< Nodes that the near and the far ring guide.
-    int first_spring = 0;                     ///< Of the screw's contacts; those at the nut follow.
+    int first_spring = 0;                     ///< First spring of the screw's contacts; those at the nut follow.
 
     int spring(Interface i, std::size_t thread) const {
       return first_spring + static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.screw.size()));
@@ -142,9 +142,9 @@ struct FullStructure {
   };
   /// A constraint or an elastic link by which a ring guides a roller.
   struct Guide {
-    std::size_t roller = 0;  ///< Of FullModel::present.
+    std::size_t roller = 0;  ///< Index into FullModel::present.
     std::size_t ring = 0;    ///< 0 near, 1 far.
-    double x = 0.0;          ///< Where it acts [m].
+    double x = 0.0;          ///< Position at which it acts [m].
     int constraint = -1;
     int link = -1;
   };
@@ -163,10 +163,10 @@ struct FullStructure {
 
   fe::Model model;
   std::vector<SpatialNode> screw, nut;
-  std::vector<Roller> rollers;  ///< Of FullModel::present.
+  std::vector<Roller> rollers;  ///< Those of FullModel::present.
   std::vector<Guide> guides;
   std::array<int, 2> rings{-1, -1};           ///< (-, y, z as u and v) of floating rings.
-  std::array<const SpatialNode*, 2> seats{};  ///< Of the rings on screw or nut; null: housing.
+  std::array<const SpatialNode*, 2> seats{};  ///< Seats of the rings on screw or nut; null: housing.
   Support housing;
   std::vector<Support> bearings;  ///< As FullModel::bearings; several may hold one freedom.
   int loaded = 0;                 ///< In `screw`.
@@ -189,7 +189,7 @@ struct FullMesh {
   double longest = 0.0;            ///< Longer pieces of screw and nut are divided evenly [m].
 };
 
-/// With a mesh, nodes of screw and nut that lie closer than `kNearNodes` are not joined by a beam
+/// The structure; with a mesh, nodes of screw and nut that lie closer than `kNearNodes` are not joined by a beam
 /// whose stiffness would drown the rest: one follows the other, and what a beam between them gives
 /// way by is a freedom of its own.
 FullStructure full_structure(const FullModel& model, const std::optional<FullMesh>& mesh = {});

@@ -116,7 +116,7 @@ class Builder {
     x = std::move(all);
   }
 
-  /// Of nodes in a row that lie close, those that may be held stay free and the others follow.
+  /// Joins nodes in a row that lie close: those that may be held stay free and the others follow.
   /// `done`: of the pieces before each node.
   void join_near(const std::vector<SpatialNode>& nodes, const std::vector<BodyPiece>& pieces, std::vector<bool>& done) {
     const auto near = [&](std::size_t i) { return nodes[i].x - nodes[i - 1].x < kNearNodes; };

@@ -6,7 +6,7 @@ namespace prs {
 
 /// The loaded mechanism as linear springs in place of its contacts.
 struct Linearised {
-  std::vector<double> tangent;  ///< Of each spring [N/m].
+  std::vector<double> tangent;  ///< Tangent stiffness of each spring [N/m].
   std::vector<bool> closed;     ///< Whether it carries a load that counts.
 
   bool all_closed() const { return std::ranges::find(closed, false) == closed.end(); }

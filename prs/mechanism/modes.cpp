@@ -138,7 +138,7 @@ class Vibration {
   }
   int twist_at(double x) const { return twist_[static_cast<std::size_t>(&at(s_.screw, x) - s_.screw.data())]; }
 
-  /// Of a roller, by length of threads and ends.
+  /// Integral of a rigidity times density/E over a roller, by length of threads and ends.
   double over_roller(double threads, double ends) const {
     const double length = f_.roller_ends.last - f_.roller_ends.first - 2.0 * f_.sector.end_length;
     const Material& steel = material(Share::roller);

@@ -7,11 +7,11 @@ namespace prs {
 /// What vibrates: a mechanism at its equilibrium, with masses.
 struct Vibrating {
   const FullModel& model;
-  const FullDistribution& loads;  ///< With Detail::complete.
+  const FullDistribution& loads;  ///< Loads with Detail::complete.
   const Mechanism& mechanism;
   const Structure& structure;
   const Materials& materials;  ///< All with density.
-  double slip_ratio = 0.0;     ///< Of the rollers that a drive turns.
+  double slip_ratio = 0.0;     ///< Slip ratio of the rollers that a drive turns.
 };
 
 /// A natural mode; shares add up to 1.
@@ -25,7 +25,7 @@ struct Mode {
   double support_strain = 0.0;
   double prestress = 0.0;                                ///< < 0 in compression.
   PerInterface<std::vector<std::vector<double>>> shape;  ///< x, y, z of each node; screw, nut.
-  std::vector<double> axial, radial;                     ///< Of the middle of each roller; missing and idle: 0.
+  std::vector<double> axial, radial;                     ///< Motion of the middle of each roller; missing and idle: 0.
 };
 
 struct ModesResult {
@@ -36,7 +36,7 @@ struct ModesResult {
   bool prestressed = false;
   int buckled = 0;  ///< Modes that grow, left out.
   std::vector<MotionOrder> orders;
-  PerInterface<std::vector<double>> x;  ///< Of the nodes of screw and nut [m].
+  PerInterface<std::vector<double>> x;  ///< Positions of the nodes of screw and nut [m].
   std::vector<Mode> modes;              ///< By frequency.
 
   /// At positions of the travel.

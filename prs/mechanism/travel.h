@@ -49,10 +49,10 @@ std::vector<OrderAmplitude> fitted_orders(const std::vector<double>& d, const Tr
 struct TravelLoads {
   double largest = 0.0;                        ///< [N]
   double angle = 0.0;                          ///< Theta of the largest load [rad].
-  int roller = 0, thread = 0;                  ///< Of the largest load, from 1.
+  int roller = 0, thread = 0;                  ///< Roller and thread of the largest load, from 1.
   double least = 0.0;                          ///< [N]
   RollerThreads mean, ripple;                  ///< Ripple: largest less least [N].
-  std::vector<std::vector<double>> of_roller;  ///< Of the roller of the largest load, at each
+  std::vector<std::vector<double>> of_roller;  ///< Loads of the roller with the largest load, at each
                                                ///< position one for each thread [N].
 };
 
@@ -75,7 +75,7 @@ struct TravelResult {
 
   Travel travel;
   double slip_ratio = 0.0;
-  double lead = 0.0;                 ///< Of the screw [m].
+  double lead = 0.0;                 ///< Lead of the screw [m].
   std::vector<double> angle;         ///< Theta [rad].
   std::vector<double> displacement;  ///< u_x of the loaded section [m].
   double mean_displacement = 0.0;

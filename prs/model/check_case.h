@@ -60,7 +60,7 @@ void check_response(const Case& c, Problems& problems);
 void require_preload(const Case& c, Problems& problems);
 /// What the temperatures of `preload` need where the case states `heat`.
 void require_warm_preload(const Case& c, Problems& problems);
-/// Of the law of friction and the bearings of the roller heads.
+/// What `slip` needs of the law of friction and the bearings of the roller heads.
 void require_friction(const Conditions& c, Problems& problems);
 void require_slip(const Conditions& c, Problems& problems);
 /// What `slip` needs where the case states `heat`.

@@ -51,11 +51,11 @@ struct SpatialLoad {
 struct Travel {
   enum class Part { screw, nut };
   enum class SlipRatio {
-    rolling,  ///< Of pitch cylinders that roll: d_S/(d_S + d_N).
+    rolling,  ///< Ratio of pitch cylinders that roll: d_S/(d_S + d_N).
     ideal,    ///< For which the sliding interface slides least.
-    solved,   ///< That of slip.
+    solved,   ///< The ratio that slip finds.
   };
-  int turns = 1;      ///< Of the screw against the nut; < 0 back.
+  int turns = 1;      ///< Turns of the screw against the nut; < 0 back.
   int steps = 36;     ///< Positions in a turn.
   double from = 0.0;  ///< [rad]
   Part part = Part::screw;
@@ -76,7 +76,7 @@ struct AxialSupport {
     screw_spring,  ///< The same on a spring.
   };
   At at = At::nut;
-  double stiffness = 0.0;  ///< Of the spring [N/m].
+  double stiffness = 0.0;  ///< Stiffness of the spring [N/m].
 };
 
 /// Natural frequencies that are asked for, full mechanism only.
@@ -84,7 +84,7 @@ struct Modes {
   int count = 10;
   AxialSupport axial_support;
   bool prestress = false;
-  std::optional<int> positions;  ///< Of the travel with frequencies of their own.
+  std::optional<int> positions;  ///< Positions of the travel with frequencies of their own.
 };
 
 /// One load on the mechanism. A range in the input has been expanded to one case per point.
@@ -165,7 +165,7 @@ struct Preload {
   std::optional<Spacer> spacer;    ///< Double nut only.
   std::optional<double> distance;  ///< Last contact of the first nut to the second's first [m].
   LoadSweep load;
-  /// With `heat`: the load case at whose steady temperatures the curve holds; the first by default.
+  /// Load case at whose steady temperatures the curve holds, with `heat`; the first by default.
   std::optional<std::string> load_case;
   std::optional<double> lost_motion_load;  ///< [N]; `kLostMotionShare` of the largest if absent.
 };
@@ -192,7 +192,7 @@ struct CsvColumn {
 /// the time.
 struct HistorySource {
   std::string file;                        ///< Relative to the input file.
-  std::optional<std::string> sha256 = {};  ///< Of the file that is meant, hexadecimal.
+  std::optional<std::string> sha256 = {};  ///< SHA-256 of the file that is meant, hexadecimal.
   CsvColumn force;                         ///< > 0 in tension.
   std::optional<CsvColumn> time;
   std::optional<double> interval;  ///< Between two samples [s], in place of `time`.
@@ -216,7 +216,7 @@ struct SpectrumLoad {
   std::optional<double> distance = {};     ///< Travel under the load [m].
   std::optional<double> duration = {};     ///< Time at the operation's speed [s].
   std::optional<double> share = {};        ///< Share of all revolutions.
-  DrivenBy driven_by = DrivenBy::screw;    ///< Of running loads.
+  DrivenBy driven_by = DrivenBy::screw;    ///< Who drives under running loads.
 };
 
 /// Which temperatures the parts have in `life` with a block `heat`.

@@ -17,7 +17,7 @@ void check_force(const LoadCase& load, bool preloaded, Problems& problems) {
                load.direction ? "`direction` gives its sense" : "give it a value");
 }
 
-/// Where the first contact can lie so that all are on the nut [m].
+/// Places of the first contact for which all are on the nut [m].
 struct RoomOnNut {
   double span, last, tolerance;
 
@@ -246,7 +246,7 @@ void check_history(const Case& c, Problems& problems) {
                  "for example");
 }
 
-/// With preload, what the sides are built from.
+/// Checks what the sides are built from with preload.
 void check_preloaded_life(const Case& c, Problems& problems) {
   if (c.preload->arrangement == Preload::Arrangement::double_nut && c.life->position &&
       std::abs(*c.life->position - c.preload->position) > kSamePlace * c.structure->nut.length)

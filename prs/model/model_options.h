@@ -28,7 +28,7 @@ struct ModelOptions {
   /// elements.
   enum class Bodies { bars, refined, influence };
   enum class Roller { flexible, rigid_bending };
-  /// Of slip and all that stands on it: a screw at rest, or one that turns with its friction.
+  /// Loads on which slip and all that follows from it stand: a screw at rest, or one that turns with its friction.
   enum class Loads { at_rest, running };
   /// Positions at which the two loaded flanks of a roller tooth meet screw and nut. Half a turn of
   /// a helical roller is half a pitch times its starts, so that with an odd number of starts the
@@ -104,7 +104,7 @@ struct MeasureOptions {
 
   /// What stands in series with the mechanism between drive and load; what is left out is rigid.
   struct System {
-    enum class Axial { one_end, both_ends };  ///< Where axial bearings hold the shaft.
+    enum class Axial { one_end, both_ends };  ///< Ends at which axial bearings hold the shaft.
     /// From the loaded section of the screw to its bearings; unlike `MeasureOptions::shaft`, which
     /// is for buckling and critical speed and has a length of its own.
     struct Shaft {

@@ -65,7 +65,7 @@ struct ExtraMass {
   Carrier carrier = Carrier::nut;
   double position = 0.0;  ///< x of the section, on the nut's axis [m].
   double mass = 0.0;      ///< [kg]
-  Spatial centre;         ///< Of mass, from the axis at the section [m].
+  Spatial centre;         ///< Centre of mass, from the axis at the section [m].
   Spatial inertia;        ///< About the centre [kg m^2].
 };
 

@@ -50,7 +50,7 @@ struct Warning {
   Worse worse = Worse::larger;
   std::string load_case = {};  ///< Its name, where it is of one; set where cases are gathered.
 
-  /// With these numbers.
+  /// The warning with these numbers.
   Warning with(std::optional<double> of_value, std::optional<double> of_limit = {}, TextUnit of_unit = {},
                Worse of_worse = Worse::larger) && {
     value = of_value, limit = of_limit, unit = of_unit, worse = of_worse;

@@ -335,12 +335,9 @@ std::string comparison(const OptimizationResult& result) {
   return text + from_check(result);
 }
 
-/// A reason without its numbers, which differ from design to design.
-std::string without_numbers(const std::string& reason) {
-  std::string text;
-  for (const char c : reason)
-    if ((c < '0' || c > '9') && c != '.' && c != '-') text += c;
-  return text;
+/// What is the same in designs that end alike: how they ended, of refused ones also the key of the input.
+std::string kind_of(const DesignStatus& status) {
+  return status.name == "refused" ? status.reason.substr(0, status.reason.find(": ")) : status.name;
 }
 
 /// Why designs have no answer: the most frequent kinds of reasons, each by its first.
@@ -352,7 +349,7 @@ std::string failures(const OptimizationResult& result) {
   std::vector<Reason> reasons;
   for (const EvaluatedDesign& design : result.search.designs) {
     if (design.status.converged()) continue;
-    const std::string kind = without_numbers(design.status.reason);
+    const std::string kind = kind_of(design.status);
     auto reason = std::ranges::find(reasons, kind, &Reason::kind);
     if (reason == reasons.end()) reason = reasons.insert(reason, {kind, design.status.reason, 0});
     ++reason->designs;

@@ -111,7 +111,7 @@ bool is_result(std::string_view path) {
 
 /// A file below an open folder, by its name in the last of the folders on the way to it.
 struct Place {
-  std::vector<FileDescriptor> folders;  ///< That of each part of the path but the last.
+  std::vector<FileDescriptor> folders;  ///< One for each part of the path but the last.
   std::vector<std::string> parts;
 
   int parent(const FileDescriptor& top) const { return folders.empty() ? top.get() : folders.back().get(); }

@@ -53,7 +53,7 @@ class StagedFile {
   StagedFile& operator=(StagedFile&&) = delete;
   ~StagedFile();
 
-  /// Where it stands until it is published.
+  /// Path at which it stands until it is published.
   const std::filesystem::path& temporary() const { return temporary_; }
 
   void append(std::string_view content);

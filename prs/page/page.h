@@ -5,10 +5,10 @@
 namespace prs {
 
 struct PageOptions {
-  std::string command = {};  ///< That makes the report, as it is told to the reader.
-  /// Where studies and optimizations of the case are looked for.
+  std::string command = {};  ///< Command that makes the report, as it is told to the reader.
+  /// Folders in which studies and optimizations of the case are looked for.
   std::vector<std::filesystem::path> results = {};
-  /// With the engine, so that a reader with scripts may change values; without it the page is for
+  /// Whether the page holds the engine, so that a reader with scripts may change values; else it is for
   /// reading alone.
   bool live = true;
 };

@@ -146,7 +146,7 @@ class PreloadSolver {
   PerDirection<std::optional<double>> opening_;
   fe::State rest_state_;
   PreloadPoint rest_;
-  Branch* last_ = nullptr;  ///< Of the last solve.
+  Branch* last_ = nullptr;  ///< Branch of the last solve.
   fe::State last_state_;
 };
 

@@ -11,7 +11,7 @@ namespace prs {
 /// Sectors by the sense of the load, without play and without preload.
 using PreloadSectors = PerDirection<PreloadSector>;
 
-/// Where the first nut is held under each sense of the load [m]. Rigid shoulders of the housing:
+/// Sections at which the first nut is held under each sense of the load [m]. Rigid shoulders of the housing:
 /// each sense rests on its own; the only one holds both.
 PerDirection<double> held_sections(const Structure::Thrust& thrust);
 
@@ -78,7 +78,7 @@ class FlankSolver {
   const Conditions& conditions_;
   const Contacts& contacts_;
   PerInterface<ContactLaw> laws_;
-  PreloadSectors fitted_at_;  ///< With the fit's first contact.
+  PreloadSectors fitted_at_;  ///< Sectors with the fit's first contact.
   Fit fit_;
   std::map<double, At> at_position_;
   At* last_ = nullptr;
@@ -102,13 +102,13 @@ struct PreloadCurve {
 struct PreloadResult {
   Preload preload;
   Contacts contacts;
-  PerDirection<double> section;                    ///< Where the first nut is held, by the sense of the load [m].
+  PerDirection<double> section;                    ///< Section that holds the first nut, by the sense of the load [m].
   PreloadPoint at_rest;                            ///< At the temperatures of the case.
   double reference_force = 0.0;                    ///< Axial load of each side where the fit was made [N].
   double reference_temperature = 0.0;              ///< There [K].
-  std::optional<PerPart<double>> temperature;      ///< Of the parts, where not that [K].
+  std::optional<PerPart<double>> temperature;      ///< Temperatures of the parts, where not that [K].
   std::optional<std::string> load_case;            ///< From whose heat they follow.
-  HeatStatus heat_status = HeatStatus::converged;  ///< Of that heat.
+  HeatStatus heat_status = HeatStatus::converged;  ///< Status of that heat.
   std::optional<double> interference;              ///< As `Preload::interference`; absent with play [m].
   /// External load at which the side that opposes it opens [N], > 0.
   PerDirection<std::optional<double>> opening_force;

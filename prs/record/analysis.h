@@ -6,16 +6,16 @@
 
 namespace prs {
 
-/// Where a record stands in documents: `life`, `load_cases[]` for each item of a list, or
+/// Path of a record in documents: `life`, `load_cases[]` for each item of a list, or
 /// `load_cases[].slip` as a key that an analysis adds to the record of another.
 struct Place {
   std::string_view path;
   const RecordInfo& (*record)() = nullptr;
-  bool required = true;           ///< Of every document of the analysis.
-  std::string_view meaning = {};  ///< Of a key that is added.
+  bool required = true;           ///< Whether every document of the analysis has it.
+  std::string_view meaning = {};  ///< Meaning of a key that is added.
 };
 
-/// Where a result has the warnings on the whole case, to read and to add to.
+/// Getters of the warnings that a result has on the whole case, to read and to add to.
 template <class R>
 struct OwnWarnings {
   template <class Get>
@@ -43,7 +43,7 @@ struct Analysis {
   void (*put)(Json&, const R&) = nullptr;
   std::optional<Json> (*load_case)(const R&, std::size_t) = nullptr;
   std::string (*table)(const R&) = nullptr;
-  std::string (*full_table)(const R&) = nullptr;  ///< With `--all`, where there is more.
+  std::string (*full_table)(const R&) = nullptr;  ///< Table printed with `--all`, if there is more.
   /// To whom the document is printed; without it the warnings.
   std::vector<std::string> (*notes)(const R&) = nullptr;
   std::vector<OutputFile> (*files)(const R&, const CsvStyle&) = nullptr;
@@ -56,7 +56,7 @@ struct Analysis {
   std::vector<Warning> (*all_warnings)(const R&) = nullptr;
   PagePlace place = {};  ///< On the page.
   PageSection (*section)(const R&) = nullptr;
-  std::span<const std::string_view> responses = {};  ///< Of a study that lists none.
+  std::span<const std::string_view> responses = {};  ///< Responses of a study that lists none.
   bool takes_load_cases_apart = false;               ///< Each load case has an answer of its own.
 };
 

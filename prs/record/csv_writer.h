@@ -65,7 +65,7 @@ class CsvWriter {
   }
 
  private:
-  /// Where the next characters go, with room for so many.
+  /// Address for the next characters, with room for so many.
   char* room(std::size_t characters) {
     if (csv_.size() - size_ < characters) csv_.resize(size_ + std::max(size_, characters));
     return csv_.data() + size_;
@@ -97,7 +97,7 @@ class CsvWriter {
   void take_number(const char* end);
 
   CsvStyle style_;
-  std::string csv_;  ///< Of which `size_` characters are written.
+  std::string csv_;  ///< Buffer of which `size_` characters are written.
   std::size_t size_ = 0;
   bool row_is_empty_ = true;
 };

@@ -14,7 +14,7 @@ namespace prs {
 struct DocumentInfo {
   std::string version;                      ///< Version of the program.
   std::string schema_version;               ///< Version of the input's schema.
-  std::string input_sha256;                 ///< Of file, overrides and history, `input::input_sha256`.
+  std::string input_sha256;                 ///< Hash of file, overrides and history, `input::input_sha256`.
   std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
   std::string command = {};                 ///< The command that was run.
   std::string case_file = {};               ///< As it was given.
@@ -80,7 +80,7 @@ std::vector<std::string> as_notes(const std::vector<Warning>& warnings);
 /// A number that the page shows beside the verdict, without a limit.
 struct Headline {
   std::string title;
-  std::string key;  ///< Of the quantity, with its unit: `power_loss_W`.
+  std::string key;  ///< Key of the quantity, with its unit: `power_loss_W`.
   double value = 0.0;
   std::string where = {};  ///< The load case.
 };
@@ -98,7 +98,7 @@ struct Delivery {
   bool keeps_figures = false;                    ///< As data in a file too, for reports that are made later.
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
-  std::function<std::string()> full_table = {};  ///< With `--all`, where there is more.
+  std::function<std::string()> full_table = {};  ///< Table printed with `--all`, if there is more.
   /// The document without the lists that `write` fills; empty: `document`.
   std::function<Json(const DocumentInfo&)> outline = {};
   /// The document as text, piece by piece, from its outline; empty: `json_text`.

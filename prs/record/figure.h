@@ -24,9 +24,9 @@ enum class Colour : int {
   sky,
   ink,  ///< Black on paper.
   grey,
-  reference,  ///< Of what stands behind the others: a mean, zero, an axis.
-  muted,      ///< Of many points behind others.
-  bad,        ///< Of designs that break a limit.
+  reference,  ///< For what stands behind the others: a mean, zero, an axis.
+  muted,      ///< For many points behind others.
+  bad,        ///< For designs that break a limit.
 };
 
 constexpr std::size_t kPaletteSize = 8;
@@ -155,7 +155,7 @@ struct Label {
   double x = 0.0;
   double y = 0.0;
   bool in_panel = false;         ///< x, y are shares of the panel from its lower left, else coordinates.
-  Anchor anchor = Anchor::left;  ///< Of the text at x; its middle lies at y.
+  Anchor anchor = Anchor::left;  ///< Anchor of the text at x; its middle lies at y.
 };
 
 struct Panel {
@@ -177,7 +177,7 @@ struct LegendEntry {
 /// Panels in a grid, filled row by row, that share one legend and, unless they have their own, both
 /// axes.
 struct Figure {
-  std::string name;  ///< Of its files.
+  std::string name;  ///< Name of its files.
   std::string title;
   Axis x = {};
   Axis y = {};

@@ -20,7 +20,7 @@ struct FigureOptions {
   std::optional<std::string> response = {};  ///< A path; absent: one figure for each.
   std::optional<std::string> x = {};         ///< Paths of factors.
   std::optional<std::string> y = {};
-  std::optional<std::size_t> thread = {};  ///< Of all rollers, from 0; absent: the most loaded.
+  std::optional<std::size_t> thread = {};  ///< Thread of all rollers, from 0; absent: the most loaded.
   std::optional<std::size_t> panel = {};   ///< Only this one.
   bool one_panel = false;                  ///< All in one panel, as far as that is possible.
 };
@@ -140,7 +140,7 @@ std::string number(double value, int decimals);
 
 /// Names along y, from above, for bars at 1, 2, ..
 Axis ranked_axis(const std::vector<std::string>& names);
-/// Where the k-th stands, from 0.
+/// Position of the k-th, from 0.
 double rank_position(std::size_t k, std::size_t count);
 
 /// Axes and colours in one unit instead of another, of which it is `factor`, where their numbers

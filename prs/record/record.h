@@ -117,7 +117,7 @@ struct Form {
 template <class T>
 using ByKey = std::vector<std::pair<std::string, T>>;
 
-/// Where a quantity is available as a response.
+/// Results in which a quantity is available as a response.
 enum class Reach {
   numbers,   ///< Part of every result, also with Detail::numbers.
   complete,  ///< Only with Detail::complete.
@@ -167,7 +167,7 @@ struct Getter {
   /// All that is neither; null where the case does not define it.
   Json (*json)(const Owner&, const ShownUnit&) = nullptr;
   const RecordInfo& (*record)() = nullptr;  ///< For kinds record and records.
-  /// Of what `json` gives: the number behind the key, `.max`, `[2].thread`, ..; none where there
+  /// Reader of what `json` gives: the number behind the key, `.max`, `[2].thread`, ..; none where there
   /// cannot be one.
   std::optional<Reader<Owner>> (*reader)(std::string_view path, const ShownUnit&) = nullptr;
   Form form = {};
@@ -176,7 +176,7 @@ struct Getter {
 /// One row of the table.
 template <class Owner>
 struct Quantity {
-  /// With its unit: `peak_pressure_MPa`. The quantities of a record without key stand among those
+  /// Key with its unit: `peak_pressure_MPa`. The quantities of a record without key stand among those
   /// of its owner.
   std::string_view key;
   Getter<Owner> value;
@@ -226,7 +226,7 @@ struct SeriesReader {
 
   Word word = Word::none;
   double factor = 1.0;    ///< To the unit.
-  std::size_t index = 0;  ///< Of `one`.
+  std::size_t index = 0;  ///< Index of `one`.
 
   explicit operator bool() const { return word != Word::none; }
   std::optional<double> operator()(std::span<const double> values) const;

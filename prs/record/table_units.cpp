@@ -127,7 +127,7 @@ std::regex quantity_in_sentence() {
       fmt::format(R"((^|[ (]|−)({0})(?:( to | and | or | x | × )({0}))? ({1})(?![\w/^(²³]))", kNumber, units));
 }
 
-/// With as many digits as it had, three at least.
+/// The number converted, with as many digits as it had, three at least.
 std::string converted_number(const std::string& number, double factor) {
   int digits = 0;
   for (const char c : number.substr(0, number.find('e')))

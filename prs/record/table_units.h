@@ -52,7 +52,7 @@ double shown(double si, std::string_view unit);
 
 /// The same with as many decimals as documents' unit would have with `decimals`, no coarser.
 std::string fixed(std::optional<double> si, std::string_view unit, int decimals);
-/// With the unit behind it: `12.00 kN`.
+/// The same with the unit behind it: `12.00 kN`.
 std::string fixed_with_unit(std::optional<double> si, std::string_view unit, int decimals);
 
 /// What shows a number of documents in the unit of tables.
@@ -61,7 +61,7 @@ double table_factor(std::string_view unit);
 
 /// A response of a study as tables show it.
 struct TableResponse {
-  ResponseTitle title;  ///< With the unit of tables.
+  ResponseTitle title;  ///< Title with the unit of tables.
   double factor = 1.0;  ///< What shows a number of documents in that unit.
 
   std::string text() const;  ///< `max screw peak pressure (MPa)`
@@ -85,7 +85,7 @@ std::string significant(std::optional<double> value, int digits = 4);
 /// As many significant digits, with an exponent where it is shorter.
 std::string digits(std::optional<double> value, int digits);
 
-/// Where a table leaves rows out: `all in slip.csv, with --output DIR`.
+/// Note below a table that leaves rows out: `all in slip.csv, with --output DIR`.
 std::string all_in(std::string_view file);
 
 /// The text, padded with spaces to `columns` columns.

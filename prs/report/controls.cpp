@@ -19,7 +19,7 @@ struct Control {
   const char* title;
   Span kind = Span::factor;
   double from = 0.5, to = 1.5;  ///< Over its value, or what is added to it; from 0: not below 0.
-  bool of_force = false;        ///< That is a share of the axial force.
+  bool of_force = false;        ///< Whether it is a share of the axial force.
 };
 
 constexpr const char* kSpectrum = "life.spectrum[].force";

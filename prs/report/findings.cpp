@@ -118,7 +118,7 @@ bool has_cycle(const Findings& all) {
   return slip && slip->heat_cycle;
 }
 
-/// Where the worst value stands, and the best where that is another one; none of efficiencies at
+/// Place of the worst value, and the best if that is another one; none of efficiencies at
 /// temperatures that a duty cycle does not reach.
 std::string place_of(const Findings& all, const Criterion& c) {
   constexpr double kSame = 0.01;

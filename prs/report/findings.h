@@ -37,7 +37,7 @@ struct Findings {
   std::vector<CommandAnswer> answers;
   std::vector<StoredRun> studies;
   std::vector<Warning> of_check;       ///< What it warns of.
-  std::vector<WarningGroup> warnings;  ///< Of all that was computed.
+  std::vector<WarningGroup> warnings;  ///< Warnings of all that was computed.
   CaseVerdict verdict;
   std::vector<std::string> notes;
   std::vector<std::string> void_paths;  ///< Inputs that overrides stand in for.
@@ -108,7 +108,7 @@ std::string figure_html(Findings& all, Figure figure, bool narrow = false);
 struct SectionRow {
   std::string_view id, title;
   std::function<std::string(Findings&)> make;
-  bool is_quick = false;  ///< Of `solve` or `contact` alone: follows while a value moves.
+  bool is_quick = false;  ///< Needs `solve` or `contact` alone: follows while a value moves.
 };
 
 /// In the order in which a reviewer asks: the answer, the part, what is doubtful, what was put in,

@@ -11,13 +11,13 @@ namespace prs {
 /// So much a page carries, in bytes.
 struct ReportRoom {
   std::size_t files = 1'100'000;
-  std::size_t pictures = 600'000;  ///< Of stored studies.
-  std::size_t data = 600'000;      ///< Of all commands.
+  std::size_t pictures = 600'000;  ///< Room for pictures of stored studies.
+  std::size_t data = 600'000;      ///< Room for data of all commands.
 };
 
 struct ReportOptions {
-  std::string command = {};  ///< That makes the report, as it is told to the reader.
-  /// Where studies and optimizations of the case are looked for.
+  std::string command = {};  ///< Command that makes the report, as it is told to the reader.
+  /// Folders in which studies and optimizations of the case are looked for.
   std::vector<std::filesystem::path> results = {};
   ReportRoom room = {};
 };

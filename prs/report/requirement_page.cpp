@@ -42,7 +42,7 @@ std::string requirement_inputs_html(const SizeResult& r) {
 std::string assumptions_html(const SizeResult& r) {
   std::vector<std::vector<std::string>> rows;
   for (const std::string& text : deciding_defaults(r)) rows.push_back({html(text), "decides"});
-  for (const std::string& text : r.candidates.front().warnings) rows.push_back({html(text), ""});
+  for (const std::string& text : sentences(r.candidates.front().warnings)) rows.push_back({html(text), ""});
   for (const std::string& text : sentences(r.warnings)) rows.push_back({html(text), ""});
   return plain_table({"Default or warning", ""}, rows) +
          "<p>Left out: preload, side loads, shock, resonance of the drive, price, and the weight "
@@ -98,8 +98,8 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
   parts.data["results"]["size"] = document;
   parts.shown["results"]["size"] = delivery.outline(info);
   parts.foot = fmt::format(
-      "<p>Made by prs {}{}. SHA-256 of the requirement: <span "
-      "class=\"mono\">{}</span></p>",
+      "<p>Made by prs {}{}. SHA-256 of the requirement: <span class=\"mono\">{}</span>. Validation record of the "
+      "models: <code>docs/validation/size.md</code></p>",
       html(kVersion), options.command.empty() ? "" : ": " + html(options.command), info.input_sha256);
   return parts;
 }

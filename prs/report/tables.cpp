@@ -9,7 +9,7 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kLongestList = 3;  ///< Of longer ones tables show the range.
+constexpr std::size_t kLongestList = 3;  ///< Longer lists are shown as their range.
 
 struct Rows {
   std::string text;

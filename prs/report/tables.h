@@ -15,7 +15,7 @@ struct ReportUnit {
 /// The unit that the path of a quantity ends in, `MPa` of `screw.peak_pressure_MPa.max`.
 std::string unit_in(std::string_view path);
 
-/// Of a quantity by its key or path, with the unit of documents: efficiencies are told in percent,
+/// Unit of a quantity by its key or path, with the unit of documents: efficiencies are told in percent,
 /// pressures in GPa, forces in kN where the largest of them reaches 1000 N; in US units as in
 /// tables.
 ReportUnit report_unit(std::string_view key, std::string_view unit,

@@ -275,7 +275,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
       .with(std::max(ahead, behind) / perfect - 1.0, {}, text_unit::percent);
 }
 
-/// With equal shares, the least that its most loaded threads carry.
+/// Warnings with equal shares, the least that its most loaded threads carry.
 std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& contacts) {
   if (!contacts.interfaces.screw.has_hertz() || !contacts.interfaces.nut.has_hertz()) return {};
   LoadCaseResult loaded = equal_share_result(load, contacts);
@@ -284,7 +284,7 @@ std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& 
   return all_warnings({}, {std::move(loaded)});
 }
 
-/// Where solving takes no more than the share of one roller, those of `solve` and `life`.
+/// Adds the warnings of `solve` and `life` if solving takes no more than the share of one roller.
 void warn_of_loads(const input::Source& source, const input::CaseInput& in, Result& geometry) {
   const Case& c = in.values;
   const auto force = [](const LoadCase& load) { return std::abs(load.axial_force); };

@@ -33,14 +33,14 @@ std::string_view name(Standing standing);
 struct Criterion {
   std::string_view name;   ///< Its key in `limits`, where it has one.
   std::string_view title;  ///< `Static safety`
-  std::string_view unit;   ///< Of value and limit; empty for ratios and fractions.
+  std::string_view unit;   ///< Unit of value and limit; empty for ratios and fractions.
   Sense sense = Sense::least;
   std::optional<double> value;  ///< The worst.
-  std::optional<double> best;   ///< Of all load cases, where there are several.
+  std::optional<double> best;   ///< Best of all load cases, if there are several.
   std::optional<double> limit;
   std::optional<LimitSource> source;
   Standing standing = Standing::no_limit;
-  std::string load_case;  ///< Where the worst value stands.
+  std::string load_case;  ///< Load case with the worst value.
   std::string reason;     ///< What limits it, or why there is no value.
 };
 
@@ -93,7 +93,7 @@ Record<Criterion> record_of(Type<Criterion>);
 struct CommandNeeds {
   Command command = Command::check;
   std::vector<Problem> unmet;
-  std::optional<ModelOptions::Loads> loads;  ///< Of a command that has loads of threads.
+  std::optional<ModelOptions::Loads> loads;  ///< Loads that a command with loads of threads takes.
 };
 
 /// The resolved case, what follows from it, what is unusual, and what it is ready for.
@@ -108,7 +108,7 @@ struct CheckResult {
 /// Without contacts and threads.
 Record<CheckResult> record_of(Type<CheckResult>);
 
-/// With the verdict, for which it runs what the case is ready for.
+/// `check` with the verdict, for which it runs what the case is ready for.
 const Analysis<CheckResult>& check_analysis();
 
 /// `check` without the verdict.

@@ -108,7 +108,7 @@ std::vector<std::pair<std::size_t, std::size_t>> paired(const Json& first, const
   return pairs;
 }
 
-/// With a stated capacity the life is that of the catalogue's formula, else that of the mechanism.
+/// Whether the life counts: with a stated capacity that of the catalogue's formula, else of the mechanism.
 bool is_life_in_use(const std::string& path, const std::array<Json, 2>& documents) {
   const bool of_catalogue = path.starts_with("life.catalogue.");
   if (!of_catalogue && !path.starts_with("life.system.")) return true;

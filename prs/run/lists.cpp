@@ -92,7 +92,7 @@ Json responses_json(const std::vector<std::string>& paths) {
 
 namespace {
 
-/// Of the load cases; a response without it is that of the first.
+/// Path of the load cases; a response without it is that of the first.
 constexpr std::string_view kLoadCases = "load_cases[].";
 
 void add_numbers(const RecordInfo& record, const std::string& before, std::vector<std::string>& paths) {

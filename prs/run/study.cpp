@@ -14,7 +14,7 @@ namespace {
 /// After that time what is computed goes into the journal, as soon as the design at hand is done.
 constexpr std::chrono::seconds kLongestBlock{1};
 
-/// Where a response stands in the file: in the list, or in the envelope that needs it.
+/// Place of a response in the file: in the list, or in the envelope that needs it.
 std::string place_of(const input::StudyInput& in, std::size_t response) {
   if (in.study.envelope) {
     const Envelope& envelope = *in.study.envelope;

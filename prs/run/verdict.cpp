@@ -14,7 +14,7 @@ struct Found {
   Sense sense = Sense::least;
   std::optional<double> value = {}, best = {};
   std::string where = {}, note = {}, why = {};
-  std::string_view title = {};  ///< Where it is not that of the row.
+  std::string_view title = {};  ///< Title if it is not that of the row.
   bool applies = true;
   bool asked = true;
 
@@ -177,7 +177,7 @@ Found speed_times_diameter(const VerdictFacts& f) {
   return found;
 }
 
-/// Of the body: room is left for flanges.
+/// Size of the nut's body: room is left for flanges.
 template <double Structure::Nut::*size>
 Found of_nut(const VerdictFacts& f) {
   Found found{Sense::greatest};
@@ -219,7 +219,7 @@ Found stiffness(const VerdictFacts& f) {
   return found;
 }
 
-/// Of the load cases where the screw drives, over the duty cycle where there is one.
+/// Efficiency of the load cases in which the screw drives, over the duty cycle if there is one.
 Found efficiency(const VerdictFacts& f) {
   if (!f.slip) return without(f, Command::slip, Sense::least);
   Found found;
@@ -272,7 +272,7 @@ struct Row {
   std::optional<double> Limits::*limit;  ///< None of the life, which has two.
   double factor = 1.0;                   ///< From SI to the unit.
   bool is_plain = true;                  ///< Told without a limit too.
-  double zero = 0.0;                     ///< Of the unit [K].
+  double zero = 0.0;                     ///< Zero of the unit [K].
   std::optional<double> physical = {}, recommended = {};
 
   std::optional<double> stated(const Limits& l) const {

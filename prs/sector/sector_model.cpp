@@ -35,7 +35,7 @@ struct Given {
   }
   /// Outer diameter of what bends and carries axial force in screw and roller [m].
   double root_diameter(Part p) const { return *mechanism.pitch_diameter[p] - 2.0 * root_depth(p); }
-  /// Of the screw before its first contact [m].
+  /// Diameter of the screw before its first contact [m].
   double plain_screw_diameter() const {
     const bool threaded = mechanism.type == Mechanism::Type::standard;
     return threaded ? root_diameter(Part::screw) : *mechanism.pitch_diameter.screw;

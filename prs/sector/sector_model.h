@@ -17,7 +17,7 @@ struct RefinedBodies {
   RefinedNumbers<double> numbers;
   NutLine line;
   NutBore bore;
-  std::vector<int> same;  ///< Of each segment of the line the first one that is like it.
+  std::vector<int> same;  ///< First segment that is like it, for each segment of the line.
   bool has_ring = false;  ///< Whether the thrust section leans on a ring.
   RefinedEffects effects;
 
@@ -38,7 +38,7 @@ struct SectorModel : SectorNumbers<double> {
   double nut_radius = 0.0;  ///< Outer radius between the flanges [m].
   std::vector<Flange> flanges;
   bool is_refined = false;
-  RefinedBodies bodies;               ///< Of a refined sector.
+  RefinedBodies bodies;               ///< Bodies of a refined sector.
   std::optional<NutShell> nut_shell;  ///< In place of the nut's bars.
 
   PerInterface<std::vector<double>> gaps;  ///< Initial gap of each thread along the normal [m].

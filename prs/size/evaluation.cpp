@@ -14,8 +14,8 @@ constexpr double kHour = 3600.0, kKelvin = 273.15;
 constexpr double kOilsMean = 20.0;      ///< Difference of the oil's temperature worth a note [K].
 constexpr double kGreaseEnds = 393.15;  ///< Grease and seals do not last beyond [K].
 constexpr double kLongCycle = 600.0;    ///< Cycle whose mean hides a peak of temperature [s].
-constexpr double kRegularLoad = 0.9;    ///< Of C_a: makers allow more only now and then.
-constexpr double kShortStroke = 1.5;    ///< Of the nut's length.
+constexpr double kRegularLoad = 0.9;    ///< Share of C_a: makers allow more only now and then.
+constexpr double kShortStroke = 1.5;    ///< Share of the nut's length.
 constexpr int kCurvePoints = 40;
 
 /// What friction makes of one load case.
@@ -160,12 +160,12 @@ class Evaluation {
     }
     c_.back_driving_efficiency = branch(back, DrivenBy::load).efficiency;
     if (by_row && r_.losses == Requirement::Losses::slip)
-      note(
-          "losses: slip finds no equilibrium of a load case, which has the catalogue's efficiency "
-          "in its place, if it prints one");
+      c_.warnings.push_back({"losses", "slip_without_equilibrium",
+                             "slip finds no equilibrium of a load case, which has the catalogue's efficiency in its "
+                             "place, if it prints one"});
   }
 
-  /// That of the load case with the largest force, at rest, in series with the shaft.
+  /// Finds the stiffness of the load case with the largest force, at rest, in series with the shaft.
   void find_stiffness() {
     std::size_t largest = sized_.back_driving();
     for (std::size_t k = 0; k < sized_.back_driving(); ++k)
@@ -370,55 +370,66 @@ class Evaluation {
   /// C_a of the life that counts [N].
   double capacity() const { return by_maker() ? *c_.dynamic_capacity : *c_.by_threads.capacity; }
 
-  template <class... Args>
-  void note(fmt::format_string<Args...> text, Args&&... args) {
-    c_.warnings.push_back(fmt::format(text, std::forward<Args>(args)...));
-  }
-
   void warn() {
+    std::vector<Warning>& all = c_.warnings;
     if (cycle_.mean_load && *cycle_.mean_load > 0.5 * capacity())
-      note(
-          "life: the mean load, {:.4g} kN, is beyond half of C_a, {:.4g} kN: the formula of life "
-          "is not made for it",
-          1e-3 * *cycle_.mean_load, 0.5e-3 * capacity());
+      all.push_back(Warning{"life", "mean_load",
+                            "the mean load, {value}, is beyond half of C_a, {limit}: the formula of life is not made "
+                            "for it",
+                            "take a larger screw"}
+                        .with(*cycle_.mean_load, 0.5 * capacity(), text_unit::kilonewton));
     if (cycle_.largest_force > kRegularLoad * capacity())
-      note(
-          "motion: the largest force, {:.4g} kN, is beyond 0.9 C_a, {:.4g} kN, which a maker does "
-          "not allow regularly",
-          1e-3 * cycle_.largest_force, kRegularLoad * 1e-3 * capacity());
+      all.push_back(Warning{"motion", "largest_force",
+                            "the largest force, {value}, is beyond 0.9 C_a, {limit}, which a maker does not allow "
+                            "regularly",
+                            "take a larger screw"}
+                        .with(cycle_.largest_force, kRegularLoad * capacity(), text_unit::kilonewton));
     const Mechanism& mechanism = sized_.screw.c.mechanism;
     const bool standard = c_.screw.type == Mechanism::Type::standard;
     const double length = standard ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
     if (r_.stroke && *r_.stroke < kShortStroke * length)
-      note(
-          "stroke: {:.4g} mm is below 1.5 times the {}, {:.4g} mm: life needs a special "
-          "calculation, none is public",
-          1e3 * *r_.stroke, standard ? "nut's length" : "length of the rollers' threads", 1e3 * length);
+      all.push_back(Warning{"stroke", "short_stroke",
+                            fmt::format("{{value}} is below 1.5 times the {}, {{limit}}: life needs a special "
+                                        "calculation, none is public",
+                                        standard ? "nut's length" : "length of the rollers' threads")}
+                        .with(*r_.stroke, kShortStroke * length, text_unit::millimetre, Warning::Worse::smaller));
     if (c_.brake_needed && r_.friction->model == Friction::Model::jacod)
-      note("friction: at rest the film of `jacod` is gone, so that the screw may still hold");
+      all.push_back(
+          {"friction", "film_at_rest", "at rest the film of `jacod` is gone, so that the screw may still hold"});
     warn_of_heat();
   }
 
   void warn_of_heat() {
     if (!c_.temperature) return;
+    std::vector<Warning>& all = c_.warnings;
     const Requirement::Conductance& k = r_.conductance;
     if (r_.limits.temperature && !(k.screw_ambient && k.nut_ambient && k.screw_rollers && k.rollers_nut))
-      note(
-          "heat: conductances by rule decide on temperatures: bare parts in still air, a bolted "
-          "housing takes several times as much");
+      all.push_back({"heat", "conductances_by_rule",
+                     "conductances by rule decide on temperatures: bare parts in still air, a bolted housing takes "
+                     "several times as much",
+                     "state those that are known"});
     if (!r_.limits.temperature && *c_.hottest_part() > kGreaseEnds)
-      note("heat: the hottest part has {:.3g} degC; grease and seals do not last beyond 120 degC",
-           *c_.hottest_part() - kKelvin);
+      all.push_back(
+          Warning{"heat", "hot_part",
+                  fmt::format("the hottest part has {:.3g} degC; grease and seals do not last beyond 120 degC",
+                              *c_.hottest_part() - kKelvin)}
+              .with(*c_.hottest_part(), kGreaseEnds, text_unit::kelvin));
     if (!r_.motion.loads && cycle_.duration > kLongCycle)
-      note("heat: temperatures are the mean of a cycle of {:.3g} min, which hides a peak", cycle_.duration / 60.0);
+      all.push_back(Warning{
+          "heat", "long_cycle",
+          fmt::format("temperatures are the mean of a cycle of {:.3g} min, which hides a peak", cycle_.duration / 60.0)}
+                        .with(cycle_.duration, kLongCycle));
     if (!r_.lubricant->temperature) return;
     const PerInterface<double> oil = oil_temperatures(of_parts(*c_.temperature));
     for (const Interface i : kInterfaces)
-      if (std::abs(oil[i] - *r_.lubricant->temperature) > kOilsMean)
-        return note(
-            "lubricant.temperature: losses are those at {:.3g} degC, and the oil at the {} "
-            "has {:.3g} degC",
-            *r_.lubricant->temperature - kKelvin, prs::name(i), oil[i] - kKelvin);
+      if (const double off = std::abs(oil[i] - *r_.lubricant->temperature); off > kOilsMean) {
+        all.push_back(Warning{"lubricant.temperature", "other_oil",
+                              fmt::format("losses are those at {:.3g} degC, and the oil at the {} has {:.3g} degC",
+                                          *r_.lubricant->temperature - kKelvin, prs::name(i), oil[i] - kKelvin),
+                              "state about that temperature"}
+                          .with(off, kOilsMean, text_unit::kelvin));
+        return;
+      }
   }
 
   const SizeInput& in_;
@@ -429,7 +440,7 @@ class Evaluation {
   double lead_ = 0.0;    ///< |l| [m]
   double rating_ = 1.0;  ///< a1 a_ISO
   Measures measures_;
-  std::vector<Branch> branches_;  ///< Of the segments that are shown.
+  std::vector<Branch> branches_;  ///< Branches of the segments that are shown.
   bool drives_ = false;           ///< The screw, in some segment.
   SizedCandidate c_;
 };

@@ -532,7 +532,7 @@ namespace {
 
 constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kEqual = 1e-9;       ///< Share by which equal numbers may differ by rounding.
-constexpr double kNoForce = 1e-6;     ///< Of the largest: counts as 0.
+constexpr double kNoForce = 1e-6;     ///< Share of the largest that counts as 0.
 constexpr std::size_t kMostShown = 60;
 constexpr int kForceSteps = 12, kSpeedSteps = 8;
 

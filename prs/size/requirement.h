@@ -33,7 +33,7 @@ struct Requirement {
     std::optional<std::string> name;
     double force = 0.0;  ///< As of a segment [N].
     double speed = 0.0;  ///< [m/s]
-    double share = 0.0;  ///< Of the period.
+    double share = 0.0;  ///< Share of the period.
   };
   struct History {
     std::string file;
@@ -44,7 +44,7 @@ struct Requirement {
     std::optional<std::vector<Segment>> segments;
     std::optional<History> history;
     std::optional<std::vector<ConstantLoad>> loads;
-    double period = 3600.0;  ///< Of the cycle of `loads` [s].
+    double period = 3600.0;  ///< Period of the cycle of `loads` [s].
   };
   struct Load {
     double moved_mass = 0.0;   ///< [kg]
@@ -144,8 +144,8 @@ struct MotionSegment {
   std::string name;
   double duration = 0.0, start_speed = 0.0, end_speed = 0.0, external_force = 0.0;
   double force = 0.0;                     ///< Axial, on the screw, > 0 where it pushes in the positive sense.
-  std::size_t shown_as = 0;               ///< Of those that are shown, where it counts as one of a class.
-  std::optional<double> own_travel = {};  ///< Of a class.
+  std::size_t shown_as = 0;               ///< Index among those that are shown, if it counts as one of a class.
+  std::optional<double> own_travel = {};  ///< Travel of a class.
 
   double acceleration() const { return (end_speed - start_speed) / duration; }
   double travel() const { return own_travel.value_or(0.5 * (start_speed + end_speed) * duration); }
@@ -163,13 +163,13 @@ struct MotionCycle {
   bool in_classes = false;
 
   double duration = 0.0, moving = 0.0;          ///< [s]
-  double travel = 0.0, loaded_travel = 0.0;     ///< Of both senses [m].
+  double travel = 0.0, loaded_travel = 0.0;     ///< Travel in both senses [m].
   double way = 0.0;                             ///< Between the extreme positions [m].
   std::optional<double> mean_load, mean_speed;  ///< None where nothing moves under force.
   double largest_force = 0.0, largest_speed = 0.0, rms_speed = 0.0;
   double largest_sign = 1.0;         ///< Sign of the largest force.
   double holding_force = 0.0;        ///< Largest at rest, else the weight along the axis [N].
-  double largest_compression = 0.0;  ///< That buckles [N].
+  double largest_compression = 0.0;  ///< Largest force that buckles [N].
   bool closed = true;                ///< Ends with the speed that it began with.
 
   bool moves() const { return largest_speed > 0.0; }
@@ -187,7 +187,7 @@ struct SizeInput {
   std::vector<Warning> warnings;
 };
 
-/// Where a requirement names its files.
+/// Keys under which a requirement names its files.
 inline constexpr std::string_view kHistoryFile = "motion.history.file";
 inline constexpr std::string_view kCatalogueFile = "candidates.catalogue.file";
 

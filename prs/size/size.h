@@ -12,8 +12,8 @@ namespace prs {
 /// A screw to choose from: a row of a catalogue or a design. SI units.
 struct CandidateData {
   std::string name;
-  bool is_row = false;     ///< Of a catalogue.
-  std::size_t number = 0;  ///< Of the row or the design, from 1.
+  bool is_row = false;     ///< Whether it is a row of a catalogue.
+  std::size_t number = 0;  ///< Number of the row or the design, from 1.
   ScrewData screw;
   std::optional<double> dynamic_capacity, static_capacity;  ///< C_a, C_0 of the row [N].
   std::optional<double> row_efficiency, row_back_driving_efficiency;
@@ -31,7 +31,7 @@ struct SizedCase {
   CompleteScrew screw;
   Case c;
   double shaft_length = 0.0;
-  /// Of each segment that is shown, its load case.
+  /// Load case of each segment that is shown.
   std::vector<std::optional<std::size_t>> load_case_of;
 
   std::size_t back_driving() const { return c.load_cases.size() - 1; }
@@ -81,7 +81,7 @@ struct SizedCandidate : CandidateData {
   double nut_diameter = 0.0, nut_length = 0.0;
   bool passes = false, pareto = false;
   std::string_view limited_by;  ///< Empty where no criterion has a margin.
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 
   std::optional<double> weight, shaft_length;
   Requirement::Basis life_basis = Requirement::Basis::threads;
@@ -141,7 +141,7 @@ struct SizeResult {
   SizeInput input;
   std::vector<SizedCandidate> candidates;  ///< By rank.
   std::vector<InvalidCandidate> invalid;
-  std::optional<Relaxation> relax;  ///< Where nothing passes.
+  std::optional<Relaxation> relax;  ///< Present if nothing passes.
   std::optional<SizeCurve> curve;
   std::vector<Warning> warnings;
 

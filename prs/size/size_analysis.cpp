@@ -59,7 +59,7 @@ constexpr Quantity<SizeCounts> kCounts[] = {
 
 Record<SizeCounts> record_of(Type<SizeCounts>) { return {"SizeCounts", "How many candidates there are.", kCounts}; }
 
-/// Where a candidate comes from.
+/// Source of a candidate.
 static std::string_view source_name(const CandidateData& c) { return c.is_row ? "catalogue" : "design"; }
 template <bool of_row>
 static std::optional<std::size_t> number_of(const CandidateData& c) {
@@ -190,7 +190,7 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
      "Rockwell MPAI-IN001F pp. 45 to 47; Tolomatic IMA-S guide pp. 34 to 35"},
     {"segments", always<&SizedCandidate::segments>, "of the motion"},
     {"criteria", always<&SizedCandidate::criteria>, "values against limits"},
-    {"warnings", always<&SizedCandidate::warnings>, "on this candidate"},
+    {"warnings", always<[](auto& c) { return sentences(c.warnings); }>, "on this candidate"},
 };
 
 Record<SizedCandidate> record_of(Type<SizedCandidate>) {
@@ -580,7 +580,7 @@ std::string size_table(const SizeResult& r, std::size_t rows) {
   if (const std::vector<std::string> defaults = deciding_defaults(r); !defaults.empty())
     text += "\nDefaults that decide\n" + hanging("  ", 2, fmt::format("{}", fmt::join(defaults, "; ")));
   std::vector<Warning> warnings = r.warnings;
-  for (const std::string& sentence : r.candidates.front().warnings) warnings.push_back({"", sentence, sentence});
+  std::ranges::copy(r.candidates.front().warnings, std::back_inserter(warnings));
   return text + warning_section(warnings);
 }
 

@@ -10,7 +10,7 @@ namespace {
 /// Change of a thread's load over a round, relative to the largest load, at which to stop.
 constexpr double kTolerance = 1e-10;
 constexpr int kMostRounds = 100;
-/// Of the slip ratio that a last step may be away from the one that balances.
+/// Largest distance of the slip ratio of a last step from the one that balances.
 constexpr double kSlipMissed = 1e-13;
 /// Share of a round's change down to which friction in proportion to the loads is followed.
 constexpr double kShare = 0.02;
@@ -52,7 +52,7 @@ struct Answer {
   std::vector<std::array<double, 2>> guide_force;  ///< See `RunningLoads`.
 };
 
-/// Where the rollers stand among all threads; under preload rows are the flank that the load names
+/// Places of the rollers among all threads; under preload rows are the flank that the load names
 /// and the other one.
 struct Rollers {
   std::vector<std::size_t> present{0};
@@ -347,7 +347,7 @@ class FixedPoint {
   std::vector<RollerPush> push_;  ///< On each roller present.
   Anderson rounds_;
   Eigen::VectorXd last_tau_;
-  double thread_share_ = 0.0, head_share_ = 0.0;  ///< Of a roller's mass per length [1/m].
+  double thread_share_ = 0.0, head_share_ = 0.0;  ///< Shares of a roller's mass per length [1/m].
 };
 
 /// Why there are no loads of a running screw, where those at rest are known.

@@ -49,7 +49,7 @@ class RunningSolver {
     }
     SectorSolver solver;
     std::optional<RollerGuides> guides;     ///< None of rollers that stay straight.
-    std::optional<InfluenceSolver> meshed;  ///< Of meshed bodies, in place of `solver`.
+    std::optional<InfluenceSolver> meshed;  ///< Solver of meshed bodies, in place of `solver`.
   };
 
   SectorAt& sector_at(Direction d, double position);

@@ -229,7 +229,7 @@ void warn_of_flashes(const SlipResult& slip, std::vector<Warning>& warnings) {
   }
 }
 
-/// Where centrifugal force lifts the rollers off the screw.
+/// Warns if centrifugal force lifts the rollers off the screw.
 void warn_of_lifted_rollers(const LoadCaseResult& loaded, std::vector<Warning>& warnings) {
   const PerInterface<InterfaceLoads>& threads = *loaded.threads;
   int lifted = 0;
@@ -247,7 +247,7 @@ void warn_of_lifted_rollers(const LoadCaseResult& loaded, std::vector<Warning>& 
                          .with(centrifugal, {}, text_unit::newton));
 }
 
-/// Where the formula of the central film does not know the way that an interface rolls.
+/// Warns if the formula of the central film does not know the way that an interface rolls.
 void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const double along_major = slip.threads[i].along_major;

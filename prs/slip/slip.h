@@ -91,7 +91,7 @@ struct StribeckCurve {
 };
 StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case);
 
-/// Of one thread at both interfaces, at the slip of a load case that converged; absent where the
+/// Patches of one thread at both interfaces, at the slip of a load case that converged; absent where the
 /// thread is open at one of them.
 std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, const Result& result, std::size_t load_case,
                                                        std::size_t thread);

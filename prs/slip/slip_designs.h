@@ -15,7 +15,7 @@ class SlipDesignSolver {
   void clear() { screws_.clear(), tasks_.clear(); }
   /// A model with equal shares; its patches are not needed.
   void add(const SlipModel& model);
-  /// Of all that were added.
+  /// Solves all that were added.
   void solve(const contact::PatchGrid& grid);
   /// What `find_slip_equilibrium` gives for the model that was added as number k. Into the memory
   /// of `found`.

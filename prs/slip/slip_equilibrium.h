@@ -19,9 +19,9 @@ struct LoadedThreads {
     contact::FrictionLaw friction;
   };
   std::vector<Contact> contacts;
-  std::vector<contact::Patch> patches;  ///< Of these contacts.
+  std::vector<contact::Patch> patches;  ///< Patches of these contacts.
   double alike = 1.0;                   ///< Threads of the mean roller that each patch stands for.
-  int threads_per_roller = 0;           ///< Of the patches of all rollers, roller after roller; 0: of one.
+  int threads_per_roller = 0;           ///< Those of the patches of all rollers, roller after roller; 0: of one.
   /// Patch of each thread; absent where the thread is open.
   std::vector<std::optional<std::size_t>> patch_of_thread;
 };
@@ -47,14 +47,14 @@ struct GuideForces {
 struct SlipModel : RollerModelOf<double> {
   double axial_force = 0.0;  ///< F_N, signed, of the whole mechanism [N]
   PerInterface<LoadedThreads> threads;
-  /// Where preload closes both flanks of the threads: points and directions of those that do not
-  /// face the load.
+  /// Points and directions of the flanks that do not face the load, where preload closes both
+  /// flanks of the threads.
   struct OtherFlank {
     KinematicGeometry geometry;
     PerInterface<ContactFrameOf<double>> frames;
   };
   std::optional<OtherFlank> other_flank;
-  /// With preload: axial load that both flanks carry at the screw, in place of `axial_force` where
+  /// Axial load that both flanks carry at the screw with preload, in place of `axial_force` where
   /// a measure is needed [N].
   std::optional<double> carried;
   Oils oils;
@@ -114,9 +114,9 @@ double relative_residue(const SlipModel& model, const SlipBalance& balance);
 /// the ideal one, or beyond the ideal one where the carrier is driven.
 struct SlipEquilibrium {
   SlipStatus status = SlipStatus::not_computed;
-  int evaluations = 0;  ///< Of the balance, with slopes or without.
+  int evaluations = 0;  ///< Evaluations of the balance, with slopes or without.
   SlipBalance balance;  ///< At the root.
-  double slope = 0.0;   ///< Of the relative residue along the slip ratio, near the root.
+  double slope = 0.0;   ///< Slope of the relative residue along the slip ratio, near the root.
 
   bool ok() const { return status == SlipStatus::converged || status == SlipStatus::imposed; }
 };

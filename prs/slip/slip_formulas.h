@@ -35,10 +35,10 @@ struct RollerModelOf {
   Real screw_torque{};
   Real nut_torque{};
   Real roller_torque{};
-  contact::JournalBearingOf<Real> bearing{};  ///< Where it has a diameter, not `roller_torque`.
+  contact::JournalBearingOf<Real> bearing{};  ///< Used in place of `roller_torque` if it has a diameter.
   Real bearing_viscosity{};                   ///< 0 without oil [Pa s]
   HeadFrictionOf<Real> head_friction{};
-  Real gear_tangent{};  ///< Of the pressure angle.
+  Real gear_tangent{};  ///< Tangent of the pressure angle.
   Real roller_mass{};   ///< [kg]
 
   simd::Lanes<Real> has_bearing() const { return bearing.diameter > Real(0.0); }
@@ -105,7 +105,7 @@ contact::Vector3<Number> turned_normal(const ContactFrameOf<Real>& frame,
   return {n.x - f_1 * t_1.x - f_2 * t_2.x, n.y - f_1 * t_1.y - f_2 * t_2.y, n.z - f_1 * t_1.z - f_2 * t_2.z};
 }
 
-/// Of the normal load of each of the threads `alike` that the patch stands for.
+/// Forces of the normal load of each of the threads `alike` that the patch stands for.
 template <class Number, class Real>
 PatchForces<Number> forces_of(const ContactFrameOf<Real>& frame, const contact::PatchFrictionOf<Number>& friction,
                               const contact::Vector3<Number>& m, const Number& normal_load, const Real& alike) {

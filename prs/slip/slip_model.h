@@ -67,11 +67,11 @@ class SlipModels {
   const Contacts& contacts_;
   std::shared_ptr<const contact::PatchGrid> grid_;
   Oils oils_;
-  /// Of the roller of a sector at rest, made when first asked for: not for two threads at once.
+  /// Guides of the roller of a sector at rest, made when first asked for: not for two threads at once.
   mutable PerDirection<std::optional<RollerGuides>> roller_guides_;
 };
 
-/// Of the faces that a force closes, > 0 in tension [N].
+/// Geometry of the faces that a force closes, > 0 in tension [N].
 KinematicGeometry kinematic_geometry(const Contacts& contacts, double force);
 
 }  // namespace prs

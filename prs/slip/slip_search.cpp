@@ -14,7 +14,7 @@ constexpr int kMostEvaluations = 100;
 /// Moments below this share of c |F_N|/N_R are rounding.
 constexpr double kNoMoment = 1e-15;
 
-/// Where Newton's method from the ideal slip ratio leads away from the root.
+/// First step if Newton's method from the ideal slip ratio leads away from the root.
 constexpr double kFirstStep = 2e-3;
 constexpr double kLongestStep = 10.0;
 

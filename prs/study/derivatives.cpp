@@ -46,7 +46,7 @@ struct Model {
   PerInterface<ContactLaw> laws;
   std::vector<LoadCase> load_cases;
   std::vector<std::unique_ptr<SectorSolver>> solvers;  ///< One per load case, or null.
-  /// Of a full mechanism in place of solvers: one per load case that is needed.
+  /// Results of a full mechanism in place of solvers: one per load case that is needed.
   std::vector<std::optional<LoadCaseResult>> solved;
 };
 

@@ -146,7 +146,7 @@ class SectorBatch {
   BarDesignSolver bars_;
   RefinedDesignSolver refined_;
   simd::InstructionSet set_;
-  std::size_t used_ = 0;  ///< Of the designs.
+  std::size_t used_ = 0;  ///< Number of designs in use.
   std::vector<Design> designs_;
   std::vector<Sector> sectors_;
   std::vector<SectorModel> models_;  ///< One per sector, as the next two.

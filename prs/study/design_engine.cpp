@@ -27,7 +27,7 @@ Result analyze_for(Command command, const Conditions& c, Contacts contacts, Anal
                                   : analyze_loads(c, std::move(contacts), options);
 }
 
-/// That of a duty, or of the first load case, which did not converge.
+/// Status of the duty, or of the first load case, that did not converge.
 DesignStatus status_of(const Result& result) {
   if (result.heat_cycle && !result.heat_cycle->converged())
     return {std::string(name(result.heat_cycle->status)), fmt::format("duty: {}", result.heat_cycle->reason)};
@@ -116,7 +116,7 @@ using Stop = std::function<bool()>;
 /// Reads the case of the design that a row of a block answers.
 using ReadRow = std::function<Case&(DesignReader& reader, std::size_t row)>;
 
-/// Where load case k of a document stands in the case: `contact` answers those of equal shares
+/// Place in the case of load case k of a document: `contact` answers those of equal shares
 /// alone.
 std::size_t place_of(std::size_t k, const std::vector<LoadCase>& all, Command command) {
   if (command != Command::contact) return k;
@@ -450,7 +450,7 @@ struct DesignEngine::Parts {
     return true;
   }
 
-  /// Of a design whose load cases are solved.
+  /// Measures a design whose load cases are solved.
   void measure(SectorBatch::Design& design, double* row) const {
     Result solved;
     std::swap(solved.contacts, design.contacts);

@@ -131,7 +131,7 @@ Sample sample_of(const Study& study, std::size_t k) {
   return {(k - 1) / each, from_second, Sample::kNone};
 }
 
-/// Where in (0, 1) of its distribution a factor lies.
+/// Number in (0, 1) at which a factor lies in its distribution.
 double share(const Study& study, std::size_t factor, std::size_t block, const Sample& sample) {
   switch (study.plan) {
     case Plan::latin_hypercube:

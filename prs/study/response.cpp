@@ -361,7 +361,7 @@ struct DesignReader::Parts {
     return true;
   }
 
-  /// Of the last shape's frame.
+  /// Problems of the last shape's frame.
   std::vector<Problem> problems() {
     Case& c = frame->file.values;
     const auto of_case = [&] { return input::problems_of(c, input.study.command); };

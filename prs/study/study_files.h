@@ -55,7 +55,7 @@ class StudyNetcdf {
  private:
   struct Variable {
     int id = 0;
-    std::vector<double> values = {};  ///< That are not in the file yet.
+    std::vector<double> values = {};  ///< Values that are not in the file yet.
   };
 
   void define(const Study& study, const DocumentInfo& info);

@@ -155,7 +155,7 @@ struct Point {
 struct Sweep {
   const Factor* factor = nullptr;
   std::vector<Point> points;
-  std::optional<double> base;  ///< Where the base case stands.
+  std::optional<double> base;  ///< Place of the base case.
 };
 
 Sweep sweep_of(const StudyResult& result, std::size_t index) {
@@ -308,7 +308,7 @@ struct Layout {
 
 std::size_t levels(const Study& study, std::size_t factor) { return study.factors[factor].levels.size(); }
 
-/// Of these factors the one with most levels, the first of several.
+/// The factor with most levels among these, the first of several.
 std::size_t longest(const Study& study, const std::vector<std::size_t>& factors) {
   return *std::ranges::max_element(factors, {}, [&](std::size_t k) { return levels(study, k); });
 }
@@ -408,7 +408,7 @@ Figures one_at_a_time_lines(const StudyResult& result, const FigureOptions& opti
   });
 }
 
-/// With slip, for each factor: power by source, stacked, and efficiency with its fit (Sandu 2018,
+/// Figures of slip for each factor: power by source, stacked, and efficiency with its fit (Sandu 2018,
 /// fig. 3.9 and appendix C).
 Figures study_power(const StudyResult& result, const FigureOptions&) {
   Figures figures;

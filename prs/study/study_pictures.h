@@ -42,13 +42,13 @@ Figure response_figure(const std::vector<std::string>& responses, std::size_t re
 /// Over these values of a factor; of words, at 1, 2, ..
 Axis factor_axis(const Factor& factor, const std::vector<double>& values);
 
-/// Of a response's values.
+/// Axis of a response's values.
 Axis response_axis(const std::string& path);
 
 /// A factor's name in a list.
 std::string factor_name(const Factor& factor);
 
-/// Where the levels of a factor stand, words at 1, 2, ...
+/// Positions of the levels of a factor, words at 1, 2, ...
 std::vector<double> positions(const Factor& factor);
 
 /// Up to so many of `count`, evenly spread, both ends among them.

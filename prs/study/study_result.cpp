@@ -371,7 +371,7 @@ struct Bilinear {
   double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
 };
 
-/// Where two of them are 0.
+/// Places at which two of them are 0.
 std::vector<MapPlace> zeros(const Bilinear& f, const Bilinear& g) {
   std::vector<MapPlace> found;
   const auto in_cell = [](double x) { return x >= -kRoundingOfRoot && x <= 1.0 + kRoundingOfRoot; };
@@ -453,7 +453,7 @@ class Evaluator {
     return places;
   }
 
-  /// Where the lines of the grid meet a value of a response.
+  /// Places at which the lines of the grid meet a value of a response.
   std::vector<MapPlace> crossings(const GridMap& map, double wanted) const {
     std::vector<MapPlace> places;
     for (std::size_t k = 0; k < map.size(); ++k)
@@ -473,7 +473,7 @@ class Evaluator {
     return places;
   }
 
-  /// Where two responses have two values.
+  /// Places at which two responses have two values.
   std::vector<MapPlace> meetings(const Envelope::Target& first, const Envelope::Target& second) const {
     std::vector<MapPlace> places;
     for (std::size_t i = 0; i + 1 < maps_.axes[0].nodes(); ++i)

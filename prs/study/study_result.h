@@ -118,7 +118,7 @@ struct ResponseStatistics {
 struct ToleranceGain {
   std::size_t factor = 0;  ///< The first of its block.
   double quantile = 0.0;   ///< 95 % of the response as drawn.
-  double halved = 0.0;     ///< With the factor's deviation halved.
+  double halved = 0.0;     ///< The same with the factor's deviation halved.
 
   double gain() const { return 1.0 - halved / quantile; }
 };
@@ -128,7 +128,7 @@ struct StudySummary {
   std::vector<ResponseStatistics> statistics;     ///< One per response.
   std::optional<ResponseSurfaces> surfaces = {};  ///< For sampled plans with numeric factors.
   std::vector<ResponseIndices> indices = {};      ///< One per response, for plan sobol_indices.
-  /// Of each response the largest gain first, for plan tolerances.
+  /// Gains for each response, the largest first, for plan tolerances.
   std::vector<std::vector<ToleranceGain>> tolerances = {};
   /// Factors that no response follows, as far as designs that differ in one factor alone tell.
   std::vector<std::size_t> idle_factors = {};

@@ -436,7 +436,7 @@ void Ranks::serve(const NextRange& next, const TakeRecord& take, std::size_t chu
 void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
   served_ = true;
   Mailbox<DesignRange> ranges;
-  std::set<std::size_t> ends;  ///< Of the ranges that were given and are not done.
+  std::set<std::size_t> ends;  ///< Ends of the ranges that were given and are not done.
   Mailbox<std::string> records;
   std::size_t places = kPlacesPerThread * threads;
   communicator_->send(0, kHello, content_of({places}));

@@ -28,7 +28,7 @@ class Links {
  public:
   explicit Links(const GridData& grid, double level) : grid_(grid), level_(level) {}
 
-  /// Of the edges between nodes a and b, and c and d.
+  /// Joins the edges between nodes a and b, and c and d.
   void join(Node a, Node b, Node c, Node d) {
     const std::size_t first = edge(a, b), second = edge(c, d);
     add(first, second, crossing(grid_, a, b, level_));

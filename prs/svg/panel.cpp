@@ -104,11 +104,12 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
     const double x = 0.5 * (a[0] + b[0]) - away * std::sin(turn);
     const double y = 0.5 * (a[1] + b[1]) + away * std::cos(turn);
     const int length = static_cast<int>(std::hypot(b[0] - a[0], b[1] - a[1])) +
-                       (away < 0.0 ? 90 : 0);  // Above the axis of z there is room.
+                       (away < 0.0 ? 90 : 30);  // Above the axis of z there is room.
     const auto lines = fitted_lines(text_of(axis), length);
     all += text(x, y, "m", lines.size() > 1 ? lines.front() + "…" : lines.front(),
                 turned(x, y, static_cast<int>(std::lround(turn * 57.29578))));
   };
+  std::vector<TextBox> taken;
   // Lines of each tick over the two walls of its axis, by way of the corner.
   const auto ticks = [&](const Axis& axis, int pixels, bool is_horizontal, const auto& at, Pixels offset,
                          std::string_view classes) {
@@ -119,6 +120,8 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
       const auto [first, corner, last] = at(s);
       all += line(first, corner, "class=\"g\"") + line(corner, last, "class=\"g\"");
       all += text(first[0] + offset[0], first[1] + offset[1], classes, tick.text);
+      taken.push_back(
+          text_box(tick.text, first[0] + offset[0], first[1] + offset[1], classes.ends_with('e') ? 1.0 : 0.0));
       longest = std::max(longest, text_width(tick.text));
     }
     return longest;
@@ -142,11 +145,12 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
   // From the back to the front.
   for (std::size_t i = 0; i + 1 < grid.x.size(); ++i)
     for (std::size_t j = grid.y.size() - 1; j-- > 0;) all += quad(view, grid, i, j, steps);
-  std::vector<TextBox> taken;
   for (const SurfacePoint& point : surface.points) {
     const Pixels at = view(point.x, point.y, point.z);
     all += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" class=\"f6\"/>", at[0], at[1]);
-    all += placed_text(point.name, at[0] + 7, at[1] - 3, 0.0, f.box, taken);
+    const bool at_right_edge = View::share(f.x, point.x) > 0.8;
+    all +=
+        placed_text(point.name, at[0] + (at_right_edge ? -7 : 7), at[1] - 3, at_right_edge ? 1.0 : 0.0, f.box, taken);
   }
   return all;
 }

@@ -13,7 +13,7 @@ struct ContactLaw {
 
 /// A law with what is worked out of it, for designs side by side.
 struct ContactLawNumbers : ContactLaw {
-  double cosine = 1.0, sine = 0.0;  ///< Of psi.
+  double cosine = 1.0, sine = 0.0;  ///< Cosine and sine of psi.
   double cbrt_constant = 0.0;       ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
 };
 

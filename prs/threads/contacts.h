@@ -35,7 +35,7 @@ struct InterfaceContact {
 
 /// Contacts of a mechanism from its thread geometry, before any load.
 struct Contacts {
-  /// With all pitch diameters and the centre distance: the one that analyses compute on.
+  /// The mechanism with all pitch diameters and the centre distance: the one that analyses compute on.
   Mechanism mechanism;
   contact::MechanismGeometry threads;
   PerPart<std::optional<Problem>> bad_threads;  ///< Threads that cannot be, and why.

@@ -44,7 +44,7 @@ struct ReferenceCase {
 
 /// What a source says in words, and the name of its check in the source's code.
 struct PrintedStatement {
-  std::string section;  ///< Where the source makes it.
+  std::string section;  ///< Section in which the source makes it.
   std::string text;     ///< The source's words.
   std::string check;
   std::string why = {};  ///< The mechanics behind it where it does not hold; shown only then.
@@ -87,7 +87,7 @@ class CsvTable {
 
  private:
   struct Row {
-    std::size_t offset = 0;  ///< Where it begins in the file.
+    std::size_t offset = 0;  ///< Offset at which it begins in the file.
     std::vector<std::string> fields;
   };
 

@@ -26,7 +26,7 @@ struct Rails {
 
   Real one = Real(1.0);
   Real rail[2];    ///< Stiffness between stations [N/m].
-  Real ground[2];  ///< Of the second rail, at the first station and at all others [N/m].
+  Real ground[2];  ///< Stiffness to the second rail, at the first station and at all others [N/m].
 
   const Real& coefficient(int, int) const { return one; }
   const Real& support(int k) const { return ground[k == 0 ? 0 : 1]; }

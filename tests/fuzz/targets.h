@@ -45,7 +45,7 @@ std::string whole_matrices();
 bool overrides(std::string_view input);
 
 struct Target {
-  const char* name;  ///< That of its function, its program and its corpus.
+  const char* name;  ///< Name of its function, its program and its corpus.
   bool (*run)(std::string_view input);
   /// Changes an input at random into another one that is mostly sound; at most `most` bytes. Null:
   /// bytes are changed as they come.

@@ -97,9 +97,7 @@ std::vector<DrawnText> drawn_texts(const std::string& svg) {
   return all;
 }
 
-void expect_drawn(const prs::Figure& figure) {
-  SCOPED_TRACE(figure.name);
-  const std::string svg = prs::svg_file(figure);
+void expect_drawn(const std::string& svg) {
   EXPECT_EQ(malformed(svg), "");
   std::smatch size;
   static const std::regex pattern("viewBox=\"0 ([0-9]+) ([0-9]+) ([0-9]+)\"");
@@ -116,6 +114,11 @@ void expect_drawn(const prs::Figure& figure) {
       EXPECT_TRUE(is_apart(texts[k], texts[other]) || is_apart(texts[other], texts[k]))
           << texts[k].content << " covers " << texts[other].content;
   }
+}
+
+void expect_drawn(const prs::Figure& figure) {
+  SCOPED_TRACE(figure.name);
+  expect_drawn(prs::svg_file(figure));
 }
 
 void expect_drawn(const std::vector<prs::Figure>& figures) {

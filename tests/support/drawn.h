@@ -17,6 +17,7 @@ std::vector<DrawnText> drawn_texts(const std::string& svg);
 
 /// Fails where the picture is no well-formed file, where one of its texts covers another or where
 /// one leaves the picture.
+void expect_drawn(const std::string& svg);
 void expect_drawn(const prs::Figure& figure);
 void expect_drawn(const std::vector<prs::Figure>& figures);
 

@@ -70,7 +70,7 @@ struct Case {
   std::optional<Real> coulomb{};      ///< Friction coefficient; without it Jacod's law.
   Lubricant lubricant{};              ///< For Jacod's law.
   std::optional<Real> boundary{};     ///< Friction of touching flanks: mixed.
-  Real exponent = 2;                  ///< Of the share of touching flanks.
+  Real exponent = 2;                  ///< Exponent of the share of touching flanks.
   Real carrier_roller_torque = 0;     ///< |C_P/R| of one roller [N m].
   Real carrier_screw_torque = 0;      ///< |C_P/S| [N m].
   Real carrier_nut_torque = 0;        ///< |C_P/N| [N m].
@@ -210,7 +210,7 @@ struct ThreadFriction {
   Real max_sliding_speed = 0;     ///< Over the points inside [m/s].
   Real film_thickness = 0;        ///< h_c [m], with a lubricant.
   Real central_film = 0;          ///< By the full fit [m].
-  Real boundary_share = 0;        ///< With a roughness.
+  Real boundary_share = 0;        ///< Given with a roughness.
   int points = 0;                 ///< Inside the ellipse.
 };
 

@@ -38,7 +38,7 @@ struct Screw {
   int threads = 1;
   double bore = 0.0, free_length = 0.0, end_length = 0.0, end_diameter = 0.0;
   std::string guidance = "both_end_nodes";
-  std::string rings, bearings;  ///< Of a full mechanism.
+  std::string rings, bearings;  ///< Parts of a full mechanism.
   double nut_length = 0.0, nut_diameter = 0.0;
   bool flanges = false;
   double thrust_tension = 0.0, thrust_compression = 0.0;

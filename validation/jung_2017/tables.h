@@ -116,7 +116,7 @@ std::array<ScaleLine, 10> scale_chart();
 /// A measure as a polynomial of the volume x, in the 1e-3 m^3 that the tables call m^3.
 struct VolumeFit {
   std::string equation;
-  std::string measure;  ///< With its unit.
+  std::string measure;  ///< Name with its unit.
   bool of_case_2 = false;
   double (*value)(const Measures&) = nullptr;  ///< Value of the measure, in that unit.
   std::array<double, 6> coefficients{};        ///< Factors of x^5, x^4 .. 1, as printed.

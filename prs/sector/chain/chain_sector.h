@@ -247,7 +247,7 @@ struct ChainSector {
   int contacts = 0;
   SectorNumbers<double> numbers;
   RollerChain<double> roller{};
-  double nut_rotation_part = 0.0;                ///< Of r theta of the nut in its approach.
+  double nut_rotation_part = 0.0;                ///< Coefficient of the nut's r theta in its approach.
   PerInterface<std::vector<double>> compliance;  ///< In series; bars: empty for zeros.
   PerInterface<std::vector<double>> gaps;
 

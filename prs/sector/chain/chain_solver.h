@@ -37,7 +37,7 @@ class ChainSolver {
  public:
   explicit ChainSolver(const SectorModel& model);
 
-  /// Of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
+  /// Options of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
   /// slender rollers a residual of 1e-12 can leave 1e-10 in a thread's load.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
 

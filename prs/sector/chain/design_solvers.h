@@ -17,7 +17,7 @@ class BarDesignSolver {
  public:
   explicit BarDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
 
-  /// Of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
+  /// Options of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
   /// slender rollers a residual of 1e-12 can leave 1e-10 in a thread's load.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
   bool tangent_stiffness = true;  ///< Whether results have it; a sweep of the threads less without.
@@ -56,7 +56,7 @@ class RefinedDesignSolver {
              std::span<LoadDistribution> results);
 
  private:
-  /// Of `sectors_`, whose kind is that of `first`.
+  /// Solves `sectors_`, whose kind is that of `first`.
   void solve_side_by_side(const SectorModel& first);
 
   InstructionSet set_;

@@ -21,7 +21,7 @@ struct NutHolds {
   }
 };
 
-/// Of each interval between contacts its segment, numbered in the order in which they come;
+/// Sets the segment of each interval between contacts, numbered in the order in which they come;
 /// intervals without a node between their contacts share those of equal shells.
 inline void set_segments_of(const NutShape& shape, std::vector<int>& segment_of) {
   segment_of.clear();
@@ -190,7 +190,7 @@ class NutCondensation {
       }
   }
 
-  /// That of one shell.
+  /// Sets the segment of one shell.
   static void set_segment(const fe::ShellBlocks<Real>& b, NutSegment<Real>& s) {
     const Real none(0.0), v = 0.25 * b.vv, t = 0.25 * b.mm, uv = 0.5 * b.uv, vt = 0.5 * (b.dm + b.tv),
                           skew = 0.5 * (b.dm - b.tv);

@@ -7,12 +7,12 @@
 
 namespace prs {
 
-/// Where the numbers of a refined sector stand.
+/// Addresses of the numbers of a refined sector.
 struct RefinedSector {
   const SectorNumbers<double>* numbers;
   const RefinedNumbers<double>* bodies;
   const double *sections, *outer_radius, *root;  ///< As in NutLine and NutBore.
-  PerInterface<const double*> gaps;              ///< Of each thread.
+  PerInterface<const double*> gaps;              ///< Gaps of each thread.
 };
 
 /// Refined sectors with nuts of one shape, each under an axial force.

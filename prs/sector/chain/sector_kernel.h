@@ -17,7 +17,7 @@ struct BarDesigns : SectorNumbers<std::vector<double>> {
   std::vector<double> axial_force;         ///< On the whole mechanism [N], > 0.
   std::vector<Flange> flanges;             ///< Ones that a design lacks have from = to.
   std::size_t flange_count = 0;            ///< Those in use.
-  PerInterface<std::vector<double>> gaps;  ///< Of thread i of design k at `k * contacts + i`.
+  PerInterface<std::vector<double>> gaps;  ///< Gap of thread i of design k at `k * contacts + i`.
 
   std::size_t size() const { return axial_force.size(); }
 };

@@ -58,7 +58,7 @@ void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts
   range.store(summary.energy, results.energy);
 }
 
-/// Of a contact and lane in a kernel's workspace: record, nut, ground, two compliances.
+/// How many numbers a contact and lane take in a kernel's workspace: record, nut, ground, two compliances.
 template <class Station>
 inline constexpr std::size_t kStationNumbers = sizeof(fe::ChainRecord<double, Station>) / sizeof(double) + 4;
 

@@ -41,7 +41,7 @@ struct ShellStation {
   Real screw;
   RollerChain<Real> roller;
   const NutSegment<Real>* segments;
-  const int* segment_of;  ///< Of the interval to the next station.
+  const int* segment_of;  ///< Segment of the interval to the next station.
   const NutSupport<Real>* supports;
 
   /// What stations take from a sector's numbers.

@@ -20,7 +20,7 @@ struct ThreadLoads {
   std::vector<int> iterations;  ///< Linear solves, the first included.
   std::vector<double> initial_relative_residual;
   std::vector<double> relative_residual;
-  std::vector<double> energy;  ///< Of one sector [J].
+  std::vector<double> energy;  ///< Energy of one sector [J].
 
   void resize(std::size_t solves, std::size_t threads, bool with_tangent = true);
   /// Solve k as a LoadDistribution. Of the history only the last iteration's outcome is known.

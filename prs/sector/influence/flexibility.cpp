@@ -91,7 +91,7 @@ std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contac
   return flanks;
 }
 
-/// With friction the same flanks once more, loaded along them.
+/// The flanks; with friction the same ones once more, loaded along them.
 std::vector<LoadedFlank> with_friction(const BodyGeometry& b, std::vector<LoadedFlank> flanks) {
   const std::size_t normal = flanks.size();
   for (std::size_t k = 0; b.friction && k < normal; ++k) flanks.emplace_back(flanks[k]).tangential = true;

@@ -285,8 +285,8 @@ double outer_radius(const GroovedShape& s, double z) {
 /// Columns and layers of a body's grid. Layers are counted from the profile: those that follow it,
 /// then those of the core.
 struct Layers {
-  std::vector<double> z;      ///< Of the columns.
-  std::vector<double> share;  ///< Of the way from profile to base, of layers that follow it.
+  std::vector<double> z;      ///< Positions of the columns.
+  std::vector<double> share;  ///< Shares of the way from profile to base, of layers that follow it.
   std::vector<double> core;   ///< Radii.
   double base = 0.0;
   bool outwards = false;  ///< The profile is the innermost.

@@ -62,7 +62,7 @@ struct PlainEnd {
   double radius = 0.0;
 };
 
-/// Where the outer surface of a nut is not `outer_radius` [m].
+/// A length on which the outer surface of a nut is not `outer_radius` [m].
 struct Collar {
   double from = 0.0;
   double to = 0.0;

@@ -73,7 +73,7 @@ struct BodyFlexibilities {
   Flexibility nut;
   Flexibility roller;
 
-  /// Of all together: screw and nut see their own contacts, the roller both.
+  /// Flexibility of all together: screw and nut see their own contacts, the roller both.
   Eigen::MatrixXd joined() const;
 };
 
@@ -115,7 +115,7 @@ class InfluenceSolver {
   PerInterface<std::vector<double>> gaps_;
   int rollers_ = 1;
   std::optional<ThrustFace> face_;
-  ThrustFace::Touching touching_;  ///< With equal loads, as `joined_` has it.
+  ThrustFace::Touching touching_;  ///< State under equal loads, as `joined_` has it.
 };
 
 /// What the bodies of a case are worked out from.

@@ -110,7 +110,7 @@ class MatrixCache {
 bool have_sizes(const MatrixCache::Matrices& matrices,
                 std::initializer_list<std::pair<Eigen::Index, Eigen::Index>> sizes);
 
-/// Where bodies are kept between runs: PRS_CACHE_DIR (empty: nowhere), else the user's cache.
+/// Folder in which bodies are kept between runs: PRS_CACHE_DIR (empty: nowhere), else the user's cache.
 std::filesystem::path cache_directory();
 
 /// The cache that the program's commands share.

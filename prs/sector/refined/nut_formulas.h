@@ -14,7 +14,7 @@ namespace prs {
 struct NutShape {
   std::span<const int> contacts;  ///< Nodes of the contacts, ascending.
   int thrust = 0;                 ///< Node of the thrust section.
-  /// Of each segment the first one that is like it.
+  /// For each segment the first one that is like it.
   std::span<const int> same;
   bool has_ring = false;  ///< Whether the thrust section leans on a ring.
   RefinedEffects effects;

@@ -27,7 +27,7 @@ struct ThrustRing {
 struct NutBore {
   /// Inner radius of what carries axial force, between a node of the line and the next.
   std::vector<double> root;
-  double pitch = 0.0;  ///< Where the contacts are; the ridges, closed rings half of which fill the
+  double pitch = 0.0;  ///< Radius of the contacts; the ridges, closed rings half of which fill the
                        ///< groove depth, carry hoop stress from here on.
 };
 
@@ -36,7 +36,7 @@ struct NutBore {
 /// face.
 std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut& nut, const NutBore& bore);
 
-/// Of each segment of the line the first one that is like it.
+/// Sets for each segment of the line the first one that is like it.
 void set_alike_segments(const NutLine& line, const NutBore& bore, std::vector<int>& same);
 
 /// What pushes the nut: equal loads at all contacts.

@@ -12,14 +12,8 @@ import reprlib
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from rollerscrew.plots._again import (
-    limits_of_both,
-    next_colour,
-    relabelled,
-    shown_once,
-    was_drawn,
-)
-from rollerscrew.plots._figure import blank_axes, keep_ticks, new_axes, panel_aspect
+from rollerscrew.plots._again import limits_of_both, next_colour, relabelled, shown_once, was_drawn
+from rollerscrew.plots._figure import keep_ticks, new_axes, panel_aspect
 from rollerscrew.plots._legend import (
     characters,
     colour_bar,
@@ -27,7 +21,7 @@ from rollerscrew.plots._legend import (
     legend_of_figure,
     legend_within,
     shown,
-    width_of,
+    size_of,
 )
 from rollerscrew.plots._panel import draw_panel
 from rollerscrew.plots._style import colour_scale
@@ -96,14 +90,14 @@ def compare(
             )
         drawn = [each["name"] for each in result.figures()]
         if picture not in drawn and not hasattr(result, _method_of(picture)):
-            own = [name for name in dir(type(result)) if name.startswith("plot_")]
-            known = [name.removeprefix("plot_") for name in own if name != "plot_figure"]
+            own = [name.removeprefix("plot_") for name in dir(type(result)) if name[:5] == "plot_"]
+            known = [name for name in own if name != "figure"]
             raise ValueError(
                 f"picture: got {picture!r}; expected one of {type(result).__name__}: "
                 f"{', '.join(dict.fromkeys([*known, *drawn]))}"
             )
     if ax is None:
-        with blank_axes() as ax:
+        with new_axes({"panels": [{"x": {}, "y": {}}], "legend": []}) as (ax,):
             compare(results, picture, ax, **options)
             legend_of_compared(ax)
             return ax
@@ -129,7 +123,7 @@ def _draw_panels(axes: list[Axes], description: Mapping[str, Any], own: bool) ->
     for place, (ax, panel) in enumerate(zip(axes, panels, strict=True)):
         draw_panel(ax, description, place, scale)
         if own and len(panels) > 1 and panel.get("title"):
-            ax.set_title(shown(panel["title"], characters(width_of(ax))))
+            ax.set_title(shown(panel["title"], characters(size_of(ax)[0])))
     if scale is not None and colours is not None:
         bar = colour_bar(axes, scale, colours, contours, below=panel_aspect(description) < _LOW)
         if own:
@@ -139,29 +133,17 @@ def _draw_panels(axes: list[Axes], description: Mapping[str, Any], own: bool) ->
 
 #: Functions of a result and the options of its method, by their names.
 _METHODS = {
-    "butterfly": "plot_butterfly",
-    "contact_points": "plot_contact_points",
-    "convergence": "plot_convergence",
-    "cycles": "plot_cycles",
+    name: f"plot_{name.removeprefix('study_')}"
+    for name in (
+        "butterfly contact_points convergence cycles displacement elasticities ellipses friction "
+        "front load_distribution power power_by_source pressures stiffness stiffness_terms "
+        "study_contributions study_envelope study_histogram study_map"
+    ).split()
+} | {
     "designs": "plot",
-    "displacement": "plot_displacement",
-    "elasticities": "plot_elasticities",
-    "ellipses": "plot_ellipses",
-    "friction": "plot_friction",
-    "front": "plot_front",
-    "load_distribution": "plot_load_distribution",
-    "power": "plot_power",
-    "power_by_source": "plot_power_by_source",
     "preload_displacement": "plot_displacement",
     "preload_stiffness": "plot_stiffness",
-    "pressures": "plot_pressures",
-    "stiffness": "plot_stiffness",
-    "stiffness_terms": "plot_stiffness_terms",
-    "study_contributions": "plot_contributions",
-    "study_envelope": "plot_envelope",
-    "study_histogram": "plot_histogram",
     "study_lines": "plot",
-    "study_map": "plot_map",
     "thread_lives": "plot_lives",
 }
 

@@ -47,13 +47,6 @@ def new_axes(description: Mapping[str, Any]) -> Iterator[list[Axes]]:
     matplotlib.interactive(interactive)
 
 
-@contextmanager
-def blank_axes() -> Iterator[Axes]:
-    """Axes of a new figure, without a description."""
-    with new_axes({"panels": [{"x": {}, "y": {}}], "legend": []}) as axes:
-        yield axes[0]
-
-
 def _columns(description: Mapping[str, Any]) -> int:
     return min(int(description.get("columns", 1)), len(description["panels"]))
 

@@ -38,14 +38,10 @@ def axis_text(axis: Mapping[str, Any], most: int = 200) -> str:
     return shown(f"{label} ({unit})" if unit else label, most)
 
 
-def width_of(ax: Axes) -> float:
-    """Width of axes, mm."""
-    return float(ax.get_window_extent().width) / figure_of(ax).dpi * 25.4
-
-
-def height_of(ax: Axes) -> float:
-    """Height of axes, mm."""
-    return float(ax.get_window_extent().height) / figure_of(ax).dpi * 25.4
+def size_of(ax: Axes) -> tuple[float, float]:
+    """Width and height of axes, mm."""
+    box, unit = ax.get_window_extent(), 25.4 / figure_of(ax).dpi
+    return float(box.width) * unit, float(box.height) * unit
 
 
 def figure_of(ax: Axes) -> Figure:
@@ -123,7 +119,7 @@ def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> Non
 
     panel = description["panels"][0]
     points = FontProperties(size=matplotlib.rcParams["legend.fontsize"]).get_size_in_points()
-    width = width_of(ax) * _POINTS / points
+    width = size_of(ax)[0] * _POINTS / points
     title = ", ".join(filter(None, (description.get("title"), panel.get("title"))))
     titles = list(dict.fromkeys([*getattr(ax, TITLES, []), title]))
     title = titles[0] if len(titles) == 1 else ""  # Of several pictures, what they share.

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rollerscrew.plots._figure import panel_axis
-from rollerscrew.plots._legend import axis_text, characters, height_of, shown, width_of
+from rollerscrew.plots._legend import axis_text, characters, shown, size_of
 from rollerscrew.plots._style import colour_of, is_points, line_look, scale_levels
 
 if TYPE_CHECKING:
@@ -66,10 +66,6 @@ def _show_marks_at_limits(ax: Axes) -> None:
             line.set_clip_on(False)
 
 
-def _points(part: Sequence[Any]) -> npt.NDArray[np.float64]:
-    return np.asarray(part, dtype=np.float64).reshape(-1, 2)
-
-
 def _series(
     ax: Axes,
     series: Mapping[str, Any],
@@ -77,7 +73,7 @@ def _series(
     scale: ScalarMappable | None,
     name: str,
 ) -> None:
-    parts = [_points(part) for part in series.get("parts", [])]
+    parts = [np.asarray(part, np.float64).reshape(-1, 2) for part in series.get("parts", [])]
     values = np.asarray(series.get("values", []), dtype=np.float64)
     shape = style.get("shape", "line")
     if not parts:
@@ -195,7 +191,7 @@ def _axis(ax: Axes, which: str, axis: Mapping[str, Any]) -> None:
             ax.spines[side].set_visible(False)
         return
     visible = drawn.get_tick_params().get("labelbottom" if which == "x" else "labelleft", True)
-    room = characters(height_of(ax) if which == "y" else width_of(ax))
+    room = characters(size_of(ax)[which == "y"])
     drawn.set_label_text(axis_text(axis, room) if visible else "")
     ticks = axis.get("ticks", [])
     if ticks:
@@ -222,7 +218,7 @@ def _axis(ax: Axes, which: str, axis: Mapping[str, Any]) -> None:
 def _turn(ax: Axes, texts: Sequence[str]) -> None:
     """Texts below an axis that would run together."""
     longest = max(len(line) for text in texts for line in text.split("\n"))
-    if longest * len(texts) <= _MOST_DIGITS * width_of(ax) / 70.0:
+    if longest * len(texts) <= _MOST_DIGITS * size_of(ax)[0] / 70.0:
         return
     upright = len(texts) > 8
     ax.tick_params(axis="x", labelrotation=90 if upright else 30)

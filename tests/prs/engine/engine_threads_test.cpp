@@ -43,6 +43,9 @@ TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
                                                         {"slip", "09_slip_and_dissipation"},
                                                         {"slip", "30_duty_cycle"},
                                                         {"solve", "26_unequal_rollers"},
+                                                        {"solve", "33_tolerances"},
+                                                        {"response", "34_reversal"},
+                                                        {"size", "32_press"},
                                                         {"preload", "12_preload"},
                                                         {"measures", "18_design_measures"},
                                                         {"report", "05_standard_screw"}}) {

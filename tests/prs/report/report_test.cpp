@@ -197,6 +197,7 @@ TEST(Report, CitesTheRecordsOfTheModelsThatItUsed) {
   EXPECT_THAT(cited("30_duty_cycle.yaml"), testing::IsSupersetOf({"slip", "heat"}));
   EXPECT_THAT(cited("33_tolerances.yaml"), testing::Contains("motion"));
   EXPECT_THAT(cited("31_running_screw.yaml"), testing::IsSupersetOf({"life", "running"}));
+  EXPECT_EQ(cited("32_press.yaml"), (std::set<std::string>{"size"}));
   for (const char* lesson : {"12_preload.yaml", "14_flight_spectrum.yaml", "18_design_measures.yaml"})
     for (const std::string& record : cited(lesson))
       EXPECT_TRUE(std::filesystem::exists(fmt::format(PRS_SOURCE_DIR "/docs/validation/{}.md", record))) << record;

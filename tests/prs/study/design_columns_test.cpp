@@ -24,7 +24,7 @@
 namespace prs {
 namespace {
 
-constexpr int kDesigns = 64;  ///< Of a study, the base case included.
+constexpr int kDesigns = 64;  ///< Designs of a study, the base case included.
 
 const char* const kResponses[] = {"axial_displacement_um",
                                   "axial_stiffness_N_per_um",

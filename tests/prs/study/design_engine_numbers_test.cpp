@@ -31,7 +31,7 @@ namespace {
 using test::RandomScrews;
 using test::Screw;
 
-constexpr int kDrawn = 499;  ///< Of a study, which has the base case too.
+constexpr int kDrawn = 499;  ///< Designs drawn by a study, which has the base case too.
 
 const char* const kLoadResponses[] = {
     "axial_displacement_um",       "axial_stiffness_N_per_um",    "tangent_stiffness_N_per_um",

@@ -69,7 +69,7 @@ TEST(FullReference, BarsAreThisFarFromFiniteElements) {
   const json& elements = full_reference()["finite elements"];
   struct Ratio {
     const char* name;
-    PerInterface<double> overload;  ///< Of the bars, over that of the finite elements.
+    PerInterface<double> overload;  ///< Overload of the bars over that of the finite elements.
     double share;                   ///< Largest difference of the shares of rollers.
   };
   const Ratio ratios[] = {{"missing roller", {0.9745, 0.9862}, 0.0},
@@ -123,7 +123,7 @@ TEST(FullReference, WhatMomentsAddIsThatOfFiniteElements) {
 TEST(FullReference, RefinedBodiesShareTheLoadAsFiniteElementsDo) {
   struct Gap {
     const char* name;
-    double displacement;  ///< Of the refined bodies, over that of the finite elements.
+    double displacement;  ///< Displacement of the refined bodies over that of the finite elements.
     double share;         ///< Largest difference of the shares of rollers.
   };
   const Gap gaps[] = {{"aligned", 0.9832, 0.0},
