@@ -26,4 +26,13 @@ python3 docs/site/pages.py "$PRS_SITE_SOURCE"
 (cd "$PRS_SITE_SOURCE" && doxygen docs/site/Doxyfile) >"$PRS_SITE_MADE/doxygen.txt" 2>&1
 "$venv/bin/sphinx-build" -q -W --keep-going -j auto -c docs/site "$PRS_SITE_SOURCE" build/site/html
 scripts/check_links.py build/site/html
+python3 - build/site/html/searchindex.js <<'END'
+import json, sys
+text = open(sys.argv[1]).read()
+index = json.loads(text[text.index("(") + 1 : text.rindex(")")])
+pages = [index["terms"].get(stem, []) for stem in ("static", "safeti")]
+pages = [{page} if isinstance(page, int) else set(page) for page in pages]
+if not set.intersection(*pages):
+    sys.exit('site: the search finds no page with "static safety"')
+END
 echo "site: build/site/html/index.html"
