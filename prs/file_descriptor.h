@@ -61,7 +61,8 @@ struct RegularFile {
 /// regular file: a symbolic link at the end of the path is not followed, a pipe not waited for.
 RegularFile open_regular(const char* path, int flags, mode_t mode = 0, int folder = AT_FDCWD);
 
-/// Throws std::system_error if a file was not opened for what the machine lacks, not for what the file is.
+/// Throws std::system_error if `error`, of a file that could not be opened, says that the machine lacks descriptors
+/// or memory.
 void throw_if_scarce(int error, const std::string& path);
 
 /// All bytes of an open file from its beginning, absent where it has more than `most` or cannot be

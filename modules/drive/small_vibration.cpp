@@ -9,7 +9,7 @@
 namespace prs {
 namespace {
 
-/// Square, of at most `most` rows: Eigen compiles as much again for those without a bound.
+/// Square matrix of at most `most` rows; without a bound Eigen would compile code of the same size once more.
 template <typename Number, int most>
 using AtMost = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 

@@ -112,7 +112,7 @@ struct Unidentified {
   std::vector<double> direction;
   double ratio = 0.0;
   double factor = 0.0;                       ///< a + factor b; of logarithms a b^factor.
-  std::optional<Estimate> combination = {};  ///< Estimate for two unknowns of one scale.
+  std::optional<Estimate> combination = {};  ///< Estimate of the combination, for two unknowns of one scale.
 };
 
 struct StartResult {

@@ -40,7 +40,7 @@ Conditions at_rest(Conditions c) {
   return c;
 }
 
-/// Largest force with the threads under it as one load, as `prs solve` has it.
+/// `largest` with the thread loads that `prs solve` finds for it as a load case.
 LargestForce under_solve(const Conditions& conditions, const Contacts& contacts, const std::string& load_case,
                          LargestForce largest, Direction d) {
   Conditions c = conditions;

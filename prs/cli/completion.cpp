@@ -19,7 +19,7 @@ namespace {
 struct Offer {
   enum class Kind { nothing, words, list, settings, cases, files, folders };
   Kind kind = Kind::nothing;
-  std::vector<std::string> words;  ///< Words of `list`: what `prs list` is asked for.
+  std::vector<std::string> words;  ///< Words that are offered; of `list`: what `prs list` is asked for.
 };
 
 /// How a shell says so, by kind, with the words.

@@ -155,7 +155,7 @@ struct CompleteScrew {
   double centre_distance = 0.0;
   int most_rollers = 0;         ///< Most that fit before their crests touch.
   std::vector<GearPair> gears;  ///< Most suitable first.
-  double position = 0.0;        ///< First contact on the nut, rollers in the middle [m].
+  double position = 0.0;        ///< Position of the first contact on the nut, rollers in the middle [m].
   double load = 0.0, speed = 0.0;
 };
 

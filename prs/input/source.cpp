@@ -26,6 +26,7 @@ Source load_source(const std::string& file, std::vector<std::string> overrides) 
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
+  throw_if_scarce(error.value(), file);
   if (!fs::exists(status)) throw refusal(file, "no such file", "check the path");
   if (fs::is_directory(status)) throw refusal(file, "a folder", "name a file in it");
   if (!fs::is_regular_file(status))

@@ -14,7 +14,7 @@ constexpr double kLeastLoad = 1e-5;
 /// has no smooth curve.
 constexpr std::size_t kFewForces = 40;
 
-/// Tolerances of curves over more forces than that, with preload and of all rollers.
+/// Tolerances of curves over more than `kFewForces` forces: with preload, and of all rollers.
 constexpr double kCurveTolerance = 1e-5, kOrbitTolerance = 1e-4;
 
 void find_capacity(const LifeModel& p, LifeResult& r) {

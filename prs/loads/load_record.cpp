@@ -94,7 +94,7 @@ constexpr Quantity<NewtonIteration> kNewtonIteration[] = {
     {"shift", of<&NewtonIteration::shift>, "added to the diagonal so that it can be solved"},
 };
 
-/// Getter of load cases in which something is solved.
+/// Getter of what solving found; none of load cases in which nothing is solved.
 template <auto get>
 constexpr auto of_solve =
     of<[](const LoadCaseResult& r) { return r.solve ? std::optional(std::invoke(get, *r.solve)) : std::nullopt; }>;

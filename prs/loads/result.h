@@ -68,7 +68,7 @@ struct HeatResult {
   int evaluations = 0;                      ///< Evaluations of the losses at temperatures.
   bool others = false;                      ///< Hotter steady states exist.
   PerPart<double> temperature;              ///< [K]
-  std::optional<PerInterface<double>> oil;  ///< Oil at the contacts [K]; none without lubricant.
+  std::optional<PerInterface<double>> oil;  ///< Temperature of the oil at the contacts [K]; none without lubricant.
   PerPart<double> heat;                     ///< Heat that flows into each part [W].
 
   bool converged() const { return status == HeatStatus::converged; }
@@ -96,7 +96,7 @@ struct RollerShares {
   int largest_roller = 0;            ///< Roller with the largest load, from 1.
   int largest_thread = 0;
   double overload_factor = 0.0;  ///< Largest load over that of the same screw loaded symmetrically.
-  int unloaded_threads = 0;      ///< Unloaded ones among the rollers present.
+  int unloaded_threads = 0;      ///< Unloaded threads of the rollers that are present.
   int missing = 0;               ///< Rollers that are not there.
 };
 

@@ -406,7 +406,8 @@ std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& sty
 
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
-/// Page section of the life; its headline is the catalogue's life if a capacity, of real screws, is stated.
+/// Page section of the life. If a capacity is stated, which is that of real screws, the catalogue's life is the
+/// headline.
 PageSection life_section(const LifeResult& r) {
   const bool solved = r.life.share == LoadCase::Share::solved, stated = !r.lemor;
   const std::vector<std::string> lives =

@@ -7,7 +7,7 @@
 namespace prs {
 namespace {
 
-/// Says of which load cases the threads have nothing of the preload.
+/// Says in which load cases the threads take nothing of the preload.
 void add_preload_notes(const Case& c, Result& result) {
   if (!some_load_has_both_flanks(c)) return add_preload_note(c, result.warnings);
   for (LoadCaseResult& r : result.load_cases)

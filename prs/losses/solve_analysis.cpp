@@ -49,7 +49,7 @@ std::string full_solve_text(const Result& result) {
   return text;
 }
 
-/// How much threads carry that are loaded more than those of the same screw loaded symmetrically.
+/// How much more the most loaded threads carry than those of the same screw loaded symmetrically, if they do.
 std::vector<Headline> overloads(const Result& result) {
   constexpr double kNone = 1.0005;  // What four digits do not show as 1.
   std::vector<Headline> headlines;

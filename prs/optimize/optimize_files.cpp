@@ -335,7 +335,7 @@ std::string comparison(const OptimizationResult& result) {
   return text + from_check(result);
 }
 
-/// What is the same in designs that end alike: how they ended, of refused ones also the key of the input.
+/// Designs of one kind end alike; refused ones by the key of the input, all others by their status.
 std::string kind_of(const DesignStatus& status) {
   return status.name == "refused" ? status.reason.substr(0, status.reason.find(": ")) : status.name;
 }

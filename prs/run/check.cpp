@@ -275,7 +275,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
       .with(std::max(ahead, behind) / perfect - 1.0, {}, text_unit::percent);
 }
 
-/// Warnings with equal shares, the least that its most loaded threads carry.
+/// Warnings on a load with equal shares, the least that the most loaded threads carry.
 std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& contacts) {
   if (!contacts.interfaces.screw.has_hertz() || !contacts.interfaces.nut.has_hertz()) return {};
   LoadCaseResult loaded = equal_share_result(load, contacts);

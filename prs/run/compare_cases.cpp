@@ -108,7 +108,8 @@ std::vector<std::pair<std::size_t, std::size_t>> paired(const Json& first, const
   return pairs;
 }
 
-/// Whether the life counts: with a stated capacity that of the catalogue's formula, else of the mechanism.
+/// Whether a number counts. Of lives: with a stated capacity those of the catalogue's formula, else those of the
+/// mechanism.
 bool is_life_in_use(const std::string& path, const std::array<Json, 2>& documents) {
   const bool of_catalogue = path.starts_with("life.catalogue.");
   if (!of_catalogue && !path.starts_with("life.system.")) return true;

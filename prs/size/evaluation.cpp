@@ -389,7 +389,7 @@ class Evaluation {
     const double length = standard ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
     if (r_.stroke && *r_.stroke < kShortStroke * length)
       all.push_back(Warning{"stroke", "short_stroke",
-                            fmt::format("{{value}} is below 1.5 times the {}, {{limit}}: life needs a special "
+                            fmt::format("{{value}} is below {{limit}}, 1.5 times the {}: life needs a special "
                                         "calculation, none is public",
                                         standard ? "nut's length" : "length of the rollers' threads")}
                         .with(*r_.stroke, kShortStroke * length, text_unit::millimetre, Warning::Worse::smaller));
@@ -411,7 +411,7 @@ class Evaluation {
     if (!r_.limits.temperature && *c_.hottest_part() > kGreaseEnds)
       all.push_back(
           Warning{"heat", "hot_part",
-                  fmt::format("the hottest part has {:.3g} degC; grease and seals do not last beyond 120 degC",
+                  fmt::format("the hottest part has {:.0f} degC; grease and seals do not last beyond 120 degC",
                               *c_.hottest_part() - kKelvin)}
               .with(*c_.hottest_part(), kGreaseEnds, text_unit::kelvin));
     if (!r_.motion.loads && cycle_.duration > kLongCycle)
@@ -424,9 +424,9 @@ class Evaluation {
     for (const Interface i : kInterfaces)
       if (const double off = std::abs(oil[i] - *r_.lubricant->temperature); off > kOilsMean) {
         all.push_back(Warning{"lubricant.temperature", "other_oil",
-                              fmt::format("losses are those at {:.3g} degC, and the oil at the {} has {:.3g} degC",
+                              fmt::format("losses are those at {:.0f} degC, and the oil at the {} has {:.0f} degC",
                                           *r_.lubricant->temperature - kKelvin, prs::name(i), oil[i] - kKelvin),
-                              "state about that temperature"}
+                              "state a temperature near that of the oil"}
                           .with(off, kOilsMean, text_unit::kelvin));
         return;
       }

@@ -144,7 +144,7 @@ struct MotionSegment {
   std::string name;
   double duration = 0.0, start_speed = 0.0, end_speed = 0.0, external_force = 0.0;
   double force = 0.0;                     ///< Axial, on the screw, > 0 where it pushes in the positive sense.
-  std::size_t shown_as = 0;               ///< Index among those that are shown, if it counts as one of a class.
+  std::size_t shown_as = 0;               ///< Index among those that are shown; in classes that of its class.
   std::optional<double> own_travel = {};  ///< Travel of a class.
 
   double acceleration() const { return (end_speed - start_speed) / duration; }
@@ -169,7 +169,7 @@ struct MotionCycle {
   double largest_force = 0.0, largest_speed = 0.0, rms_speed = 0.0;
   double largest_sign = 1.0;         ///< Sign of the largest force.
   double holding_force = 0.0;        ///< Largest at rest, else the weight along the axis [N].
-  double largest_compression = 0.0;  ///< Largest force that buckles [N].
+  double largest_compression = 0.0;  ///< Largest force that compresses the screw, for buckling [N].
   bool closed = true;                ///< Ends with the speed that it began with.
 
   bool moves() const { return largest_speed > 0.0; }

@@ -10,7 +10,7 @@ namespace {
 /// Change of a thread's load over a round, relative to the largest load, at which to stop.
 constexpr double kTolerance = 1e-10;
 constexpr int kMostRounds = 100;
-/// Largest distance of the slip ratio of a last step from the one that balances.
+/// Largest distance of a last step's slip ratio from the one that balances.
 constexpr double kSlipMissed = 1e-13;
 /// Share of a round's change down to which friction in proportion to the loads is followed.
 constexpr double kShare = 0.02;

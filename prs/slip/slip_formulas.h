@@ -105,7 +105,7 @@ contact::Vector3<Number> turned_normal(const ContactFrameOf<Real>& frame,
   return {n.x - f_1 * t_1.x - f_2 * t_2.x, n.y - f_1 * t_1.y - f_2 * t_2.y, n.z - f_1 * t_1.z - f_2 * t_2.z};
 }
 
-/// Forces of the normal load of each of the threads `alike` that the patch stands for.
+/// Forces of all the threads `alike` that the patch stands for, from the normal load of each.
 template <class Number, class Real>
 PatchForces<Number> forces_of(const ContactFrameOf<Real>& frame, const contact::PatchFrictionOf<Number>& friction,
                               const contact::Vector3<Number>& m, const Number& normal_load, const Real& alike) {

@@ -255,6 +255,12 @@ def test_limits_are_told_and_leave_whole_files(bench: Bench, name: str, limit: s
             assert max(map(len, contents(out).values())) <= value
 
 
+def test_too_many_open_files_are_no_fault_of_the_input(bench: Bench) -> None:
+    run = bench.run("solve", bench.output(), "prlimit", "--nofile=4")
+    assert run.returncode == 1
+    assert "cannot open '01_config_1_to_3.yaml': Too many open files" in run.stderr
+
+
 def test_scarce_memory_is_told_also_where_documents_are_taken_apart(bench: Bench) -> None:
     out = bench.output()
     for more in range(0, 2 << 20, (16 if THOROUGH else 64) << 10):

@@ -84,7 +84,7 @@ struct Flexibility {
   Eigen::MatrixXd matrix;
   double half_space = 0.0;         ///< Taken from each diagonal term [m/N]; roller: screw side.
   std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder.
-  Eigen::MatrixXd bent;            ///< Part of the matrix that bends a roller.
+  Eigen::MatrixXd bent;            ///< Part of the matrix from the bending of a roller.
 };
 
 /// Adds what the harmonics that die out along a body leave. Rows and columns of the matrix are the

@@ -90,8 +90,8 @@ def compare(
             )
         drawn = [each["name"] for each in result.figures()]
         if picture not in drawn and not hasattr(result, _method_of(picture)):
-            own = [name.removeprefix("plot_") for name in dir(type(result)) if name[:5] == "plot_"]
-            known = [name for name in own if name != "figure"]
+            own = [name for name in dir(type(result)) if name.startswith("plot_")]
+            known = [name.removeprefix("plot_") for name in own if name != "plot_figure"]
             raise ValueError(
                 f"picture: got {picture!r}; expected one of {type(result).__name__}: "
                 f"{', '.join(dict.fromkeys([*known, *drawn]))}"

@@ -191,7 +191,7 @@ def _axis(ax: Axes, which: str, axis: Mapping[str, Any]) -> None:
             ax.spines[side].set_visible(False)
         return
     visible = drawn.get_tick_params().get("labelbottom" if which == "x" else "labelleft", True)
-    room = characters(size_of(ax)[which == "y"])
+    room = characters(size_of(ax)["xy".index(which)])
     drawn.set_label_text(axis_text(axis, room) if visible else "")
     ticks = axis.get("ticks", [])
     if ticks:

@@ -10,6 +10,7 @@
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
 #include "prs/measures/measures.h"
+#include "prs/record/table_units.h"
 #include "prs/size/size_analysis.h"
 #include "prs/slip/slip.h"
 
@@ -310,6 +311,28 @@ TEST(Size, NothingPassesIsSaidWithWhatToRelax) {
   EXPECT_EQ(r.relax->rank, 1);
   EXPECT_GT(r.relax->needed, r.relax->limit);
   EXPECT_THAT(size_table(r, 10), testing::StartsWith("NOTHING PASSES"));
+}
+
+TEST(Size, WarningsHaveTheirNumbers) {
+  const SizeResult r = sized(
+      "stroke: 12 mm\n"
+      "motion: {segments: [{duration: 1 s, end_speed: 10 mm/s, force: 200 kN}], start_speed: 10 mm/s}\n"
+      "model: {loads: static}\n");
+  const SizedCandidate& c = *std::ranges::find(r.candidates, "30x10", &SizedCandidate::name);
+  const auto warning = [&](std::string_view code) {
+    const auto found = std::ranges::find(c.warnings, code, &Warning::code);
+    return found == c.warnings.end() ? Warning{} : *found;
+  };
+  EXPECT_NEAR(warning("largest_force").limit.value() / warning("mean_load").limit.value(), 0.9 / 0.5, 1e-12);
+  EXPECT_NEAR(warning("mean_load").value.value(), 200e3, 1e-6);
+  const Warning stroke = warning("short_stroke");
+  EXPECT_DOUBLE_EQ(stroke.value.value(), 12e-3);
+  EXPECT_DOUBLE_EQ(stroke.limit.value(), 1.5 * c.nut_length);
+  EXPECT_THAT(sentence(stroke), testing::StartsWith("stroke: 12 mm is below"));
+  EXPECT_THAT(sentence(stroke), testing::HasSubstr("mm, 1.5 times the nut's length: life needs"));
+  const TableUnits us(UnitSystem::us);
+  EXPECT_THAT(in_table_units(sentence(stroke)), testing::StartsWith("stroke: 0.472 in is below"));
+  EXPECT_THAT(in_table_units(sentence(warning("largest_force"))), testing::HasSubstr("force, 45000 lbf, is beyond"));
 }
 
 TEST(Size, ManySamplesAreClasses) {
