@@ -21,7 +21,7 @@ struct LoadedThreads {
   std::vector<Contact> contacts;
   std::vector<contact::Patch> patches;  ///< Patches of these contacts.
   double alike = 1.0;                   ///< Threads of the mean roller that each patch stands for.
-  int threads_per_roller = 0;           ///< Where the patches are those of all rollers, one after the other; 0: of one.
+  int threads_per_roller = 0;           ///< Threads of each, in patches of all rollers, one after the other; 0: of one.
   /// Patch of each thread; absent where the thread is open.
   std::vector<std::optional<std::size_t>> patch_of_thread;
 };
