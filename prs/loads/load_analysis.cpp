@@ -143,8 +143,7 @@ void put_contacts(Json& document, const Contacts& contacts) {
 
 void put_loads(Json& document, const Result& result) {
   if (result.contacts.threads.centre_distance > 0.0) put_contacts(document, result.contacts);
-  const auto is_solved = [](const LoadCaseResult& load_case) { return load_case.solve.has_value(); };
-  if (std::ranges::any_of(result.load_cases, is_solved)) document["model"] = object_of(ModelSummary{&result});
+  if (has_solved(result)) document["model"] = object_of(ModelSummary{&result});
   document["load_cases"] = Json::array();
 }
 

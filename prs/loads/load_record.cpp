@@ -243,25 +243,6 @@ bool has_yamamoto(const ModelOptions& m) {
   return m.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto;
 }
 
-/// What the model is known to be off by, at the full load of lesson 1's screw against finite
-/// elements (docs/refined.md, docs/influence.md); empty where it was changed for comparison.
-std::string_view known_bias(const ModelOptions& m) {
-  if (m.mechanism == ModelOptions::Mechanism::full && m.bodies == Bodies::bars)
-    return "all rollers; about as much too stiff as `bars` of a sector";
-  if (has_yamamoto(m)) return "for comparison: Hertz has the deflection of the teeth already";
-  switch (m.bodies) {
-    case Bodies::bars:
-      return "17 to 32 % stiffer than finite elements on an inverted 21 x 5 mm screw; nearer: "
-             "`model: {bodies: refined}`";
-    case Bodies::refined:
-      return effects_off(m.refined).empty() ? "0.4 to 3.4 % stiffer than finite elements on an inverted 21 x 5 mm screw"
-                                            : "";
-    case Bodies::influence:
-      break;
-  }
-  return "within 0.5 % of finite elements on an inverted 21 x 5 mm screw";
-}
-
 const ModelOptions& options_of(const ModelSummary& s) { return s.result->model; }
 
 template <auto of_options, auto applies>
@@ -294,9 +275,30 @@ constexpr Quantity<ModelSummary> kModelSummary[] = {
 
 PRS_RECORD(ModelSummary, "Model", "How the loads were solved.", kModelSummary);
 
+bool has_solved(const Result& result) {
+  return std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.solve.has_value(); });
+}
+
+std::string_view known_bias(const ModelOptions& m) {
+  if (m.mechanism == ModelOptions::Mechanism::full && m.bodies == Bodies::bars)
+    return "all rollers; about as much too stiff as `bars` of a sector";
+  if (has_yamamoto(m)) return "for comparison: Hertz has the deflection of the teeth already";
+  switch (m.bodies) {
+    case Bodies::bars:
+      return "17 to 32 % stiffer than finite elements on an inverted 21 x 5 mm screw; nearer: "
+             "`model: {bodies: refined}`";
+    case Bodies::refined:
+      return effects_off(m.refined).empty() ? "0.4 to 3.4 % stiffer than finite elements on an inverted 21 x 5 mm screw"
+                                            : "";
+    case Bodies::influence:
+      break;
+  }
+  return "within 0.5 % of finite elements on an inverted 21 x 5 mm screw";
+}
+
 std::string model_line(const Result& result) {
   const ModelOptions& m = result.model;
-  if (std::ranges::none_of(result.load_cases, [](const LoadCaseResult& r) { return r.solve.has_value(); })) return {};
+  if (!has_solved(result)) return {};
   std::string line = fmt::format("bodies: {}", name(m.bodies));
   if (m.bodies != Bodies::bars)
     line += fmt::format(", roller contacts {}", name(roller_contacts(m, result.contacts.mechanism.starts.roller)));

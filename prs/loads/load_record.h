@@ -45,6 +45,13 @@ Record<ModelSummary> record_of(Type<ModelSummary>);
 /// The same as a line for the terminal; empty where nothing was solved.
 std::string model_line(const Result& result);
 
+/// Whether the loads of some load case were solved for.
+bool has_solved(const Result& result);
+
+/// What the model is known to be off by, at the full load of lesson 1's screw against finite
+/// elements (docs/refined.md, docs/influence.md); empty where it was changed for comparison.
+std::string_view known_bias(const ModelOptions& model);
+
 /// A number of each part as documents show it, of all rollers together.
 struct PartNumbers {
   double screw = 0.0, rollers = 0.0, nut = 0.0;

@@ -152,10 +152,9 @@ std::pair<double, double> ends_of(const Findings& all, const Control& control, d
   if (control.kind == Span::whole) {
     from = std::max(1.0, std::floor(from));
     to = std::ceil(to);
-    const Json& most = under(under(all.check, "contact"), "max_rollers");
     if (std::string_view(control.path) == "mechanism.rollers") {
       from = 2.0;
-      if (most.is_number()) to = std::max(value, most.get<double>());
+      to = std::max<double>(value, contact::largest_roller_count(all.checked().geometry.contacts.threads));
     }
     return {from, to};
   }
@@ -221,7 +220,7 @@ struct Follower {
 
 std::size_t count_of(const Findings& all, std::string_view pattern) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      all.check["input"], [&](const Json& entry) { return any_item(entry["path"].get<std::string>()) == pattern; }));
+      all.checked().fields, [&](const input::EchoEntry& field) { return any_item(field.path) == pattern; }));
 }
 
 /// Every load of the spectrum; none where one of them is no load case's.
@@ -230,14 +229,15 @@ std::vector<Follower> followers(const Findings& all) {
     std::string path, force, direction;
   };
   std::map<std::string, Load> cases, spectrum;  // By their items.
-  for (const Json& entry : all.check["input"]) {
-    const std::string path = entry["path"], pattern = any_item(path);
+  for (const input::EchoEntry& field : all.checked().fields) {
+    const std::string pattern = any_item(field.path);
     auto& loads = pattern.starts_with("load_cases[].") ? cases : spectrum;
-    if (pattern == "load_cases[].axial_force" || pattern == "life.spectrum[].force")
-      std::tie(loads[item_of(path)].path, loads[item_of(path)].force) =
-          std::pair(path, entry["value"].get<std::string>());
+    if (pattern == "load_cases[].axial_force" || pattern == "life.spectrum[].force") {
+      loads[item_of(field.path)].path = field.path;
+      loads[item_of(field.path)].force = field.value;
+    }
     if (pattern == "load_cases[].direction" || pattern == "life.spectrum[].direction")
-      loads[item_of(path)].direction = entry["value"];
+      loads[item_of(field.path)].direction = field.value;
   }
   std::map<std::pair<std::string, std::string>, std::string> leaders;
   for (const auto& [item, load] : cases) leaders.try_emplace({load.force, load.direction}, load.path);
@@ -266,13 +266,11 @@ std::string controls_html(const Findings& all) {
     const bool is_of_all = control.kind == Span::about && wanted.starts_with("load_cases[].");  // Full alone.
     if ((is_of_all && !full) || (wanted == kSpectrum && !own_loads)) continue;
     std::vector<Slider> own;
-    for (const Json& entry : all.check["input"]) {
-      const std::string of_entry = entry["path"];
-      const auto of_file = values_in(of_entry, entry.value("written", ""));
-      for (const auto& [path, value] : values_in(of_entry, entry["value"].get<std::string>())) {
+    for (const input::EchoEntry& field : all.checked().fields) {
+      const auto of_file = values_in(field.path, field.written);
+      for (const auto& [path, value] : values_in(field.path, field.value)) {
         if (any_item(path) != wanted || !number_and_unit(value)) continue;
-        const bool is_default = entry.value("default", false);
-        if (is_default && control.kind != Span::about) continue;
+        if (field.is_default && control.kind != Span::about) continue;
         if (number_and_unit(value)->number == 0.0 && control.kind != Span::about) continue;
         if (std::ranges::find(all.void_paths, path) != all.void_paths.end()) continue;
         auto same = std::ranges::find(own, value, &Slider::value);
@@ -485,7 +483,7 @@ LiveAnswer answer_of(Findings& all, const LiveQuestion& question) {
         body = fmt::format("<p>{}</p>\n<div class=\"stale\">\n{}</div>\n", why, body);
     answer.sections[std::string(row.id)] = std::move(body);
   }
-  if (!question.quick && !all.check.empty()) {
+  if (!question.quick) {
     answer.head = head_html(all);
     answer.threads = thread_choices(all);
   }

@@ -15,7 +15,7 @@ namespace prs {
 namespace {
 
 std::vector<WarningGroup> warnings_of(const Findings& all) {
-  std::vector<Warning> warnings = all.of_check;
+  std::vector<Warning> warnings = all.check.warnings();
   for (const CommandAnswer& answer : all.answers)  // The page shows the loads of the case's model.
     if (answer.command != Command::compare || !all.answer(Command::solve))
       std::ranges::move(answer.delivery.warnings(), std::back_inserter(warnings));
@@ -176,9 +176,8 @@ Findings findings_of(input::Source source, ReportOptions options, std::span<cons
   Findings all = nothing_of(std::move(source), in);
   all.options = std::move(options);
   for (const VoidInput& input : void_inputs(in.values)) all.void_paths.push_back(input.path);
-  const Delivery check = run_check(all.source, in);
-  all.check = check.document(document_info(all.source, Command::check));
-  all.of_check = check.warnings();
+  all.origin = document_info(all.source, Command::check);
+  all.check = run_check(all.source, in);
   std::vector<Attempt> failures;
   for (const Command command : commands) {
     if (!input::missing(in, command).empty()) continue;
@@ -211,7 +210,7 @@ Findings quick_findings_of(input::Source source, FullSolver& full) {
   in.optimize.reset();
   in.fields.clear();  // Shown when the values rest.
   Findings all = nothing_of(std::move(source), in);
-  all.of_check = run_check(all.source, in).warnings();
+  all.check = run_check(all.source, in);
   if (input::missing(in, Command::solve).empty())
     add_answer(all, Command::solve, run_solve(all.source, in, {.full = &full}));
   else
@@ -228,9 +227,9 @@ const Json& under(const Json& json, const std::string& key) {
 }
 
 std::string input_value(const Findings& all, std::string_view path) {
-  for (const Json& entry : all.check["input"])
-    if (entry["path"] == path) return entry["value"].get<std::string>();
-  return {};
+  const std::vector<input::EchoEntry>& fields = all.checked().fields;
+  const auto found = std::ranges::find(fields, path, &input::EchoEntry::path);
+  return found == fields.end() ? std::string() : found->value;
 }
 
 std::string figure_html(Findings& all, Figure figure, bool narrow) {

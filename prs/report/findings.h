@@ -33,10 +33,10 @@ struct Findings {
   input::Source source;
   ReportOptions options;
   std::string date;
-  Json check;
+  DocumentInfo origin;  ///< Origin of the case, as in its documents; of quick findings empty.
+  Delivery check;
   std::vector<CommandAnswer> answers;
   std::vector<StoredRun> studies;
-  std::vector<Warning> of_check;       ///< What it warns of.
   std::vector<WarningGroup> warnings;  ///< Warnings of all that was computed.
   CaseVerdict verdict;
   std::vector<std::string> notes;
@@ -53,6 +53,7 @@ struct Findings {
   bool keeps_figures = false;              ///< For those that are drawn behind others.
   std::map<FigurePlace, Figure> figures = {};
 
+  const CheckResult& checked() const { return *check.result<CheckResult>(); }
   const CommandAnswer* answer(Command command) const;
   /// What a command found; null where it was not run.
   template <class R>

@@ -3,6 +3,8 @@
 #include <charconv>
 
 #include "prs/compare/compare_analysis.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/loads/load_record.h"
 #include "prs/report/findings.h"
 #include "prs/report/tables.h"
 #include "prs/run/document_schema.h"
@@ -100,8 +102,8 @@ bool is_of_rollers(std::string_view name) { return is_one_of(name, {"roller_load
 /// How many there are: `11`, or `10 of 11` where some are missing.
 std::string rollers_of(const Findings& all) {
   const std::string places = input_value(all, "mechanism.rollers");
-  const auto missing = std::ranges::count_if(all.check["input"], [](const Json& entry) {
-    return entry["path"].get<std::string>().starts_with("deviations.missing_rollers[");
+  const auto missing = std::ranges::count_if(all.checked().fields, [](const input::EchoEntry& field) {
+    return field.path.starts_with("deviations.missing_rollers[");
   });
   return missing == 0 ? places : fmt::format("{} of {}", std::stoi(places) - missing, places);
 }
@@ -131,15 +133,13 @@ std::string download_link(std::string_view name, std::string_view type, std::str
 
 /// Title block: what the file says of the report, and what it was made from.
 std::string head_html(const Findings& all) {
-  const Json& diameters = all.check["contact"]["pitch_diameter_mm"];
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const auto length = [](double millimetres) {
+  const Contacts& contacts = all.checked().geometry.contacts;
+  const auto length = [](double si) {
     const ReportUnit unit = report_unit("", "mm");
-    return fmt::format("{} {}", report_number(unit.factor * millimetres, unit.text), unit.text);
+    return fmt::format("{} {}", report_number(unit.factor * si * per_si::millimetre, unit.text), unit.text);
   };
-  const auto diameter = [&](const char* part) { return length(diameters.value(part, kNone)); };
-  const auto lead = input::number_in(input_value(all, "mechanism.lead"), "mm");
-  const std::string starts = input_value(all, "mechanism.starts.screw");
+  const auto diameter = [&](Part part) { return length(2.0 * thread_of(contacts.threads, part).pitch_radius); };
+  const int starts = contacts.mechanism.starts.screw;
   std::string block;
   const auto add = [&](const char* title, const std::string& text) {
     if (!text.empty()) block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, html(text));
@@ -156,8 +156,8 @@ std::string head_html(const Findings& all) {
       "class=\"block\">\n{}</dl>\n<p class=\"lead\">{} mechanism, {} rollers with {} threads each. "
       "Lead {}, {} start{} on the screw. Pitch diameters: screw {}, roller {}, nut {}.</p>\n",
       html(title_of(all)), block, html(capitalised(input_value(all, "mechanism.type"))), html(rollers_of(all)),
-      html(input_value(all, "mechanism.contacts_per_roller")), length(lead.value_or(kNone)), html(starts),
-      starts == "1" ? "" : "s", diameter("screw"), diameter("roller"), diameter("nut"));
+      contacts.mechanism.contacts_per_roller, length(contacts.mechanism.lead), starts, starts == 1 ? "" : "s",
+      diameter(Part::screw), diameter(Part::roller), diameter(Part::nut));
 }
 
 namespace {
@@ -312,9 +312,10 @@ std::string answer_html(Findings& all, Command command) {
 
 std::string contact_html(Findings& all) {
   const CommandAnswer* answer = all.answer(Command::contact);
-  if (!answer || !answer->document.contains("contact")) return {};
-  const Json& contact = answer->document["contact"];
-  const RecordInfo& info = *record_at("contact");
+  const Result* result = all.result<Result>(Command::contact);
+  if (!result || !(result->contacts.threads.centre_distance > 0.0)) return {};
+  const Json contact = object_of(result->contacts);
+  const RecordInfo& info = describe<Contacts>();
   const auto is_first = [](std::string_view name) { return name == "contact_axial_section"; };
   std::vector<RecordColumn> sides;
   for (const char* side : {"screw", "nut"})
@@ -351,9 +352,8 @@ std::string with_short_numbers(std::string_view text) {
 }
 
 /// A value as the file has it, or one that the file does not state.
-std::string input_shown(const Json& entry) {
-  const std::string value = entry["value"], written = entry.value("written", "");
-  return written.empty() || written == "~" ? with_short_numbers(value) : written;
+std::string input_shown(const input::EchoEntry& field) {
+  return field.written.empty() || field.written == "~" ? with_short_numbers(field.value) : field.written;
 }
 
 /// A path that breaks where its keys end.
@@ -374,7 +374,7 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
   std::string block, tables;
   std::size_t of_block = 0;
   bool has_reasons = false;
-  std::string told;  // The reason of the row above: not repeated.
+  std::string_view told;  // The reason of the row above: not repeated.
   const auto end_block = [&] {
     if (of_block > kMostOfBlock)
       rows.push_back(
@@ -383,21 +383,20 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
     if (!rows.empty()) tables += plain_table({}, rows);
     rows.clear();
   };
-  for (const Json& entry : all.check["input"]) {
-    const std::string path = entry["path"];
-    const std::string own = path.substr(0, path.find_first_of(".["));
-    if (entry.value("default", false) != of_defaults || own == "report") continue;
+  for (const input::EchoEntry& field : all.checked().fields) {
+    const std::string own = field.path.substr(0, field.path.find_first_of(".["));
+    if (field.is_default != of_defaults || own == "report") continue;
     if (block != own) end_block();
     block = own;
     ++count;
     if (++of_block > kMostOfBlock) continue;
-    std::string origin = entry["basis"];
-    const std::string reason = entry.value("reason", "");
-    if (entry.contains("origin")) origin += " " + entry["origin"].get<std::string>();
-    if (!reason.empty()) origin += reason == told ? ", as above" : ": " + reason;
+    const auto [basis, reason] = basis_of(field, all.checked());
+    std::string origin(basis);
+    if (!field.origin.empty()) origin += " " + field.origin;
+    if (!reason.empty()) origin += reason == told ? ", as above" : fmt::format(": {}", reason);
     told = reason;
     has_reasons = has_reasons || !reason.empty();
-    rows.push_back({path_html(path), html(input_shown(entry)), html(origin)});
+    rows.push_back({path_html(field.path), html(input_shown(field)), html(origin)});
   }
   end_block();
   if (tables.empty()) return {};
@@ -407,14 +406,16 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
 std::string inputs_html(const Findings& all) {
   std::size_t stated = 0, defaults = 0;
   const std::string of_file = input_table_html(all, false, stated), others = input_table_html(all, true, defaults);
-  const auto assumed =
-      std::ranges::count_if(all.check["input"], [](const Json& entry) { return entry["basis"] == "assumed"; });
+  const auto assumed = std::ranges::count_if(all.checked().fields, [&](const input::EchoEntry& field) {
+    return basis_of(field, all.checked()).first == "assumed";
+  });
   std::string text = fmt::format("<p>{} values given", static_cast<std::ptrdiff_t>(stated) - assumed);
   if (assumed > 0) text += fmt::format(", {} assumed as comments in the file say", assumed);
   text += ".</p>\n";
   text += of_file + folded_html(fmt::format("{} values that the file does not state: defaults", defaults), others);
   std::vector<std::vector<std::string>> derived;
-  for (const auto& [key, value] : under(all.check, "derived").items()) {
+  const Json lengths = derived_of(all.checked().geometry.contacts.mechanism);
+  for (const auto& [key, value] : lengths.items()) {
     const ReportUnit unit = report_unit(key, unit_of(key).text);
     derived.push_back({html(capitalised(words_of(key))), report_value(value, unit), html(unit.text)});
   }
@@ -435,7 +436,7 @@ std::string optimization_html(const Json& document) {
     for (const auto& entry : under(after, block).items()) {
       const std::string& path = entry.key();
       const auto shown = [&](const Json& v) {
-        return v.is_object() ? html(v.value("value", "")) : report_value(v, report_unit(path, unit_in(path)));
+        return v.is_object() ? html(v.value("value", "")) : report_value(v, report_unit(path, unit_at(path).text));
       };
       rows.push_back({html(path), shown(number_of(before, block, path)), shown(entry.value())});
     }
@@ -478,20 +479,21 @@ std::set<std::string> validation_records(const Findings& all) {
     const std::string command(name(answer.command));
     if (command == "compare") names.insert({"bars", "refined", "influence"});
     if (command != "check" && command != "compare" && command != "solve") names.insert(command);
-    if (const Json& bodies = under(under(answer.document, "model"), "bodies"); bodies.is_string())
-      names.insert(bodies.get<std::string>());
-    if (answer.document.contains("heat_cycle")) names.insert("heat");
-    for (const Json& load_case : under(answer.document, "load_cases"))
-      for (const auto& [key, record] :
-           {std::pair{"running", "running"}, {"heat", "heat"}, {"travel", "motion"}, {"modes", "motion"}})
-        if (load_case.contains(key)) names.insert(record);
+    const Result* result = answer.delivery.result<Result>();
+    if (!result) continue;
+    if (has_solved(*result)) names.insert(std::string(prs::name(result->model.bodies)));
+    if (result->heat_cycle) names.insert("heat");
+    for (const LoadCaseResult& load_case : result->load_cases) {
+      if (load_case.running) names.insert("running");
+      if (load_case.heat) names.insert("heat");
+      if (load_case.full && (load_case.full->travel || load_case.full->modes)) names.insert("motion");
+    }
   }
   return names;
 }
 
 /// How each load case was solved, and where all comes from.
 std::string provenance_html(Findings& all) {
-  const Json& check = all.check;
   std::string text = "<dl class=\"facts\">\n";
   const auto fact = [&](const char* title, const std::string& value) {
     if (!value.empty()) text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, value);
@@ -500,17 +502,16 @@ std::string provenance_html(Findings& all) {
   fact("Date", all.date);
   fact("Command", fmt::format("<code>{}</code>", html(all.options.command)));
   fact("Case", fmt::format("<code>{}</code>", html(all.source.name)));
-  fact("SHA-256 of the case", fmt::format("<code>{}</code>", check.value("input_sha256", "")));
+  fact("SHA-256 of the case", fmt::format("<code>{}</code>", all.origin.input_sha256));
   std::string overrides;
   for (const std::string& text_of : all.source.overrides)
     overrides += fmt::format("{}<code>{}</code>", overrides.empty() ? "" : ", ", html(text_of));
   fact("Changed by --set", overrides);
-  fact("Schema of the input", html(check.value("schema_version", "")));
+  fact("Schema of the input", html(all.origin.schema_version));
   const CommandAnswer* solve = all.answer(Command::solve);
-  if (solve && solve->document.contains("model")) {
-    const Json& model = solve->document["model"];
-    fact("Model of the bodies", html(model.value("bodies", "")));
-    fact("What the model means", html(model.value("note", "")));
+  if (const Result* result = all.result<Result>(Command::solve); result && has_solved(*result)) {
+    fact("Model of the bodies", html(prs::name(result->model.bodies)));
+    fact("What the model means", html(known_bias(result->model)));
   }
   std::string records;
   for (const std::string& record : validation_records(all))
@@ -575,8 +576,9 @@ std::string warnings_html(Findings& all) {
   return warning_list(all) + refused;
 }
 
-/// The values of the case and documents as long as there is room; all of them without a bound.
-Json data_of(const Findings& all, std::optional<std::size_t> room) {
+/// The values of the case, of a document's head, and documents by their commands under `results`, as
+/// long as there is room; all of them without a bound.
+Json data_of(const Findings& all, const Json& head, std::optional<std::size_t> room) {
   const auto takes = [&](const Json& json) {
     if (!room) return true;
     const std::size_t size = json.dump(-1, ' ', false, Json::error_handler_t::replace).size();
@@ -586,16 +588,13 @@ Json data_of(const Findings& all, std::optional<std::size_t> room) {
   };
   Json data{{"prs_version", kVersion}, {"date", all.date}};
   for (const char* key : {"schema_version", "case_file", "input_sha256", "resolved_input"})
-    if (all.check.contains(key) && takes(all.check[key])) data[key] = all.check[key];
+    if (head.contains(key) && takes(head[key])) data[key] = head[key];
   data["overrides"] = all.source.overrides;
   data["results"] = Json::object();
   for (const CommandAnswer& answer : all.answers)
     if (takes(answer.document)) data["results"][std::string(name(answer.command))] = answer.document;
   return data;
 }
-
-/// Every document, by its command under `results`.
-Json documents_of(const Findings& all) { return data_of(all, {}); }
 
 }  // namespace
 
@@ -646,11 +645,12 @@ ReportParts report_parts(const input::Source& source, const ReportOptions& optio
   parts.head = head_html(all);
   for (const SectionRow& row : section_rows()) parts.sections.push_back(section_of(all, row));
   parts.foot = fmt::format("<p>Made by prs {} on {}. SHA-256 of the case: <span class=\"mono\">{}</span></p>",
-                           html(kVersion), all.date, all.check.value("input_sha256", ""));
+                           html(kVersion), all.date, all.origin.input_sha256);
   parts.controls = controls_html(all);
   parts.threads = thread_choices(all);
-  parts.data = documents_of(all);
-  parts.shown = data_of(all, options.room.data);
+  const Json head = document_head(all.origin, {});
+  parts.data = data_of(all, head, {});
+  parts.shown = data_of(all, head, options.room.data);
   parts.notes = all.notes;
   std::ranges::move(unconverged(all), std::back_inserter(parts.notes));
   parts.converged = all.converged;

@@ -9,24 +9,23 @@
 namespace prs {
 namespace {
 
-using RequirementJson = Json;
-
 constexpr std::size_t kMostShown = 50;  ///< Candidates that the page shows.
 
-/// The first items of a document, a row each, with a column for each of these keys of their record.
-std::string items_html(const RecordInfo& info, const RequirementJson& items,
-                       std::initializer_list<std::string_view> keys) {
+/// The first items, a row each, with a column for each of these keys of their record.
+template <class Item>
+std::string items_html(const std::vector<Item>& items, std::initializer_list<std::string_view> keys) {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows(std::min(items.size(), kMostShown));
   for (const std::string_view key : keys) {
-    const QuantityInfo& q = *std::ranges::find(info.quantities, key, &QuantityInfo::key);
-    const ReportUnit unit = report_unit(key, q.unit);
-    head.push_back(html(capitalised(q.title) + (unit.text.empty() ? "" : ", " + unit.text)));
+    const Quantity<Item>& q = quantity<Item>(key);
+    const ReportUnit unit = report_unit(key, q.unit.text);
+    head.push_back(html(capitalised(title_of(q)) + (unit.text.empty() ? "" : ", " + unit.text)));
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      const auto found = items[k].find(key);
-      rows[k].push_back(found == items[k].end() ? "–"
-                        : key == "reason"       ? html(found->get<std::string>())
-                                                : report_value(*found, unit));
+      Json cell;  // As documents show it.
+      put_quantities<Item>(cell, std::span(&q, 1), items[k]);
+      rows[k].push_back(cell.empty()      ? "–"
+                        : key == "reason" ? html(cell.front().get<std::string>())
+                                          : report_value(cell.front(), unit));
     }
   }
   return plain_table(head, rows, true);
@@ -57,7 +56,6 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
   const std::string stem = std::filesystem::path(source.name).stem().string();
   const DocumentInfo info = document_info(source, Command::size);
   const Delivery delivery = size_delivery(result);
-  const RequirementJson document = delivery.document(info);
   ReportParts parts;
   parts.title = stem + " · which screw";
   parts.mark = stem;
@@ -75,27 +73,25 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
         for (const Figure& figure : p.make({})) text += "<figure>" + svg(figure, std::string(name)) + "</figure>\n";
     return text;
   };
-  const RecordInfo& asked = *record_in(describe<SizeResult>(), "requirement");
+  const MotionCycle& cycle = result.input.cycle;
+  const Json requirement = object_of(RequirementOf{&result, &cycle}), candidate = object_of(first);
   parts.sections = {
       {"requirement", "Requirement",
-       record_table(asked, {{"", &document["requirement"]}}) +
-           items_html(
-               *record_in(asked, "segments"), document["requirement"]["segments"],
-               {"name", "duration_s", "start_speed_mm_per_s", "end_speed_mm_per_s", "travel_mm", "axial_force_N"}) +
+       record_table(describe<RequirementOf>(), {{"", &requirement}}) +
+           items_html(cycle.shown, {"name", "duration_s", "start_speed_mm_per_s", "end_speed_mm_per_s", "travel_mm",
+                                    "axial_force_N"}) +
            requirement_inputs_html(result)},
       {"first", "First candidate: " + html(first.name),
-       items_html(describe<SizeCriterion>(), document["candidates"][0]["criteria"],
-                  {"name", "unit", "value", "limit", "margin", "status", "reason"}) +
+       items_html(first.criteria, {"name", "unit", "value", "limit", "margin", "status", "reason"}) +
            picture("size_curve") +
-           folded_html("Every value", record_table(describe<SizedCandidate>(), {{"", &document["candidates"][0]}}))},
+           folded_html("Every value", record_table(describe<SizedCandidate>(), {{"", &candidate}}))},
       {"candidates", "Candidates",
        picture("size_map") +
-           items_html(describe<SizedCandidate>(), document["candidates"],
-                      {"rank", "name", "passes", "life_hours", "static_safety", "buckling_safety",
-                       "motor_rms_torque_Nm", "weight_kg", "limited_by"}) +
+           items_html(result.candidates, {"rank", "name", "passes", "life_hours", "static_safety", "buckling_safety",
+                                          "motor_rms_torque_Nm", "weight_kg", "limited_by"}) +
            picture("size_margins")},
       {"assumptions", "Assumptions and warnings", assumptions_html(result)}};
-  parts.data["results"]["size"] = document;
+  parts.data["results"]["size"] = delivery.document(info);
   parts.shown["results"]["size"] = delivery.outline(info);
   parts.foot = fmt::format(
       "<p>Made by prs {}{}. SHA-256 of the requirement: <span class=\"mono\">{}</span>. Validation record of the "

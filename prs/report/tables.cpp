@@ -89,7 +89,7 @@ void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn
   for (const bool nested : {false, true})
     for (const QuantityInfo& q : info.quantities) {
       const bool is_record = q.kind == Kind::record;
-      const std::string_view own_unit = q.unit.empty() ? unit : q.unit;
+      const std::string_view own_unit = q.unit.empty() && !is_ratio(q.key) ? unit : q.unit;
       if ((is_record && own_unit.empty()) != nested) continue;
       const auto is_in = [&](const std::vector<std::string>& keys) {
         return std::ranges::find(keys, q.key) != keys.end();
@@ -138,17 +138,6 @@ std::string report_number(double value, std::string_view unit) {
   for (std::size_t at = shown.find('-'); at != std::string::npos; at = shown.find('-', at))
     shown.replace(at, 1, "\u2212");
   return shown;
-}
-
-std::string unit_in(std::string_view path) {
-  for (std::size_t dot = path.size(); dot != std::string_view::npos;
-       dot = dot > 0 ? path.rfind('.', dot - 1) : std::string_view::npos) {
-    std::string_view key = path.substr(dot < path.size() && path[dot] == '.' ? dot + 1 : dot);
-    key = key.substr(0, key.find_first_of(".["));
-    if (key.ends_with("_degC")) return "°C";
-    if (const ShownUnit& unit = unit_of(key); !unit.text.empty()) return std::string(unit.text);
-  }
-  return {};
 }
 
 ReportUnit report_unit(std::string_view key, std::string_view unit, double largest) {

@@ -12,9 +12,6 @@ struct ReportUnit {
   double factor = 1.0;
 };
 
-/// The unit that the path of a quantity ends in, `MPa` of `screw.peak_pressure_MPa.max`.
-std::string unit_in(std::string_view path);
-
 /// Unit of a quantity by its key or path, with the unit of documents: efficiencies are told in percent,
 /// pressures in GPa, forces in kN where the largest of them reaches 1000 N; in US units as in
 /// tables.

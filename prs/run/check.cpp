@@ -21,7 +21,7 @@
 namespace prs {
 namespace {
 
-/// Lengths that follow from the mechanism.
+/// Numbers that follow from the mechanism.
 constexpr Quantity<Mechanism> kDerived[] = {
     {"axial_pitch_mm", always<axial_pitch>},
     {"contact_length_mm", always<[](auto& m) { return (m.contacts_per_roller - 1) * axial_pitch(m); }>},
@@ -68,14 +68,6 @@ std::string readiness(const CheckResult& result) {
   return text;
 }
 
-/// What a value rests on, and the reason of an assumed one.
-std::pair<std::string_view, std::string_view> basis_of(const input::EchoEntry& f, const CheckResult& result) {
-  if (f.is_default) return {"default", {}};
-  const auto found = result.assumed.find(f.path);
-  if (found == result.assumed.end()) return {"given", {}};
-  return {"assumed", found->second};
-}
-
 /// A reason stands below the first of the values that share it.
 std::string input_list(const CheckResult& result) {
   std::string text = "\nInput\n";
@@ -108,9 +100,8 @@ std::string derived(const Contacts& contacts) {
     const auto [label, factor] = labelled(path);
     text += fmt::format("  {:<42} {}\n", label, significant(factor * value, 7));
   };
-  Json derived;
-  put_quantities<Mechanism>(derived, kDerived, contacts.mechanism);
-  for (const auto& [key, value] : derived.items()) line(key, value);
+  const Json lengths = derived_of(contacts.mechanism);
+  for (const auto& [key, value] : lengths.items()) line(key, value);
   const Json json = object_of(contacts);
   line("centre_distance_mm", json["centre_distance_mm"]);
   for (const char* key : {"pitch_diameter_mm", "helix_angle_deg"})
@@ -420,6 +411,19 @@ const Analysis<CheckResult>& check_analysis() {
           },
       .warnings = [](auto& r) -> decltype(auto) { return (r.geometry.warnings); }};
   return analysis;
+}
+
+std::pair<std::string_view, std::string_view> basis_of(const input::EchoEntry& f, const CheckResult& result) {
+  if (f.is_default) return {"default", {}};
+  const auto found = result.assumed.find(f.path);
+  if (found == result.assumed.end()) return {"given", {}};
+  return {"assumed", found->second};
+}
+
+Json derived_of(const Mechanism& mechanism) {
+  Json derived;
+  put_quantities<Mechanism>(derived, kDerived, mechanism);
+  return derived;
 }
 
 Delivery run_check(const input::Source& source, const input::CaseInput& in) {

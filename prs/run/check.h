@@ -108,6 +108,12 @@ struct CheckResult {
 /// Without contacts and threads.
 Record<CheckResult> record_of(Type<CheckResult>);
 
+/// What a value rests on, `given`, `assumed` or `default`, and the reason of an assumed one.
+std::pair<std::string_view, std::string_view> basis_of(const input::EchoEntry& field, const CheckResult& result);
+
+/// Numbers that follow from the mechanism, by their keys in documents.
+Json derived_of(const Mechanism& mechanism);
+
 /// `check` with the verdict, for which it runs what the case is ready for.
 const Analysis<CheckResult>& check_analysis();
 

@@ -18,6 +18,11 @@ Pictures size_pictures(const SizeResult& result);
 /// Defaults on which the verdicts rest: `limits.static_safety 1.5`.
 std::vector<std::string> deciding_defaults(const SizeResult& result);
 
+/// The requirement as far as no candidate changes it.
+using RequirementOf = Within<SizeResult, MotionCycle>;
+
+Record<RequirementOf> record_of(Type<RequirementOf>);
+Record<MotionSegment> record_of(Type<MotionSegment>);
 Record<SizedCandidate> record_of(Type<SizedCandidate>);
 Record<SizedCandidate::ByThreads> record_of(Type<SizedCandidate::ByThreads>);
 Record<SizeCriterion> record_of(Type<SizeCriterion>);
