@@ -150,7 +150,8 @@ def responses_in(owner: dict, before: str, records: dict) -> list[tuple[str, ...
     rows = []
     for q in records[owner["record"]]["quantities"]:
         path = before + q["key"]
-        unit = q.get("unit") or owner.get("unit", "")
+        is_ratio = q["key"].endswith("_relative")  # It has no unit among numbers with one.
+        unit = q.get("unit") or ("" if is_ratio else owner.get("unit", ""))
         title = f"{owner['title']}: {q['title']}" if "title" in owner else q["title"]
         if q["kind"] == "record":
             inner = {"record": q["record"], "title": title, "unit": unit}

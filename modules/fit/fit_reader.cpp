@@ -41,22 +41,12 @@ const input::Dimension* dimension_with(std::string_view unit) {
   return nullptr;
 }
 
-/// The unit at the end of a response's path, as people write it: `um` of `axial_displacement_um`.
+/// The unit of a response, as people write it: `um` of `axial_displacement_um`.
 std::string unit_of_response(std::string_view path) {
-  // `peak_pressure_MPa.max`, `temperature_degC.nut`: the last key with a unit.
-  while (!path.empty()) {
-    const std::size_t dot = path.rfind('.');
-    const std::string_view key = dot == path.npos ? path : path.substr(dot + 1);
-    const ShownUnit& unit = unit_of(key.substr(0, key.find('[')));
-    if (!unit.text.empty()) {
-      for (const input::Dimension* d : input::dimensions())
-        if (const input::Unit* u = input::find_unit(unit.text, *d)) return std::string(u->spellings[0]);
-      return std::string(unit.text);
-    }
-    if (dot == path.npos) break;
-    path = path.substr(0, dot);
-  }
-  return {};
+  const std::string_view unit = unit_at(path).text;
+  for (const input::Dimension* d : input::dimensions())
+    if (const input::Unit* u = unit.empty() ? nullptr : input::find_unit(unit, *d)) return std::string(u->spellings[0]);
+  return std::string(unit);
 }
 
 /// Numbers of one unit in another.
@@ -263,11 +253,13 @@ class FitReader : input::VariedInput {
       for (const input::EchoEntry& entry : fields_)
         if (entry.number) all.insert(entry.path);
       for (const input::InputKey& key : input::input_keys()) all.insert(key.path);
-      std::erase_if(all,
-                    [&](const std::string& one) { return find_slot(known, one).kind != input::Slot::Kind::number; });
+      std::erase_if(all, [&](const std::string& one) {
+        CaseFile of_one = file_;  // A path to one law hides those to others.
+        return find_slot(of_one, one).kind != input::Slot::Kind::number;
+      });
       const std::vector<std::string_view> near = input::near_words(p.path, {all.begin(), all.end()});
       fail(path_ + ".path", "got {}, an unknown path; expected one of `prs list inputs`; {}", shown(item.path),
-           near.empty() ? "write for example `path: friction.coulomb`"
+           near.empty() ? "state the block that has it, or write for example `path: materials.youngs_modulus`"
                         : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
     }
     if (CaseFile known = file_; !is_of_numbers(find_slot(known, p.path).kind)) fail_as_no_number(item.path);

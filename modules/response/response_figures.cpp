@@ -108,13 +108,14 @@ Figures frequency(const ResponseResult& r) {
   figure.x.logarithmic = true;
   figure.aspect = 0.4;
   const std::size_t first = figure.add(line_of(Colour::blue));
+  std::vector<Resonance> shown = f.resonances;
+  std::erase_if(shown, [&](const Resonance& one) {
+    return one.frequency < f.frequency.front() || one.frequency > f.frequency.back();
+  });
   std::vector<ReferenceLine> resonances;
-  for (const Resonance& resonance : f.resonances)
-    if (resonance.frequency >= f.frequency.front() && resonance.frequency <= f.frequency.back())
-      resonances.push_back({0, resonance.frequency, true});
-  if (!resonances.empty()) {
+  if (!shown.empty()) {
     const std::size_t style = figure.add("resonance", line_of(Colour::grey, Dash::dotted));
-    for (ReferenceLine& line : resonances) line.style = style;
+    for (const Resonance& resonance : shown) resonances.push_back({style, resonance.frequency, true});
   }
   const auto panel = [&](const char* title, Axis axis, const std::vector<double>& values, double factor, bool is_size) {
     Series line{first};

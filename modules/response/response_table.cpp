@@ -12,11 +12,9 @@ std::string largest_text(const LargestForce& l) {
   return text;
 }
 
-std::string speed_text(double speed) { return in_table_units(fmt::format("{:.4g} mm/s", speed * per_si::millimetre)); }
-
 std::string impact_text(const DriveImpact& i) {
-  return fmt::format("{:.6g} ms, {}, {:.3g} J, up to {}", 1e3 * i.time, speed_text(i.speed), i.energy,
-                     fixed_with_unit(i.force.value, "kN", 3));
+  return fmt::format("{:.6g} ms, {}, {:.3g} J, up to {}", 1e3 * i.time, significant_with_unit(i.speed, "mm/s"),
+                     i.energy, fixed_with_unit(i.force.value, "kN", 3));
 }
 
 /// Below this share of the largest force of all is rounding or a touch.
@@ -30,8 +28,7 @@ std::string impacts_text(const DriveResult& run) {
   std::string text =
       line("impacts",
            (all.empty() ? std::string("none") : fmt::format("{}", all.size())) +
-               (touches > 0 ? fmt::format(", and {} below {}", touches, in_table_units(fmt::format("{:.3g} N", least)))
-                            : ""));
+               (touches > 0 ? fmt::format(", and {} below {}", touches, significant_with_unit(least, "N", 3)) : ""));
   if (all.empty()) return text;
   const auto fastest = std::ranges::max_element(all, {}, &DriveImpact::speed);
   const auto hardest = std::ranges::max_element(all, {}, [](const DriveImpact& i) { return i.force.value; });
@@ -78,8 +75,8 @@ std::string motion_text(const DriveResult& d) {
   double speed = 0.0;
   for (const double v : d.v) speed = std::max(speed, std::abs(v));
   return fmt::format("{} to {}, ends at {}; up to {}, {:.4g} rpm of the screw", fixed_with_unit(least, "mm", 3),
-                     fixed_with_unit(most, "mm", 3), fixed_with_unit(d.x.back(), "mm", 3), speed_text(speed),
-                     d.largest_speed * per_si::revolution_per_minute);
+                     fixed_with_unit(most, "mm", 3), fixed_with_unit(d.x.back(), "mm", 3),
+                     significant_with_unit(speed, "mm/s"), d.largest_speed * per_si::revolution_per_minute);
 }
 
 }  // namespace

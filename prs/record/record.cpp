@@ -6,6 +6,18 @@
 
 namespace prs {
 
+const ShownUnit& unit_at(std::string_view path) {
+  while (!path.empty()) {
+    const std::size_t dot = path.rfind('.');
+    std::string_view key = path.substr(dot == path.npos ? 0 : dot + 1);
+    key = key.substr(0, key.find('['));
+    if (is_ratio(key)) return kNoUnit;
+    if (const ShownUnit& unit = unit_of(key); !unit.text.empty()) return unit;
+    path = path.substr(0, dot == path.npos ? 0 : dot);
+  }
+  return kNoUnit;
+}
+
 std::string words_of(std::string_view key) {
   std::string words(key.substr(0, key.size() - unit_of(key).suffix.size()));
   std::ranges::replace(words, '_', ' ');

@@ -90,6 +90,13 @@ constexpr const ShownUnit& unit_of(std::string_view key) {
   return kNoUnit;
 }
 
+/// Whether a number is a ratio, also among numbers with a unit: `energy_J.residual_relative`.
+constexpr bool is_ratio(std::string_view key) { return key.ends_with("_relative"); }
+
+/// The unit of the number at a path, that of the last key with one: `MPa` of
+/// `screw.peak_pressure_MPa.max`. A ratio has none.
+const ShownUnit& unit_at(std::string_view path);
+
 /// What stands under a key of a document.
 enum class Kind {
   number,
@@ -188,7 +195,9 @@ struct Quantity {
   Reach delivery = Reach::numbers;
   const ShownUnit& unit = unit_of(key);  ///< kNoUnit: that of the record it stands in, if any.
 
-  const ShownUnit& shown_in(const ShownUnit& inherited) const { return unit.suffix.empty() ? inherited : unit; }
+  const ShownUnit& shown_in(const ShownUnit& inherited) const {
+    return unit.suffix.empty() && !is_ratio(key) ? inherited : unit;
+  }
 };
 
 /// A quantity whose numbers are already in the unit of its key.

@@ -32,7 +32,7 @@ bool is_zero(std::string_view text) { return text.find_first_not_of("+-0.") == t
 }  // namespace
 
 ResponseTitle response_title(std::string_view path) {
-  ResponseTitle title;
+  ResponseTitle title{{}, std::string(unit_at(path).text)};
   const bool of_threads = path.starts_with("screw.") || path.starts_with("nut.") || path.starts_with("slip.screw.") ||
                           path.starts_with("slip.nut.");
   std::string& name = title.name;
@@ -43,10 +43,7 @@ ResponseTitle response_title(std::string_view path) {
     const bool of_rollers = of_threads && key.starts_with("roller_share");
     std::string index = take_index(key, of_rollers ? "roller" : of_threads ? "thread" : "");
     if (key.ends_with(']')) index = take_index(key, of_threads ? "roller" : "") + index;
-    if (const ShownUnit& unit = unit_of(key); !unit.text.empty()) {
-      title.unit = unit.text;
-      key.remove_suffix(unit.suffix.size());
-    }
+    key.remove_suffix(unit_of(key).suffix.size());
     if (key == "slip" || key == "contact" || key == "measures") continue;
     const bool is_summary = path.empty() && (key == "max" || key == "min" || key == "mean");
     const bool is_part = key == "screw" || key == "roller" || key == "nut" || key.starts_with("carrier_");
@@ -240,6 +237,11 @@ std::string significant(std::optional<double> value, int digits) {
   const double digit = std::pow(10.0, std::floor(std::log10(size)) + 1.0 - digits);
   if (!(digit >= 1.0 && size < 1e9)) return fmt::format("{:.{}g}", *value, digits);
   return fmt::format("{:.0f}", std::round(*value / digit) * digit);
+}
+
+std::string significant_with_unit(std::optional<double> si, std::string_view unit, int digits) {
+  if (!si) return std::string(kAbsent);
+  return fmt::format("{} {}", significant(shown(*si, unit), digits), table_unit(unit).text);
 }
 
 std::string digits(std::optional<double> value, int digits) {

@@ -81,6 +81,8 @@ std::string fixed_change(double value, int decimals);
 /// Significant digits at most, four as these formulas are good for; from 1e-4 to 1e9 without an
 /// exponent.
 std::string significant(std::optional<double> value, int digits = 4);
+/// The same of what documents show in a unit, in that of tables: `24.04 in/s`.
+std::string significant_with_unit(std::optional<double> si, std::string_view unit, int digits = 4);
 
 /// As many significant digits, with an exponent where it is shorter.
 std::string digits(std::optional<double> value, int digits);

@@ -24,9 +24,6 @@ Record<MotionSegment> record_of(Type<MotionSegment>) {
   return {"MotionSegment", "Constant acceleration under one force.", kMotionSegment};
 }
 
-/// The requirement as far as no candidate changes it.
-using RequirementOf = Within<SizeResult, MotionCycle>;
-
 constexpr Quantity<RequirementOf> kRequirement[] = {
     {"cycle_s", of<its<&MotionCycle::duration>>, "rests included"},
     {"moving_s", of<its<&MotionCycle::moving>>, "time in motion, per cycle"},
@@ -464,7 +461,7 @@ std::string asked(const SizeResult& r) {
   std::vector<std::string> parts;
   if (c.mean_load) parts.push_back("mean load " + fixed_with_unit(c.mean_load, "kN", 3));
   parts.push_back("largest force " + fixed_with_unit(c.largest_force, "kN", 3));
-  parts.push_back(fmt::format("largest speed {:.4g} mm/s", 1e3 * c.largest_speed));
+  parts.push_back("largest speed " + significant_with_unit(c.largest_speed, "mm/s"));
   parts.push_back(fmt::format("{} per cycle of {:.4g} s", fixed_with_unit(c.travel, "mm", 0), c.duration));
   if (r.input.values.stroke) parts.push_back("stroke " + fixed_with_unit(r.input.values.stroke, "mm", 0));
   return hanging("Asked for: ", 11, fmt::format("{}", fmt::join(parts, ", ")));

@@ -96,6 +96,7 @@ TEST(FitCase, WrongInputSaysWhereAndWhatIsAllowed) {
   const std::vector<Wrong> all{
       {"/fit/curves/0/use", "compare", "none", "none"},
       {"/fit/parameters/0/path", "friction.coulom", "parameters[0].path", "did you mean `friction.coulomb`"},
+      {"/friction", {{"model", "jacod"}}, "parameters[0].path", "state the block that has it"},
       {"/fit/parameters/0/path", "mechanism.type", "parameters[0].path", "may vary continuously"},
       {"/fit/parameters/0/from", 0.5, "parameters[0].from", "less than `to`"},
       {"/fit/parameters/0/start", 0.5, "parameters[0].start", "0.02 to 0.4"},

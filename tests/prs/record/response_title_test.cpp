@@ -23,6 +23,8 @@ TEST(ResponseTitle, StartsWithThePartAndEndsInTheUnit) {
   EXPECT_EQ(response_title("screw.normal_load_N[3][0]").name, "screw normal load, roller 4, thread 1");
   EXPECT_EQ(response_title("nut.roller_share_percent[3]").name, "nut roller share, roller 4");
   EXPECT_EQ(response_title("slip.viscosity_mPas").unit, "mPa s");
+  EXPECT_EQ(response_title("response.energy_J.residual").unit, "J");
+  EXPECT_EQ(response_title("response.energy_J.residual_relative").unit, "");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "modules/response/response_analysis.h"
 #include "prs/export/robot.h"
 #include "prs/input/echo.h"
+#include "prs/record/table_units.h"
 #include "prs/run/commands.h"
 
 namespace prs {
@@ -301,6 +302,50 @@ TEST(Response, ResonancesAreWhereTheComplianceIsLargest) {
   const double w = std::sqrt(k / m), damping = 60e-6 * k + 150.0;
   EXPECT_NEAR(resonance, w / (2.0 * std::numbers::pi), 1e-9 * resonance);
   EXPECT_NEAR(zeta, 100.0 * damping / (2.0 * m * w), 1e-9 * zeta);
+}
+
+TEST(Response, PanelsOverFrequencyMarkTheResonances) {
+  const auto found = [](std::vector<std::string> overrides) {
+    const Delivery delivery =
+        run(analysis_of(Command::response), source_of(solved()["cases"][3], std::move(overrides)));
+    const double resonance = delivery.document({})["response"]["frequency_response"]["resonances"][0]["frequency_Hz"];
+    return std::pair(figure(delivery.pictures(), "response_frequency", {}), resonance);
+  };
+  const auto [shown, resonance] = found({});
+  ASSERT_FALSE(shown.panels.empty());
+  for (const Panel& panel : shown.panels) {
+    ASSERT_EQ(panel.references.size(), 1u);
+    EXPECT_TRUE(panel.references[0].vertical);
+    EXPECT_EQ(panel.references[0].at, resonance);
+    EXPECT_EQ(shown.styles.at(panel.references[0].style).dash, Dash::dotted);
+  }
+  const auto [below, same] = found({fmt::format("response.frequency_response.to={:.9g} Hz", 0.9 * resonance),
+                                    fmt::format("response.frequency_response.from={:.9g} Hz", 0.1 * resonance)});
+  for (const Panel& panel : below.panels) EXPECT_TRUE(panel.references.empty());
+}
+
+/// The number in front of a unit in the line of a table.
+double number_before(const std::string& table, std::string_view line, std::string_view unit) {
+  const std::size_t from = table.find(line), at = table.find(unit, from);
+  if (from == table.npos || at == table.npos) return std::numeric_limits<double>::quiet_NaN();
+  return std::stod(table.substr(table.rfind(' ', at - 2) + 1));
+}
+
+TEST(Response, SpeedsAreInTheUnitsOfTables) {
+  const Delivery delivery = run(analysis_of(Command::response), source_of(solved()["cases"][0]));
+  const Json response = delivery.document({})["response"];
+  double fastest = 0.0, impact = 0.0;
+  for (const double speed : response["speed_mm_per_s"]) fastest = std::max(fastest, std::abs(speed));
+  for (const Json& i : response["impacts"]) impact = std::max(impact, i["speed_mm_per_s"].get<double>());
+  ASSERT_GT(impact, 0.0);
+  const auto expect = [&](const char* unit, double factor) {
+    const std::string table = delivery.table();
+    EXPECT_NEAR(number_before(table, "  position", unit) / (factor * fastest), 1.0, 5.1e-4) << table;
+    EXPECT_NEAR(number_before(table, "  fastest", unit) / (factor * impact), 1.0, 5.1e-4) << table;
+  };
+  expect(" mm/s", 1.0);
+  const TableUnits us(UnitSystem::us);
+  expect(" in/s", 1.0 / 25.4);
 }
 
 /// Amplitude and phase of a series at a frequency over its second half.
