@@ -125,10 +125,11 @@ std::size_t place_of(std::size_t k, const std::vector<LoadCase>& all, Command co
   return all.size();
 }
 
-/// A case with nothing but some of its load cases, and with its duty or not, as long as this lives.
+/// A case with nothing but some of its load cases, with their modes or not, and with its duty or not,
+/// as long as this lives.
 class OnlyLoadCases {
  public:
-  OnlyLoadCases(Case& c, const std::vector<std::size_t>& indices, Command command, bool with_duty,
+  OnlyLoadCases(Case& c, const std::vector<std::size_t>& indices, Command command, bool with_modes, bool with_duty,
                 std::vector<LoadCase>& memory)
       : case_(c), with_duty_(with_duty), others_(memory) {
     others_.resize(indices.size());
@@ -136,7 +137,9 @@ class OnlyLoadCases {
     for (const std::size_t k : indices) {
       const std::size_t at = place_of(k, c.load_cases, command);
       if (at >= c.load_cases.size()) break;
-      others_[known++] = c.load_cases[at];
+      others_[known] = c.load_cases[at];
+      if (!with_modes) others_[known].modes.reset();
+      ++known;
     }
     others_.resize(known);
     exchange();
@@ -335,7 +338,7 @@ struct DesignEngine::Parts {
     if (study.command == Command::life)
       return with_lives(
           c, [&](const LifeResult& lives) { set_numbers(row, {.contacts = lives.contacts, .life = &lives}); });
-    const OnlyLoadCases needed(c, load_cases, study.command, needs_duty, worker.load_cases);
+    const OnlyLoadCases needed(c, load_cases, study.command, number_detail.modes, needs_duty, worker.load_cases);
     AnalysisOptions options = kManyDesigns;
     options.detail = detail;
     options.full = &worker.full;

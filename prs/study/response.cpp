@@ -101,12 +101,21 @@ std::optional<ResultNumber> number_of_threads(std::string_view path, Interface i
 }
 
 constexpr std::pair<std::string_view, OnDemand> kOnDemand[] = {
-    {"axial_load_N", OnDemand::axial_load},    {"load_rate_percent", OnDemand::load_rate},
-    {"semi_major_mm", OnDemand::ellipses},     {"semi_minor_mm", OnDemand::ellipses},
-    {"peak_pressure_MPa", OnDemand::ellipses}, {"tangent_stiffness_N_per_um", OnDemand::tangent_stiffness},
-    {"film_thickness_nm", OnDemand::films},    {"central_film_nm", OnDemand::films},
-    {"film_factor", OnDemand::films},          {"film_ratio", OnDemand::films},
-    {"boundary_share", OnDemand::films}};
+    {"axial_load_N", OnDemand::axial_load},
+    {"load_rate_percent", OnDemand::load_rate},
+    {"semi_major_mm", OnDemand::ellipses},
+    {"semi_minor_mm", OnDemand::ellipses},
+    {"peak_pressure_MPa", OnDemand::ellipses},
+    {"tangent_stiffness_N_per_um", OnDemand::tangent_stiffness},
+    {"film_thickness_nm", OnDemand::films},
+    {"central_film_nm", OnDemand::films},
+    {"film_factor", OnDemand::films},
+    {"film_ratio", OnDemand::films},
+    {"boundary_share", OnDemand::films},
+    {"screw_end", OnDemand::tangent_stiffness},
+    {"modes", OnDemand::modes},
+    {"lowest_frequency_Hz", OnDemand::modes},
+    {"speeds_to_avoid_rpm", OnDemand::modes}};
 
 /// What the number at a path of a load case needs.
 OnDemand on_demand(std::string_view path) {
@@ -146,7 +155,8 @@ NumberDetail number_detail(std::span<const ResultNumber> numbers) {
   const auto any = [&](OnDemand part) { return std::ranges::count(numbers, part, &ResultNumber::on_demand) > 0; };
   return {
       {any(OnDemand::axial_load), any(OnDemand::load_rate), any(OnDemand::ellipses), any(OnDemand::tangent_stiffness)},
-      {any(OnDemand::slip_of_threads), any(OnDemand::films)}};
+      {any(OnDemand::slip_of_threads), any(OnDemand::films)},
+      any(OnDemand::modes)};
 }
 
 std::optional<ResultNumber> result_number(std::string_view path) {
@@ -165,9 +175,9 @@ std::optional<ResultNumber> result_number(std::string_view path) {
   }
   const std::optional<std::size_t> load_case = take_load_case(rest);
   if (!load_case) return std::nullopt;
-  if (take(rest, "measures."))
-    return number_of<LoadMeasures>(rest, load_case, [](const Answer& a) { return a.load_measures; });
   std::optional<ResultNumber> number;
+  if (take(rest, "measures."))
+    number = number_of<LoadMeasures>(rest, load_case, [](const Answer& a) { return a.load_measures; });
   for (const Interface i : kInterfaces)
     if (std::string_view key = rest; !number && take(key, name(i)) && take(key, "."))
       number = number_of_threads(key, i, *load_case);

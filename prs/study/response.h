@@ -31,7 +31,7 @@ struct Answer {
 };
 
 /// Numbers that results of many designs have only where they are asked for.
-enum class OnDemand { nothing, axial_load, load_rate, ellipses, tangent_stiffness, slip_of_threads, films };
+enum class OnDemand { nothing, axial_load, load_rate, ellipses, tangent_stiffness, slip_of_threads, films, modes };
 
 /// A response in the tables of quantities, read from the results without a document. Its value is
 /// the one that the document would have.
@@ -48,6 +48,7 @@ struct ResultNumber {
 struct NumberDetail {
   LoadDetail loads;
   SlipDetail slip;
+  bool modes = false;
 };
 NumberDetail number_detail(std::span<const ResultNumber> numbers);
 

@@ -25,6 +25,7 @@
 #include "prs/losses/life_analysis.h"
 #include "prs/measures/measures.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/run/commands.h"
 #include "prs/slip/slip.h"
 #include "prs/study/designs.h"
 #include "prs/study/response.h"
@@ -400,6 +401,47 @@ TEST(DesignEngine, UnknownResponseNamesTheNearest) {
     EXPECT_EQ(error.index(), 1U);
     EXPECT_THAT(error.what(), HasSubstr("did you mean `nut.peak_pressure_MPa.max`?"));
   }
+}
+
+/// Lesson 33 with its first design alone.
+input::Source tolerances_of(const std::string& responses) {
+  return input::load_source(
+      PRS_SOURCE_DIR "/configs/33_tolerances.yaml",
+      {"study.samples=1", "load_cases[1].modes.positions=1", "study.responses=[" + responses + "]"});
+}
+
+TEST(DesignEngine, ModesAreComputedWhereAResponseNeedsThem) {
+  for (const auto& [path, needed] :
+       std::vector<std::pair<const char*, bool>>{{"modes.mode[0].frequency_Hz", true},
+                                                 {"load_cases[1].modes.mass_kg.x", true},
+                                                 {"load_cases[1].measures.lowest_frequency_Hz", true},
+                                                 {"load_cases[1].measures.speeds_to_avoid_rpm[0]", true},
+                                                 {"load_cases[1].measures.thread_stiffness_N_per_um", false},
+                                                 {"travel.variation_one_turn_um", false},
+                                                 {"axial_stiffness_N_per_um", false}}) {
+    const std::optional<ResultNumber> number = result_number(path);
+    ASSERT_TRUE(number) << path;
+    EXPECT_EQ(number_detail(std::span(&*number, 1)).modes, needed) << path;
+  }
+  const std::string frequency = "\"load_cases[table].modes.mode[0].frequency_Hz\"",
+                    stiffness = "\"load_cases[table].axial_stiffness_N_per_um\"";
+  const auto numbers = [](const std::string& responses) {
+    const input::StudyInput in = input::read_study_input(tolerances_of(responses));
+    return DesignEngine(in).evaluate(0, 1).responses;
+  };
+  const std::vector<double> with = numbers(frequency + ", " + stiffness), without = numbers(stiffness);
+  const Json solved = run(analysis_of(Command::solve), tolerances_of(stiffness)).document({});
+  EXPECT_DOUBLE_EQ(with.at(0), solved.at("load_cases").at(1).at("modes").at("mode").at(0).at("frequency_Hz"));
+  EXPECT_EQ(with.at(1), without.at(0));
+}
+
+TEST(DesignEngine, TheComplianceOfTheScrewsEndIsThatOfTheDocument) {
+  const std::string path = "screw_end.compliance_SI[0][0]";
+  const input::StudyInput in = input::read_study_input(tolerances_of('"' + path + '"'));
+  const std::vector<double> found = DesignEngine(in).evaluate(0, 1).responses;
+  const Json solved = run(analysis_of(Command::solve), in.source).document({});
+  EXPECT_NEAR(found.at(0) / solved.at("load_cases").at(0).at("screw_end").at("compliance_SI").at(0).at(0).get<double>(),
+              1.0, 1e-9);
 }
 
 /// The lesson, on what the thesis says of it.
