@@ -335,9 +335,14 @@ std::string comparison(const OptimizationResult& result) {
   return text + from_check(result);
 }
 
-/// Designs of one kind end alike; refused ones by the key of the input, all others by their status.
+/// Designs of one kind end alike; refused ones by the key of the input, wherever it stands in the
+/// file, all others by their status.
 std::string kind_of(const DesignStatus& status) {
-  return status.name == "refused" ? status.reason.substr(0, status.reason.find(": ")) : status.name;
+  if (status.name != "refused") return status.name;
+  constexpr std::string_view kPlaceEnds = ": error: ";
+  const std::size_t place = status.reason.find(kPlaceEnds);
+  const std::size_t key = place == std::string::npos ? 0 : place + kPlaceEnds.size();
+  return status.reason.substr(key, status.reason.find(": ", key) - key);
 }
 
 /// Why designs have no answer: the most frequent kinds of reasons, each by its first.

@@ -120,6 +120,23 @@ TEST(OptimizeTable, FitsIts110Columns) {
   EXPECT_THAT(table, HasSubstr("without an answer, the first: x: got one that no mechanism has"));
 }
 
+TEST(OptimizeTable, RefusedDesignsAreCountedByTheirKeys) {
+  test::Problem refusing = problem();
+  OptimizationResult result = refusing.run();
+  std::size_t by_x = 0;
+  for (EvaluatedDesign& design : result.search.designs) {
+    if (design.status.name != "refused") continue;
+    constexpr const char* kPlaces[] = {"case.yaml:3:7: error: ", "case.yaml:9:2: error: ", ""};
+    design.status.reason = fmt::format("{}mechanism.lead: got 1 mm; expected more", kPlaces[by_x++ % 3]);
+  }
+  ASSERT_GT(by_x, 2);
+  const auto kept = std::ranges::find_if(result.search.designs, [](auto& d) { return d.status.converged(); });
+  kept->status = DesignStatus{"refused", "case.yaml:4:7: error: mechanism.rollers: got 1; expected 3"};
+  const std::string table = optimize_table(result);
+  EXPECT_THAT(table, HasSubstr(fmt::format("{} without an answer, the first: ", by_x)));
+  EXPECT_THAT(table, HasSubstr("1 without an answer, the first: case.yaml:4:7: error: mechanism.rollers"));
+}
+
 TEST(OptimizeTable, ResponsesHaveTheUnitsOfTables) {
   OptimizationResult result = problem().run();
   result.optimization.study.responses[0] = "f_N";
