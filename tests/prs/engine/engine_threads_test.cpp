@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <filesystem>
 #include <future>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -35,8 +36,17 @@ void expect_same_on_two_threads(const Work& work) {
   EXPECT_EQ(work(), here);
 }
 
+/// The tables that stand beside the lessons, by their names.
+Json tables() {
+  Json texts = Json::object();
+  for (const auto& entry : std::filesystem::directory_iterator(PRS_SOURCE_DIR "/configs"))
+    if (entry.path().extension() == ".csv") texts[entry.path().filename().string()] = test::content_of(entry.path());
+  return texts;
+}
+
 TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
   SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
+  const Json histories = tables();
   for (const auto& [command, lesson] :
        std::vector<std::pair<const char*, const char*>>{{"check", "11_real_parts"},
                                                         {"solve", "05_standard_screw"},
@@ -46,11 +56,14 @@ TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
                                                         {"solve", "33_tolerances"},
                                                         {"response", "34_reversal"},
                                                         {"size", "32_press"},
+                                                        {"fit", "37_bench"},
                                                         {"preload", "12_preload"},
                                                         {"measures", "18_design_measures"},
                                                         {"report", "05_standard_screw"}}) {
+    SCOPED_TRACE(lesson);
     const std::string yaml = test::content_of(PRS_SOURCE_DIR "/configs/" + std::string(lesson) + ".yaml");
-    const std::string question = Json{{"command", command}, {"yaml", yaml}}.dump();
+    const std::string question = Json{{"command", command}, {"yaml", yaml}, {"histories", histories}}.dump();
+    EXPECT_EQ(Json::parse(answer(question))["status"], 0);
     expect_same_on_two_threads([&] { return answer(question); });
   }
 }
