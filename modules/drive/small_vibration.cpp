@@ -9,7 +9,8 @@
 namespace prs {
 namespace {
 
-/// Square matrix of at most `most` rows; without a bound Eigen would compile code of the same size once more.
+/// A square matrix of at most `most` rows. The bound spares the compiler Eigen's code for large
+/// matrices, which would be most of its work here.
 template <typename Number, int most>
 using AtMost = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
