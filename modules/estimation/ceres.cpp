@@ -20,12 +20,20 @@ class Cost : public ceres::CostFunction {
   const Residuals& residuals_;
 };
 
+/// Switches the library's log off; once, since all threads share its flags.
+void keep_quiet() {
+  [[maybe_unused]] static const bool is_quiet = [] {
+    FLAGS_minloglevel = google::GLOG_FATAL;
+    FLAGS_logtostderr = true;  // No files.
+    return true;
+  }();
+}
+
 }  // namespace
 
 Minimum minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, bool roughly,
                  std::vector<double>& z) {
-  FLAGS_minloglevel = google::GLOG_FATAL;
-  FLAGS_logtostderr = true;  // No files.
+  keep_quiet();
   ceres::Problem problem;
   problem.AddResidualBlock(new Cost(residuals, count, z.size()), nullptr, z.data());
   for (std::size_t j = 0; j < z.size(); ++j) {
