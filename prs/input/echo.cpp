@@ -13,6 +13,15 @@
 namespace prs::input {
 namespace {
 
+/// Whether a key is part of the resolved case. A length that nobody stated and that has no default is
+/// outside of its bounds.
+bool stands(const Field& field) {
+  if (!field.presence.allowed || !field.has_value()) return false;
+  const Value value = field.value();
+  const auto* const quantity = std::get_if<Leaf<Quantity, double>>(&value.as);
+  return field.presence.required || !quantity || quantity->kind.bounds.contain(quantity->value);
+}
+
 /// Lists the values of one map next to what was written of them (null where nothing was).
 class Lister {
  public:
@@ -20,7 +29,7 @@ class Lister {
 
   void list(const Node* map, const std::string& path, const MapValue& value) {
     value.for_each([&](const Field& field) {
-      if (!field.presence.allowed || !field.has_value()) return;
+      if (!stands(field)) return;
       list(map ? find(*map, field.key) : nullptr,
            path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key), field.value());
     });
@@ -392,7 +401,7 @@ Json json_of(const Node* node, const ChoiceValue& choice) {
 Json json_of(const Node* node, const MapValue& map) {
   Json json = Json::object();
   map.for_each([&](const Field& field) {
-    if (!field.presence.allowed || !field.has_value()) return;
+    if (!stands(field)) return;
     const Node* own = node ? find(*node, field.key) : nullptr;
     Json value = json_of(own, field.value());
     if (field.is_optional() || own || !value.empty()) json[field.key] = std::move(value);

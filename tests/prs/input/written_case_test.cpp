@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "prs/input/reader.h"
 #include "tests/support/program.h"
 
 namespace prs::input {
@@ -44,6 +45,17 @@ TEST(WrittenCase, GivesUpWhereAValueDoesNotStandBetweenBraces) {
 TEST(WrittenCase, WithoutOverridesIsTheFile) {
   const Source source = lesson_with("01_config_1_to_3.yaml", {});
   EXPECT_EQ(written_case(source), source.text);
+}
+
+TEST(ResolvedInput, LacksLengthsWithoutADefaultAndCanBeReadAgain) {
+  const Source source =
+      lesson_with("31_running_screw.yaml", {"carrier.bearing={diameter: 5 mm, friction: {coulomb: 0.1}}"});
+  const auto once = resolved_input(source);
+  EXPECT_FALSE(once.at("carrier").at("bearing").contains("length"));
+  EXPECT_FALSE(once.at("carrier").at("bearing").contains("radial_clearance"));
+  const Source again = source_of_text("case.yaml", once.dump(), {}, source.folder);
+  EXPECT_NO_THROW(read_case_input(again, Command::check));
+  EXPECT_EQ(resolved_input(again), once);
 }
 
 }  // namespace
