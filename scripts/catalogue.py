@@ -39,6 +39,12 @@ RATIOS = (
 )
 
 
+def rows_of(catalogue):
+    """A dictionary for each screw; lines that begin with # are comments."""
+    with open(catalogue, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
 def new_case(prs, row, file):
     options = [
         "--screw-diameter",
@@ -97,8 +103,7 @@ def main():
     asked = parser.parse_args()
     if shutil.which(asked.prs) is None:
         parser.error(f"--prs: got {asked.prs}, which is no program; build prs, or say where it is")
-    with open(asked.catalogue, encoding="utf-8") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    rows = rows_of(asked.catalogue)
 
     failed = 0
     headings = ["screw", "rollers", *(heading for heading, *_ in RATIOS), "static safety"]

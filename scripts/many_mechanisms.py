@@ -17,24 +17,16 @@ import argparse
 import collections
 import csv
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 
+from catalogue import new_case, rows_of
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Refused: such a mechanism cannot be built. All else that has no answer did not converge.
 ANSWERS = ("converged", "refused")
-
-
-def new_case(prs, row, file):
-    options = [
-        f"--screw-diameter={row['screw_diameter_mm']}mm",
-        f"--lead={row['lead_mm']}mm",
-        f"--starts={row['starts']}",
-        f"--nut-diameter={row['nut_diameter_mm']}mm",
-        f"--nut-length={row['nut_length_mm']}mm",
-    ]
-    subprocess.run([prs, "new", "standard", str(file), "--quiet", *options], check=True)
 
 
 def value_in(text, key):
@@ -121,8 +113,13 @@ def main():
         "catalogue", nargs="?", default=ROOT / "validation/standard_screws/screws.csv"
     )
     asked = parser.parse_args()
-    with open(asked.catalogue, encoding="utf-8") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    if shutil.which(asked.prs) is None:
+        parser.error(f"PRS: got {asked.prs}, which is no program; build prs, or say where it is")
+    if min(asked.static, asked.running) < 0:
+        parser.error("--static, --running: expected numbers of mechanisms, 0 or more")
+    if not pathlib.Path(asked.catalogue).is_file():
+        parser.error(f"CATALOGUE: got {asked.catalogue}, which is no file; expected a CSV file")
+    rows = rows_of(asked.catalogue)
 
     failed = False
     for running, wanted in ((False, asked.static), (True, asked.running)):
@@ -134,7 +131,8 @@ def main():
             with tempfile.TemporaryDirectory() as temporary:
                 folder = pathlib.Path(temporary)
                 file = folder / "case.yaml"
-                new_case(asked.prs, row, file)
+                if not new_case(asked.prs, row, file):
+                    sys.exit(1)  # `prs new` has said why.
                 text = file.read_text(encoding="utf-8")
                 capacity = float(row["static_capacity_kN"])
                 block = study(text, capacity, running, samples, asked.seed + number)

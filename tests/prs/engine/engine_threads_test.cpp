@@ -36,7 +36,7 @@ void expect_same_on_two_threads(const Work& work) {
   EXPECT_EQ(work(), here);
 }
 
-/// The tables that stand beside the lessons, by their names.
+/// The CSV files of the lessons, by name.
 Json tables() {
   Json texts = Json::object();
   for (const auto& entry : std::filesystem::directory_iterator(PRS_SOURCE_DIR "/configs"))
