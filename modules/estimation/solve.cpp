@@ -149,7 +149,10 @@ class Search {
       status = settle(z, 3);
       if (status == Status::no_equilibrium) return status;
     } while (reaches_more(z) || takes_smaller_steps(z));
-    if (status == Status::iteration_limit) status = settle(z, 17);
+    if (status == Status::iteration_limit) {
+      failure_.reset();
+      status = settle(z, 17);
+    }
     place_ = z;
     return status;
   }
@@ -899,6 +902,7 @@ Result solve(const Problem& problem) {
     VectorXd z;
     std::vector<double> spread;
     Status status;
+    std::optional<Failure> failure;
   };
   std::optional<std::size_t> best;
   std::vector<Found> found;
@@ -906,7 +910,7 @@ Result solve(const Problem& problem) {
   for (std::size_t k = 0; k < problem.starts; ++k) {
     const Status status = search.run(search.start(k));
     StartResult& start = result.starts.emplace_back(StartResult{.status = status});
-    found.push_back({search.place(), search.spread(), status});
+    found.push_back({search.place(), search.spread(), status, search.failure()});
     if (status == Status::no_equilibrium) {
       if (!first_failure) first_failure = search.failure();
       continue;
@@ -932,6 +936,7 @@ Result solve(const Problem& problem) {
   result.starts[*best].is_best = true;
   search.set(found[*best].z, found[*best].spread);
   search.conclude(found[*best].status, result, true);
+  if (result.status == Status::iteration_limit) result.held_by = found[*best].failure;
   for (std::size_t k = 0; k < found.size(); ++k) {
     StartResult& start = result.starts[k];
     if (k == *best || !start.objective || *start.objective > *result.starts[*best].objective + 4.0) continue;

@@ -62,7 +62,12 @@ void add_warnings(FitResult& r) {
     warn(c.at, "no_redundancy", format("the readings of {} do not tell their deviation", c.name),
          c.deviation.empty() ? "state its `deviation`" : "state a larger `deviation`: most of its rows are outliers");
   }
-  if (found.status == Status::iteration_limit) {
+  if (found.held_by) {
+    warn("fit", "iteration_limit",
+         format("the search did not come to rest: it is drawn to where {} has no answer: {}",
+                place_of(r.input, found.held_by->curve, found.held_by->row), found.held_by->reason),
+         "narrow the bounds, look for wrong readings, or leave the row out");
+  } else if (found.status == Status::iteration_limit) {
     std::string wide;
     for (std::size_t j = 0; j < r.input.parameters.size(); ++j) {
       const FitParameter& p = r.input.parameters[j];

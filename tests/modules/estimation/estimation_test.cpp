@@ -343,6 +343,17 @@ TEST(Estimation, WhereTheFunctionHasNoAnswerStepsAreTakenBack) {
   EXPECT_EQ(none.failure->row, 5U);
 }
 
+TEST(Estimation, ASearchThatIsDrawnToWhereARowHasNoAnswerNamesTheRow) {
+  Bench b = line();  // Whose least squares lie at 2.03.
+  b.model = [](const auto& u, std::size_t, double x) { return u[0] < 3.0 && x > 3.5 ? std::nan("") : u[0] * x; };
+  const Result r = b.solved();
+  EXPECT_EQ(r.status, Status::iteration_limit);
+  ASSERT_TRUE(r.held_by);
+  EXPECT_EQ(r.held_by->row, 5U);
+  EXPECT_NEAR(*r.unknowns[0].value, 3.0, 1e-3);
+  EXPECT_FALSE(line().solved().held_by);
+}
+
 TEST(Estimation, AnUnknownThatMovesNothingIsNamed) {
   Bench b = line();
   b.problem.unknowns.push_back({.from = 0.0, .to = 1.0, .start = 0.5});

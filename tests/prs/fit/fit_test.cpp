@@ -542,6 +542,22 @@ TEST(FitCase, IntervalsHoldTheTruthOfAScrewAsOftenAsTheySay) {
   EXPECT_NEAR(share, 0.9, test::thorough() ? 0.03 : test::sanitized() ? 0.1 : 0.05);
 }
 
+/// Torques that no coefficient below that of jamming gives.
+TEST(FitCase, ReadingsBeyondJammingAreNotCalledASearchWithoutEnd) {
+  json input = input_of("friction-on-the-bench");
+  json& fit = input["fit"];
+  fit["parameters"] = json::array({{{"path", "friction.coulomb"}, {"from", 0.02}, {"to", 4}}});
+  fit["curves"] = json::array({fit["curves"][0]});
+  fit["curves"][0]["file"] = "far.csv";
+  fit.erase("profile"), fit.erase("bands");
+  const FitResult r =
+      fit_case(bench_source(input, {{"far.csv", "force_kN,torque_Nm\n2,2000\n6,6000\n10,10000\n"}}), {.threads = 1});
+  ASSERT_EQ(r.found.status, modules::fit::Status::iteration_limit);
+  const auto told = std::ranges::find(r.warnings, "iteration_limit", &Warning::code);
+  ASSERT_NE(told, r.warnings.end());
+  EXPECT_THAT(sentence(*told), HasSubstr("far.csv:2 has no answer"));
+}
+
 TEST(FitCase, TheHashOfADocumentCoversItsCurves) {
   const auto hash = [](const char* readings, Command command) {
     input::Source source = bench_source(input_of("friction-on-the-bench"));
