@@ -106,8 +106,8 @@ std::string printable_lines(std::string_view text) {
   });
 }
 
-std::string printable_json(std::string_view json) {
-  if (is_plain_lines(json)) return std::string(json);
+std::string printable_json(std::string json) {
+  if (is_plain_lines(json)) return json;
   return rewritten(json, [](std::string& result, std::string_view sequence) {
     const std::uint32_t code = code_point(sequence);
     // Blanks between values are plain; within strings JSON has no other control characters.

@@ -18,7 +18,7 @@ std::string printable_lines(std::string_view text);
 bool is_plain_lines(std::string_view text) noexcept;
 
 /// JSON whose strings show such characters as \uXXXX, so that it can be printed and says the same.
-std::string printable_json(std::string_view json);
+std::string printable_json(std::string json);
 
 /// Length of the well-formed sequence at the start of the text (Unicode 15, table 3-7), else 0.
 std::size_t sequence_length(std::string_view text);

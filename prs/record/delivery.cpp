@@ -38,13 +38,13 @@ void write_with_list(const Json& outline, std::string_view key,
   const std::size_t first = list + empty.size() - 1;
   std::string piece = text.substr(0, first) + '\n';
   for (std::size_t k = 1; next; ++k) {
-    std::string lines = "    ";
-    for (const char c : dumped(*next)) {
-      lines += c;
-      if (c == '\n') lines += "    ";
+    const std::string lines = dumped(*next);
+    for (std::size_t at = 0, end = 0; end != lines.npos; at = end + 1) {
+      end = lines.find('\n', at);
+      piece.append("    ").append(lines, at, end == lines.npos ? end : end + 1 - at);
     }
     next = item(k);
-    sink(piece.append(lines).append(next ? ",\n" : "\n"));
+    sink(piece.append(next ? ",\n" : "\n"));
     piece.clear();
   }
   sink("  " + text.substr(first));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <map>
 #include <numbers>
 #include <tuple>
@@ -239,10 +241,13 @@ Json json_of(const T& value) {
 
 /// Rounds every number, so that files of large maps stay short.
 void shorten(Json& json) {
-  if (json.is_structured())
+  if (json.is_structured()) {
     for (Json& entry : json) shorten(entry);
-  else if (json.is_number_float() && std::isfinite(json.get<double>()))
-    json = Json::parse(fmt::format("{:.7g}", json.get<double>())).get<double>();
+  } else if (double* number = json.get_ptr<double*>(); number && std::isfinite(*number)) {
+    std::array<char, 32> text;
+    const char* end = fmt::format_to(text.begin(), "{:.7g}", *number);
+    std::from_chars(text.begin(), end, *number);
+  }
 }
 
 // From JSON: what is absent keeps its default.

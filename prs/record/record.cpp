@@ -96,13 +96,20 @@ SeriesReader summary_named(std::string_view word, double factor) {
 
 namespace detail {
 
+Json object_for(std::size_t entries) {
+  Json::object_t object;
+  object.reserve(entries);
+  return object;
+}
+
 Json array_of(std::span<const double> si, const ShownUnit& unit) {
-  auto array = Json::array();
+  Json::array_t array;
+  array.reserve(si.size());
   for (const double value : si)
     if (std::isfinite(value))
-      array.push_back(value * unit.factor);
+      array.emplace_back(value * unit.factor);
     else
-      array.push_back(nullptr);
+      array.emplace_back(nullptr);
   return array;
 }
 

@@ -77,6 +77,9 @@ const auto* pointer_to(const T& value) {
     return &value;
 }
 
+/// An empty object that holds so many entries without growing, which would copy them.
+Json object_for(std::size_t entries);
+
 Json array_of(std::span<const double> si, const ShownUnit& unit);
 /// In rows of that length; 0: in one.
 Json arrays_of(std::span<const double> si, std::size_t row, const ShownUnit& unit);
@@ -102,7 +105,7 @@ std::size_t row_length(const Owner& owner) {
 template <class T>
 Json json_of(const T& value, const ShownUnit& unit) {
   if constexpr (is_by_key<T>) {
-    auto object = Json::object();
+    Json object = object_for(value.size());
     for (const auto& [key, held] : value)
       if (const auto* item = pointer_to(held))
         if (auto json = json_of(*item, unit); !json.is_null()) object[key] = std::move(json);
@@ -287,16 +290,19 @@ struct Of {
 
 template <const auto& quantities, class T>
 Json json_by(const T& value, const ShownUnit& unit) {
-  auto json = Json::object();
   if constexpr (is_by_key<T>) {
-    for (const auto& [key, held] : value) json[key] = json_by<quantities>(held, unit);
+    Json object = object_for(value.size());
+    for (const auto& [key, held] : value) object[key] = json_by<quantities>(held, unit);
+    return object;
   } else if constexpr (is_vector<T>) {
-    json = Json::array();
-    for (const auto& held : value) json.push_back(json_by<quantities>(held, unit));
+    auto array = Json::array();
+    for (const auto& held : value) array.push_back(json_by<quantities>(held, unit));
+    return array;
   } else {
-    put_quantities<T>(json, quantities, value, unit);
+    Json object = object_for(std::size(quantities));
+    put_quantities<T>(object, quantities, value, unit);
+    return object;
   }
-  return json;
 }
 
 template <class Owner, std::size_t n>
@@ -403,8 +409,9 @@ void put_quantities(Json& document, std::span<const Quantity<Owner>> quantities,
 
 template <class Owner>
 Json object_of(const Owner& owner, const ShownUnit& inherited) {
-  auto object = Json::object();
-  put_quantities(object, record_of<Owner>().quantities, owner, inherited);
+  const std::span<const Quantity<Owner>> quantities = record_of<Owner>().quantities;
+  Json object = detail::object_for(quantities.size());
+  put_quantities(object, quantities, owner, inherited);
   return object;
 }
 

@@ -274,12 +274,12 @@ constexpr Quantity<StudyResult> kEnvelope[] = {
 
 constexpr Quantity<InRow> kRow[] = {
     {"settings", always<[](auto& row) {
-       ByKey<Level> settings;
+       ByKey<const Level*> settings;
        for (const Setting& setting : row.item->design.settings) {
          const Factor& factor = row.whole->study.factors[setting.factor];
-         settings.emplace_back(factor.path, setting.level);
+         settings.emplace_back(factor.path, &setting.level);
          for (std::size_t k = 0; k < factor.companions.size(); ++k)
-           settings.emplace_back(factor.companions[k].path, setting.companions[k]);
+           settings.emplace_back(factor.companions[k].path, &setting.companions[k]);
        }
        return settings;
      }>,
