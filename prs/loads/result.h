@@ -1,93 +1,12 @@
 #pragma once
 
 #include "fe/newton.h"
-#include "prs/loads/slip_result.h"
+#include "prs/heat/result/heat_result.h"
+#include "prs/slip/result/running_loads.h"
+#include "prs/slip/result/slip_result.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {
-
-/// How the search for loads and friction that belong together ended.
-enum class RunningStatus {
-  converged,
-  iteration_limit,
-  slip_no_equilibrium,  ///< No slip ratio balances the moment on a roller.
-  jammed,               ///< Friction takes more of a contact's axial force than its normal gives.
-  no_equilibrium,       ///< The loads with that friction have no equilibrium.
-  mechanism,
-};
-
-constexpr std::string_view name(RunningStatus status) {
-  constexpr std::string_view kNames[] = {"converged", "iteration_limit", "slip_no_equilibrium",
-                                         "jammed",    "no_equilibrium",  "mechanism"};
-  return kNames[static_cast<std::size_t>(status)];
-}
-
-/// T of each thread on the roller: x along the axis from the loaded end of the screw, y outwards,
-/// tangential along the orbit [N]. Threads as in `InterfaceLoads`.
-struct FrictionForces {
-  int threads_per_roller = 0;
-  std::vector<double> axial, radial, tangential;
-};
-
-/// What a load case has where its loads are those of the running screw, with friction. SI units.
-struct RunningLoads {
-  RunningStatus status = RunningStatus::iteration_limit;
-  int rounds = 0;       ///< Evaluations of slip.
-  double change = 0.0;  ///< Change of a thread's load in the last round, over the largest load.
-  /// R_near and R_far, forces of the guides on the roller, > 0 outwards; of each roller present
-  /// [N]. None where rollers stay straight.
-  std::vector<std::array<double, 2>> guide_force;
-
-  /// The same load case at rest.
-  struct AtRest {
-    PerInterface<double> largest_normal_load;  ///< [N]
-    double axial_displacement = 0.0;           ///< [m]
-  };
-  AtRest at_rest;
-
-  bool converged() const { return status == RunningStatus::converged; }
-};
-
-/// How the search for steady or periodic temperatures ended.
-enum class HeatStatus {
-  converged,
-  no_steady_state,  ///< The parts warm on until no oil and no steel stands it, or slip ends.
-  iteration_limit,
-};
-
-constexpr std::string_view name(HeatStatus status) {
-  constexpr std::string_view kNames[] = {"converged", "no_steady_state", "iteration_limit"};
-  return kNames[static_cast<std::size_t>(status)];
-}
-
-/// Temperatures at which the losses of a load case and the heat that the parts pass on balance. SI
-/// units; of all rollers together.
-struct HeatResult {
-  HeatStatus status = HeatStatus::iteration_limit;
-  std::string reason = {};                  ///< Reason why it did not converge.
-  int evaluations = 0;                      ///< Evaluations of the losses at temperatures.
-  bool others = false;                      ///< Hotter steady states exist.
-  PerPart<double> temperature;              ///< [K]
-  std::optional<PerInterface<double>> oil;  ///< Temperature of the oil at the contacts [K]; none without lubricant.
-  PerPart<double> heat;                     ///< Heat that flows into each part [W].
-
-  bool converged() const { return status == HeatStatus::converged; }
-};
-
-/// The state that repeats itself from cycle to cycle of a duty. SI units.
-struct HeatCycle {
-  HeatStatus status = HeatStatus::iteration_limit;
-  std::string reason = {};
-  std::vector<double> time;                  ///< From the start of the cycle to its end [s].
-  PerPart<std::vector<double>> temperature;  ///< At these times [K].
-  PerPart<double> peak, mean;                ///< [K]
-  double period = 0.0;                       ///< [s]
-  double energy_in = 0.0;                    ///< Energy that shaft and load bring in while they drive, per cycle [J].
-  double energy_lost = 0.0;                  ///< By friction, per cycle [J].
-  std::optional<double> efficiency;          ///< What comes out over what goes in; none where nothing does.
-
-  bool converged() const { return status == HeatStatus::converged; }
-};
 
 /// How an interface of the full mechanism spreads its load over the rollers.
 struct RollerShares {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "prs/configurations/configurations.h"
-#include "prs/loads/slip_result.h"
 #include "prs/record/record.h"
 #include "prs/size/requirement.h"
+#include "prs/slip/result/slip_result.h"
 
 /// Which screw, and which motor: every candidate as a case of its own, with the loads of its
 /// threads, its losses and its masses, against the criteria of a requirement (docs/size.md).

@@ -2,7 +2,7 @@
 
 #include "contact/journal_bearing.h"
 #include "contact/patch_formulas.h"
-#include "prs/loads/slip_result.h"
+#include "prs/slip/result/slip_result.h"
 
 /// The balance of one roller (Sandu 2018, section 3.2): formulas for numbers, for batches with one
 /// screw per lane, and for either with slopes along the slip ratio.

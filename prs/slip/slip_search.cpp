@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "prs/loads/slip_result.h"
+#include "prs/slip/result/slip_result.h"
 
 namespace prs {
 namespace {
