@@ -6,18 +6,22 @@ scripts/reference.py PRS --check    says which of them are not current
 """
 
 import ast
+import itertools
 import json
 import keyword
+import re
 import subprocess
 import sys
 import textwrap
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from wrap_markdown import wrap
+from wrap_markdown import ROW, wrap
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference"
 PYTHON = ROOT / "python/rollerscrew"
+CUT = "Where a cell ends in `..`, the whole text stands below the table."
 NOTE = "<!-- Written by scripts/reference.py from the program's own tables. -->\n\n"
 KINDS = {
     "number": "float", "series": "Array", "matrix": "Array", "count": "int", "flag": "bool",
@@ -25,13 +29,32 @@ KINDS = {
 }  # fmt: skip
 
 
-def cell(text: str) -> str:
-    return text.replace("|", "\\|")
+def row_of(cells: Sequence[str]) -> str:
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
 
-def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
-    lines = [head, ("---",) * len(head), *rows]
-    return "".join("| " + " | ".join(map(cell, line)) + " |\n" for line in lines)
+def start_of(text: str) -> str:
+    """Its first sentence; of one sentence the first clause that leaves nothing open."""
+    for end in (r"(?<=[\w`)]{2})\. ", "; ", ": ", ", "):
+        for found in re.finditer(end, text):
+            start = text[: found.start()]
+            if start.count("(") == start.count(")") and not start.count("`") % 2:
+                return start + " .."
+    raise ValueError(f"no clauses, and too long for a row: {text}")
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    lines, below = [row_of(head), row_of(["---"] * len(head))], ""
+    for row in rows:
+        # Of a row that is too long the longest cells only start here, and stand whole below.
+        cells = list(row)
+        while len(row_of(cells)) > ROW:
+            longest = max(cells[1:], key=len)
+            cells[cells.index(longest)] = start_of(longest)
+        if whole := ". ".join(text for text, start in zip(row, cells) if text != start):
+            below += f"- {row[0]}: {whole}\n"
+        lines.append(row_of(cells))
+    return "\n".join(lines) + "\n" + (below and f"\n{below}")
 
 
 def said_of(q: dict) -> str:
@@ -82,13 +105,13 @@ def bounds(value: dict) -> str:
     return " and ".join(f"{words[key]} {value[key]:g}" for key in words if key in value)
 
 
-def value_of(value: dict) -> str:
-    """What may stand there: units and bounds, words, or how it is made up."""
+def value_of(value: dict, quantities: dict[str, str]) -> str:
+    """What may stand there: quantity and bounds, words, or how it is made up."""
     if "pattern" in value and "examples" in value:
-        units = value.get("x-value") or value["description"]
-        return units[0].lower() + units[1:]
+        units, _, limits = (value.get("x-value") or value["description"]).partition("; ")
+        return f"{quantities[units.removeprefix('In ')]} {limits}".rstrip()
     if "oneOf" in value:
-        return " or ".join(dict.fromkeys(value_of(each) for each in value["oneOf"]))
+        return " or ".join(dict.fromkeys(value_of(each, quantities) for each in value["oneOf"]))
     if "enum" in value:
         return ", ".join(f"`{word}`" for word in value["enum"])
     kind = value["type"]
@@ -100,7 +123,7 @@ def value_of(value: dict) -> str:
         keys = value["properties"]
         return f"`{{{', '.join(keys)}}}`" if len(keys) < 5 else "map"
     if kind == "array":
-        return "list: " + value_of(value["items"])
+        return "list: " + value_of(value["items"], quantities)
     words = {"string": "text", "boolean": "`true`, `false`"}
     return words.get(str(kind), "as it would stand there")
 
@@ -114,7 +137,9 @@ def maps_in(value: dict, path: str) -> list[tuple[str, dict]]:
     return [(path + ".", value)] if "properties" in value else []
 
 
-def inputs_in(block: dict, before: str, rows: dict[str, tuple[str, ...]]) -> None:
+def inputs_in(
+    block: dict, before: str, quantities: dict[str, str], rows: dict[str, tuple[str, ...]]
+) -> None:
     for name, value in block["properties"].items():
         path = before + name
         default = f"`{value['default']}`".replace("True", "true") if "default" in value else ""
@@ -123,26 +148,56 @@ def inputs_in(block: dict, before: str, rows: dict[str, tuple[str, ...]]) -> Non
         meaning = value.get("x-meaning") or value.get("description", "")
         if words := value.get("x-value") if "examples" not in value else None:
             meaning += f". {words}"
-        rows.setdefault(path, (f"`{path}`", value_of(value), default, needed, meaning))
+        value_text = value_of(value, quantities)
+        rows.setdefault(path, (f"`{path}`", value_text, default, needed, meaning))
         for inner, keys in maps_in(value, path):
-            inputs_in(keys, inner, rows)
+            inputs_in(keys, inner, quantities, rows)
 
 
-def input_page(schema: dict, title: str, of: str) -> str:
+def quantities_in(units: list[dict]) -> dict[str, str]:
+    """What a quantity is called, and either of two, by the units that the schema lists for it."""
+    names = {
+        ", ".join(alike[0] for alike in q["units"]): q["quantity"].partition(" ")[2] for q in units
+    }
+    both = itertools.permutations(names, 2)
+    return names | {f"{a}, {b}": f"{names[a]} or {names[b]}" for a, b in both}
+
+
+def unit_table(schema: dict, units: list[dict]) -> str:
+    """The units of the quantities that a schema has."""
+    said = json.dumps(schema)
+    found = {
+        name
+        for listed, names in quantities_in(units).items()
+        if f'"In {listed}"' in said or f'"In {listed}; ' in said
+        for name in names.split(" or ")
+    }
+    named = [(q["quantity"].partition(" ")[2], q) for q in units]
+    rows = [
+        (name, f"`{q['example']}`", ", ".join(f"`{' = '.join(alike)}`" for alike in q["units"]))
+        for name, q in named
+        if name in found
+    ]
+    return table(("quantity", "example", "units"), rows)
+
+
+def input_page(schema: dict, units: list[dict], title: str, of: str) -> str:
     text = (
         f"# {title}\n\nEvery key of a {of}. `[]` stands for the entries of a list. A path with"
         " the\n"
         "number of an entry, `load_cases[0].axial_force`, is what `--set` and studies take.\n"
+        "A length, a force or another quantity is a number with one of its [units](#units).\n"
         "Required: where the block that holds the key stands; what a command needs, `prs check`\n"
-        "says.\n\n"
+        f"says. {CUT}\n\n"
     )
+    quantities = quantities_in(units)
     for name, value in schema["properties"].items():
         rows: dict[str, tuple[str, ...]] = {}
         one = {"properties": {name: value}, "required": schema.get("required", [])}
-        inputs_in(one, "", rows)
+        inputs_in(one, "", quantities, rows)
         head = ("path", "value", "default", "required", "what it is")
-        text += f"## {name}\n{table(head, list(rows.values()))}\n"
-    return NOTE + text.rstrip() + "\n"
+        text += f"## {name}\n{table(head, rows.values())}\n"
+    return f"{NOTE}{text}## Units\n{unit_table(schema, units)}"
 
 
 def responses_in(owner: dict, before: str, records: dict) -> list[tuple[str, ...]]:
@@ -292,7 +347,11 @@ def command_page(program: dict) -> str:
 
 
 def reference(
-    program: dict, results: dict, inputs: dict[str, dict], documents: dict[str, dict]
+    program: dict,
+    results: dict,
+    inputs: dict[str, dict],
+    units: list[dict],
+    documents: dict[str, dict],
 ) -> dict[Path, str]:
     pages = result_pages(results)
     links = "".join(
@@ -300,8 +359,8 @@ def reference(
         for place, name in zip(results["documents"], pages, strict=True)
     )
     pages["commands.md"] = command_page(program)
-    pages["inputs.md"] = input_page(inputs["input"], "Inputs", "case")
-    pages["requirement.md"] = input_page(inputs["requirement"], "Requirement", "requirement")
+    pages["inputs.md"] = input_page(inputs["input"], units, "Inputs", "case")
+    pages["requirement.md"] = input_page(inputs["requirement"], units, "Requirement", "requirement")
     pages["responses.md"] = response_page(results)
     pages["documents.md"] = document_page(documents, results)
     pages["README.md"] = (
@@ -312,7 +371,7 @@ def reference(
         "- [Documents](documents.md): what every command prints with `--json`\n"
         "- [Responses](responses.md): the numbers that studies record\n\n"
         "Every quantity of the results, with its formula and source; units stand at the end of the "
-        f"keys:\n\n{links}"
+        f"keys. {CUT}\n\n{links}"
     )
     files = {PAGES / name: wrap(text) for name, text in pages.items()}
     studied = inputs["input"]["properties"]["study"]["properties"]["command"]["enum"]
@@ -475,7 +534,8 @@ def main() -> int:
         if command not in tables
     }
     inputs = {word: of("schema", word) for word in ("input", "requirement")}
-    files = reference(program, of("schema", "results"), inputs, documents)
+    units = of("list", "units", "--json")["quantities"]
+    files = reference(program, of("schema", "results"), inputs, units, documents)
     stale = [path for path, text in files.items() if not path.exists() or path.read_text() != text]
     stale += [path for path in PAGES.glob("*") if path not in files]
     if "--check" in sys.argv:

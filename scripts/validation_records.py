@@ -40,6 +40,10 @@ def items(texts: list[str]) -> str:
     return "\n".join(fill(f"- {text}", "  ") for text in texts) + "\n"
 
 
+def numbered(texts: list[str]) -> str:
+    return "".join(fill(f"{n}. {text}", "   ") + "\n" for n, text in enumerate(texts, 1))
+
+
 def cell(text: object) -> str:
     return str(text).replace("|", "\\|").replace("\n", " ")
 
@@ -72,7 +76,11 @@ def printed_values(form: dict, validation: dict) -> tuple[str, list[dict]]:
         for case, values in groups.items():
             good = [v for v in values if v["verdict"] == "reproduces"]
             digits = [v["printed_digits"] for v in values]
-            span = f"{min(digits)}" if min(digits) == max(digits) else f"{min(digits)} to {max(digits)}"
+            span = (
+                f"{min(digits)}"
+                if min(digits) == max(digits)
+                else f"{min(digits)} to {max(digits)}"
+            )
             lines += (
                 f"| [{wanted['source']}](../../validation/{wanted['source']}/SOURCE.md), {cell(case)} "
                 f"| {len(values)} | {span} | {len(good)} |\n"
@@ -108,7 +116,9 @@ def statements(form: dict, validation: dict) -> tuple[str, list[str]]:
         for s in found:
             if s["verdict"] == "does not hold":
                 why = s["why"] or s["evidence"]
-                failing.append(f'{wanted["source"]}, {s["section"]}, does not hold: "{s["text"]}". {why}')
+                failing.append(
+                    f'{wanted["source"]}, {s["section"]}, does not hold: "{s["text"]}". {why}'
+                )
     if lines:
         lines = (
             "| statements in words | compared | hold | only with | do not |\n"
@@ -129,7 +139,9 @@ def benchmark_row(number_: str, case: dict) -> str:
     zero has no digits."""
     rows = check.counted(case)
     within = sum(ratio <= 1.0 for _, _, ratio in rows)
-    digits = sorted(digits_of(row, value) for row, value, _ in rows if abs(float(row["value"])) > 1e-6)
+    digits = sorted(
+        digits_of(row, value) for row, value, _ in rows if abs(float(row["value"])) > 1e-6
+    )
     least = "8 or more" if digits[0] == MOST_DIGITS else str(digits[0])
     middle = digits[len(digits) // 2]
     folder = next(check.BENCHMARK.glob(number_ + "_*")).name
@@ -154,7 +166,9 @@ def of_benchmark(form: dict, results: dict, refined: dict) -> str:
 
 def in_words(name: str) -> str:
     """A test's name as words: AThinRingIsStiff, a thin ring is stiff."""
-    parts = re.findall(r"\d+[a-z]*[A-Z](?![a-z])|[A-Z]?[a-z]+|[A-Z](?=[A-Z][a-z]|$)|[A-Z]+|\d+", name)
+    parts = re.findall(
+        r"\d+[a-z]*[A-Z](?![a-z])|[A-Z]?[a-z]+|[A-Z](?=[A-Z][a-z]|$)|[A-Z]+|\d+", name
+    )
     return " ".join(part if part[0].isdigit() else part.lower() for part in parts)
 
 
@@ -183,7 +197,9 @@ def of_tests(form: dict) -> str:
     text = ""
     for name in form["examples"].get("tests", []):
         path = ROOT / name
-        found = list(re.finditer(r"^TEST(?:_F|_P)?\(\s*\w+,\s*(\w+)\)", path.read_text(), re.MULTILINE))
+        found = list(
+            re.finditer(r"^TEST(?:_F|_P)?\(\s*\w+,\s*(\w+)\)", path.read_text(), re.MULTILINE)
+        )
         if not found:
             raise SystemExit(f"{name}: no tests found")
         ends = [test.start() for test in found[1:]] + [len(path.read_text())]
@@ -218,14 +234,16 @@ def beyond(form: dict, results: dict, refined: dict) -> list[str]:
 def deviations(form: dict, differing: list[dict], failing: list[str], results: dict) -> str:
     text = ""
     if differing:
+        reasons = list(dict.fromkeys(v["reason"] for v in differing if v.get("reason")))
         text += "| where | quantity | printed | computed | right | why |\n| --- | --- | --- | --- | --- | --- |\n"
         for v in differing:
+            why = f"({reasons.index(v['reason']) + 1})" if v.get("reason") else ""
             right = number(v["corrected"]) if isinstance(v.get("corrected"), (int, float)) else "-"
             text += (
                 f"| {v['source']}, {cell(v['where'])} | `{v['quantity']}` | {cell(v['printed'])} "
-                f"| {number(v['computed'])} | {right} | {cell(v.get('reason', ''))} |\n"
+                f"| {number(v['computed'])} | {right} | {why} |\n"
             )
-        text += "\n"
+        text += "\n" + (f"Why:\n\n{numbered(reasons)}\n" if reasons else "")
     rows = ""
     for n in form["examples"].get("information", []):
         for row, value, _ in results[n]["rows"]:
@@ -239,7 +257,8 @@ def deviations(form: dict, differing: list[dict], failing: list[str], results: d
         text += (
             "Beams against elastic bodies (CalculiX):\n\n"
             "| case | quantity | finite elements | here | difference |\n| --- | --- | --- | --- | --- |\n"
-            + rows + "\n"
+            + rows
+            + "\n"
         )
     if failing:
         text += items(failing) + "\n"
@@ -279,14 +298,14 @@ def index(forms: list[dict]) -> str:
         "One page for each model: purpose, equations, range, reference examples with digits of agreement, tests,\n"
         "deviations, limits of use, date and commit. `scripts/validation_records.py` writes them from forms, from\n"
         "`prs validate`, from the [benchmark](../../benchmark/README.md) and from the tests; `scripts/lint.sh` checks that\n"
-        "they are what the program gives.\n\n| record | page | purpose |\n| --- | --- | --- |\n"
+        "they are what the program gives. Each names the page that explains its model.\n\n"
     )
-    for form in forms:
-        lines += (
-            f"| [{form['title']}]({form['name']}.md) | [{form['page']}](../{form['page']}) "
-            f"| {form['purpose']} |\n"
-        )
-    return lines
+    return lines + items(
+        [
+            f"[{f['title']}]({f['name']}.md), of [{f['page']}](../{f['page']}): {f['purpose']}"
+            for f in forms
+        ]
+    )
 
 
 def without_mark(text: str) -> str:
@@ -300,7 +319,9 @@ def main() -> int:
     parser.add_argument("prs")
     parser.add_argument("--check", action="store_true")
     given = parser.parse_args()
-    done = subprocess.run([given.prs, "validate", "--json", "--quiet"], capture_output=True, text=True)
+    done = subprocess.run(
+        [given.prs, "validate", "--json", "--quiet"], capture_output=True, text=True
+    )
     validation = json.loads(done.stdout)
     results = compared(run_prs.results(given.prs))
     refined = compared(run_prs.results(given.prs, ["06"], "refined"))
@@ -319,7 +340,9 @@ def main() -> int:
         path = RECORDS / f"{name}.md"
         kept = path.read_text() if path.is_file() else ""
         if name != "README":
-            text += f"\n{MARK}{date.today()} with `prs` {validation['prs_version']}, commit {commit}.\n"
+            text += (
+                f"\n{MARK}{date.today()} with `prs` {validation['prs_version']}, commit {commit}.\n"
+            )
             text = text.replace("\n\n\n", "\n\n")
         if without_mark(kept).rstrip() == without_mark(text).rstrip():
             continue
@@ -330,7 +353,10 @@ def main() -> int:
     for path in stale:
         print(f"{path.relative_to(ROOT)} is not what the program gives", file=sys.stderr)
     if stale:
-        print("scripts/validation_records.py PRS writes the records; delete what has no form", file=sys.stderr)
+        print(
+            "scripts/validation_records.py PRS writes the records; delete what has no form",
+            file=sys.stderr,
+        )
     return 1 if stale else 0
 
 

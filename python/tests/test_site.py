@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -44,6 +46,21 @@ def test_long_lines_are_wrapped_in_text_only() -> None:
     code = f"```yaml\nload: 1 kN  # {words}\n```\n\n    list:\n      - {words}\n\n| {words}|\n"
     assert wrap(code) == code
     assert wrap(f"- {words}\n") == f"- {'word ' * 22}word\n  {'word ' * 6}word\n"
+
+
+def test_long_rows_only_start_in_a_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(ROOT / "scripts")
+    table = runpy.run_path(str(ROOT / "scripts/reference.py"))["table"]
+    said = "Force (of a pair; both) over `a; b`; " + "word " * 40
+    first = table(("key", "unit", "what"), [("`f`", "N", said), ("`g`", "N", "Short; whole")])
+    assert first.splitlines()[2:] == [
+        "| `f` | N | Force (of a pair; both) over `a; b` .. |",
+        "| `g` | N | Short; whole |",
+        "",
+        f"- `f`: {said}",
+    ]
+    with pytest.raises(ValueError, match="no clauses"):
+        table(("key", "what"), [("`f`", "word " * 40)])
 
 
 def test_every_document_is_on_the_site(tmp_path: Path) -> None:
