@@ -685,9 +685,10 @@ void fields(const Fields& io, HistorySource& h) {
      "Comma-separated values with a heading, one row per sample; relative to this file");
   io("sha256", h.sha256, Text{}, "Of the file, which then may stand anywhere; another is refused");
   io("force", h.force, Block{}, required, "Axial force, > 0 in tension");
-  io("position", h.position, Block{}, "Axial position of the nut on the screw");
+  io("position", h.position, Block{}, "Axial position of the nut on the screw; it grows where tension drives");
   io("speed", h.speed, Block{}, optional_only_if(!h.position, "in place of `position`"),
-     "Of the screw against the nut; else `operation.speed`");
+     "Of the screw against the nut, with the sign of `operation.speed`, which is the other one than that of a "
+     "growing `position`; else `operation.speed`");
   io("time", h.time, Block{}, "Time of the sample");
   io("interval", h.interval, Quantity{unit::duration, positive}, optional_only_if(!h.time, "in place of `time`"),
      "Between two samples");

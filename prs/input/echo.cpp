@@ -13,15 +13,6 @@
 namespace prs::input {
 namespace {
 
-/// Whether a key is part of the resolved case. A length that nobody stated and that has no default is
-/// outside of its bounds.
-bool stands(const Field& field) {
-  if (!field.presence.allowed || !field.has_value()) return false;
-  const Value value = field.value();
-  const auto* const quantity = std::get_if<Leaf<Quantity, double>>(&value.as);
-  return field.presence.required || !quantity || quantity->kind.bounds.contain(quantity->value);
-}
-
 /// Lists the values of one map next to what was written of them (null where nothing was).
 class Lister {
  public:

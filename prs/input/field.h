@@ -465,6 +465,10 @@ void alternatives(Choices& io, Plan& p);
 /// meaning. Defaults are the member initialisers of the structs.
 void fields(const Fields& io, CaseFile& file);
 
+/// Whether a key is part of the resolved case. A length that nobody stated and that has no default is
+/// outside of its bounds.
+bool stands(const Field& field);
+
 /// A value as a person would write it in the input.
 std::string text_of(const Value& value);
 

@@ -176,6 +176,13 @@ std::filesystem::path path_of(const std::string& file, const Source& source) {
   return source.folder.empty() ? shown_path(file, source) : source.folder / file;
 }
 
+/// The path itself where it has no absolute one: of no words.
+std::filesystem::path in_full(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path found = std::filesystem::absolute(path, error);
+  return error ? path : found;
+}
+
 /// Whether a file lies, links followed, below the folder of the case; an open one by what was
 /// opened, whatever has its name by now.
 bool stands_with_case(const std::filesystem::path& file, const Source& source) {
@@ -185,7 +192,7 @@ bool stands_with_case(const std::filesystem::path& file, const Source& source) {
   std::error_code error;
   const fs::path from = fs::weakly_canonical(folder, error);
   if (error) return false;
-  const fs::path to = fs::weakly_canonical(fs::absolute(file), error);
+  const fs::path to = fs::weakly_canonical(in_full(file), error);
   return !error && std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
 }
 
@@ -256,7 +263,7 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
 
 std::filesystem::path place_of_history(const HistorySource& history, const Source& source) {
   if (source.files && source.folder.empty()) return history.file;
-  return std::filesystem::absolute(path_of(history.file, source)).lexically_normal();
+  return in_full(path_of(history.file, source)).lexically_normal();
 }
 
 Source with_files(Source source, const HistorySource& history) {

@@ -248,12 +248,16 @@ std::string text_of(const ChoiceValue& choice) {
       return a.content ? fmt::format("{{{}: {}}}", a.name, input::text_of(a.content())) : std::string(a.name);
   return {};
 }
-std::string text_of(const ChoiceUnderKey& under) { return text_of(under.choice); }
+/// A word needs the key; a block with a name of its own stands for it.
+std::string text_of(const ChoiceUnderKey& under) {
+  const std::string choice = text_of(under.choice);
+  return choice.starts_with('{') ? choice : fmt::format("{{{}: {}}}", under.key, choice);
+}
 
 std::string text_of(const MapValue& map) {
   std::string text;
   map.for_each([&](const Field& field) {
-    if (!field.has_value()) return;
+    if (!stands(field)) return;
     const Value value = field.value();
     const auto* const list = std::get_if<ListValue>(&value.as);
     if (list && list->size() == 0 && list->least > 0) return;  // As if it were not there.
@@ -290,6 +294,13 @@ std::string bounds_text(const Bounds& b, const Kind& kind) {
 
 }  // namespace
 
+bool stands(const Field& field) {
+  if (!field.presence.allowed || !field.has_value()) return false;
+  const Value value = field.value();
+  const auto* const quantity = std::get_if<Leaf<Quantity, double>>(&value.as);
+  return field.presence.required || !quantity || quantity->kind.bounds.contain(quantity->value);
+}
+
 std::string text_of(const Value& value) {
   return std::visit([](const auto& v) { return text_of(v); }, value.as);
 }
@@ -297,7 +308,7 @@ std::string text_of(const Value& value) {
 std::string block_text(std::string_view key, const Value& block) {
   std::string text = fmt::format("{}:\n", key);
   std::get<MapValue>(block.as).for_each([&](const Field& field) {
-    if (!field.has_value() || !field.presence.allowed) return;
+    if (!stands(field)) return;
     const Value value = field.value();
     const auto* const list = std::get_if<ListValue>(&value.as);
     if (list && list->size() == 0) return;

@@ -1,5 +1,7 @@
 #include "prs/life/analyze_life.h"
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include "prs/life/contact_loads.h"
 #include "prs/slip/running.h"
 #include "prs/threads/geometry_warnings.h"
@@ -124,8 +126,10 @@ struct Sense {
   std::vector<double> driven_by_load;  ///< Those of them that the load drives.
 
   ContactSolver solver;
-  std::optional<ContactLoads> at_largest, at_running;  ///< Loads under these forces, once solved.
-  std::optional<ShareCurve> curve;                     ///< At rest.
+  std::optional<ContactLoads> at_largest, at_running;  ///< Loads at rest under these forces, once solved.
+  /// Largest loads of each thread over all forces: at rest, and of the screw that turns.
+  std::optional<PerDirection<LargestLoads>> resting, turning;
+  std::optional<ShareCurve> curve;  ///< At rest.
   /// sum (load)^3 n of each rated contact, as `LifeModel::rated` has it, and the same at rest.
   std::vector<double> cubes, cubes_at_rest;
   int solves = 0;      ///< Equilibria of all curves.
@@ -200,14 +204,30 @@ ShareCurve curve_of_sense(const LifeModel& p, const Sense& s, const ShareCurve::
 }
 
 /// The same of a running screw under the forces at which it turns, without interpolation where they
-/// are fewer than the nodes of a panel.
+/// are fewer than the nodes of a panel. Small forces, under which the centrifugal one opens threads, are as
+/// accurate as their damage asks for.
 ShareCurve running_curve(const LifeModel& p, const Sense& s, const std::vector<double>& turns,
                          const ShareCurve::Solve& solve) {
   std::set<double> forces;
   for (std::size_t k = 0; k < turns.size(); ++k)
     if (turns[k] > 0.0) forces.insert(s.forces[k]);
-  if (p.full() || p.preloaded() || forces.size() >= ShareCurve::kNodes) return curve_of_sense(p, s, solve);
-  return ShareCurve(solve, std::vector(forces.begin(), forces.end()));
+  if (forces.size() < ShareCurve::kNodes && !p.full() && !p.preloaded())
+    return ShareCurve(solve, std::vector(forces.begin(), forces.end()));
+  if (p.full() || p.preloaded()) return curve_of_sense(p, s, solve);
+  const double least = std::max(*std::ranges::min_element(s.forces), kLeastLoad * s.largest);
+  return ShareCurve(solve, least, s.largest, {ShareCurve::kTolerance, damage_between(s)});
+}
+
+/// Of each thread.
+void keep_larger(const std::vector<double>& loads, std::vector<double>& kept) {
+  kept.resize(std::max(kept.size(), loads.size()), 0.0);
+  for (std::size_t k = 0; k < loads.size(); ++k) kept[k] = std::max(kept[k], loads[k]);
+}
+
+void keep_larger(const ContactLoads& loads, std::optional<PerDirection<LargestLoads>>& kept) {
+  if (!kept) kept.emplace();
+  for (const Direction flank : kDirections)
+    for (const Interface i : kInterfaces) keep_larger(loads.largest[flank][i], (*kept)[flank][i]);
 }
 
 double largest_of(const std::vector<double>& loads) { return loads.empty() ? 0.0 : *std::ranges::max_element(loads); }
@@ -217,21 +237,18 @@ double largest_normal_load(const LifeModel& p, Interface i, const LargestLoads& 
   return largest_of(loads[i]) / std::cos(p.laws[i].normal_angle);
 }
 
-/// Force at which the most loaded thread of one interface reaches its normal load: the secant on
-/// logarithms, in which that load is nearly a straight line over the force.
-std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, double force,
-                               const PerInterface<std::optional<double>>& limit) {
-  if (!limit.screw && !limit.nut) return std::nullopt;
+/// Largest load of a thread over its limit, under a force; none where there is no equilibrium.
+using Overload = std::function<std::optional<double>(double force)>;
+
+/// Force at which it is 1: the secant on logarithms, in which that load is nearly a straight line
+/// over the force.
+std::optional<double> by_secant(const Overload& overload, double force, double tolerance) {
   constexpr double kLargestStep = 2.0;
-  const double tolerance = p.full() ? 1e-7 : 1e-10;
   double x = std::log(force), step = 0.0, last = 0.0;
   for (int k = 0; k < 60; ++k) {
-    const auto loads = solve(std::exp(x));
-    if (!loads) return std::nullopt;
-    double used = 0.0;
-    for (const Interface i : kInterfaces)
-      if (limit[i]) used = std::max(used, largest_normal_load(p, i, *loads) / *limit[i]);
-    const double over = std::log(used);
+    const std::optional<double> used = overload(std::exp(x));
+    if (!used) return std::nullopt;
+    const double over = std::log(*used);
     const double slope = k == 0 ? 1.0 : (over - last) / step;
     step = std::clamp(-over / (slope > 0.05 ? slope : 1.0), -kLargestStep, kLargestStep);
     last = over;
@@ -239,6 +256,66 @@ std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, d
     if (std::abs(step) < tolerance) return std::exp(x);
   }
   return std::nullopt;
+}
+
+/// Between a force that does not reach the limit and one that does.
+std::optional<double> between(const Overload& overload, double below, double above, double tolerance) {
+  bool failed = false;
+  const auto over = [&](double force) {
+    const std::optional<double> used = overload(force);
+    failed = failed || !used;
+    return used.value_or(1.0) - 1.0;
+  };
+  std::uintmax_t most = 100;
+  const auto close = [tolerance](double a, double b) { return std::abs(a - b) <= tolerance * std::abs(b); };
+  const auto [from, to] = boost::math::tools::toms748_solve(over, below, above, close, most);
+  return failed ? std::nullopt : std::optional(0.5 * (from + to));
+}
+
+/// The smallest force at which a thread of an interface reaches its normal load: 0 where one does
+/// without any, which preload and what acts across the axis may do. Both can also hide the limit from
+/// the secant, and put another force at which it is reached below the one that it finds.
+std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, double force,
+                               const PerInterface<std::optional<double>>& limit) {
+  if (!limit.screw && !limit.nut) return std::nullopt;
+  const Overload overload = [&](double at) -> std::optional<double> {
+    const auto loads = solve(at);
+    if (!loads) return std::nullopt;
+    double used = 0.0;
+    for (const Interface i : kInterfaces)
+      if (limit[i]) used = std::max(used, largest_normal_load(p, i, *loads) / *limit[i]);
+    return used;
+  };
+  const double tolerance = p.full() ? 1e-7 : 1e-10;
+  const std::optional<double> found = by_secant(overload, force, tolerance);
+  if (p.preloaded() ? found.has_value() : !p.is_loaded_across()) return found;
+
+  double above = found.value_or(force);
+  if (!found) {  // Where the limit is reached at all.
+    for (int k = 0; k < 20; ++k, above *= 2.0) {
+      const std::optional<double> used = overload(above);
+      if (!used) return std::nullopt;
+      if (*used >= 1.0) break;
+      if (k == 19) return std::nullopt;
+    }
+  }
+  // Below it: halved, down to what counts for no load.
+  constexpr double kNoForce = 1e-4;
+  std::optional<double> below;
+  for (double at = 0.5 * above; at > kNoForce * force; at *= 0.5) {
+    const std::optional<double> used = overload(at);
+    if (!used && !below) return above;
+    if (!used) break;
+    if (*used >= 1.0) {
+      above = at;
+      below.reset();
+      continue;
+    }
+    if (!below) below = at;
+    if (p.preloaded()) break;  // Which adds load at any force.
+  }
+  if (below) return above == found ? found : between(overload, *below, above, tolerance);
+  return p.preloaded() && overload(0.0).value_or(1.0) < 1.0 ? between(overload, 0.0, above, tolerance) : 0.0;
 }
 
 /// `turns`: of the forces of a sense.
@@ -283,6 +360,7 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
   s.curve = curve_of_sense(p, s, [&](double force) -> std::optional<std::vector<double>> {
     std::optional<ContactLoads> loads = s.solve(force);
     if (!loads) return std::nullopt;
+    keep_larger(*loads, s.resting);
     return std::move(loads->rated);
   });
   if (const auto failed = found(*s.curve)) return failed;
@@ -294,8 +372,19 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
     if (by == DrivenBy::screw)
       for (std::size_t k = 0; k < turns.size(); ++k) turns[k] = s.turns[k] - turns[k];
     if (!(std::ranges::max(turns) > 0.0)) continue;
-    const ShareCurve curve = running_curve(p, s, turns, running_loads_solver(p, d, by));
+    const ContactSolver running = running_loads_solver(p, d, by);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < turns.size(); ++k)
+      if (turns[k] > 0.0) largest = std::max(largest, s.forces[k]);
+    const auto rated_at = [&](double force) -> std::optional<std::vector<double>> {
+      std::optional<ContactLoads> loads = running(force);
+      if (!loads) return std::nullopt;
+      if (force <= largest) keep_larger(*loads, s.turning);
+      return std::move(loads->rated);
+    };
+    const ShareCurve curve = running_curve(p, s, turns, rated_at);
     if (const auto failed = found(curve)) return failed;
+    if (!rated_at(largest)) return largest;
     compare_with_rest(p, s, d, curve, turns);
     const std::vector<double> cubes = cubes_of(p, s, curve, turns);
     for (std::size_t k = 0; k < cubes.size(); ++k) s.cubes[k] += cubes[k];
@@ -473,14 +562,18 @@ void find_flank(const LifeModel& p, const PerDirection<Sense>& senses, LifeResul
     return;
   }
   for (const Interface i : kInterfaces) {
-    flank.threads[i].largest_load = largest->largest[d][i];
+    std::vector<double>& all = flank.threads[i].largest_load;
+    all = largest->largest[d][i];
+    if (s.resting) keep_larger((*s.resting)[d][i], all);
+    const std::vector<double>& turning = worst.turning ? (*worst.turning)[d][i] : running->largest[d][i];
+    if (runs) keep_larger(turning, all);
     if (!p.contacts.interfaces[i].has_hertz()) continue;
-    const auto pressure = [&](const ContactLoads& loads) {
-      return contact::at_load(p.contacts.interfaces[i].hertz, largest_normal_load(p, i, loads.largest[d]))
-          .peak_pressure;
+    const auto pressure = [&](const std::vector<double>& loads) {
+      const double normal = largest_of(loads) / std::cos(p.laws[i].normal_angle);
+      return contact::at_load(p.contacts.interfaces[i].hertz, normal).peak_pressure;
     };
-    flank.peak_pressure[i] = pressure(*largest);
-    if (runs) flank.running_peak_pressure[i] = pressure(*running);
+    flank.peak_pressure[i] = pressure(all);
+    if (runs) flank.running_peak_pressure[i] = pressure(turning);
   }
   if (s.largest > 0.0) find_static_loads(p, largest_solver(p, d, s.solver, *largest), flank);
   r.flanks[d] = std::move(flank);
@@ -598,7 +691,6 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
   if (!own.life) own.life.emplace();
   own.life->share = LoadCase::Share::solved;
   own.life->position = position;
-  own.preload.reset();
   const LifeModel p{own, contacts, contact_laws(own, contacts)};
   PerDirection<bool> wanted{};
   wanted[direction] = true;

@@ -23,7 +23,8 @@ struct ThreadLives {
   std::vector<double> equivalent_load;  ///< Axial, cubic mean over all revolutions [N].
   std::vector<double> life;             ///< L10 of the thread on all rollers [revolutions].
   std::vector<double> rated_life;       ///< At the reliability that is asked for [revolutions].
-  std::vector<double> largest_load;     ///< Axial, under the largest force [N].
+  /// N cos(psi), the largest of all forces: at rest, and of a running screw where life is of its loads [N].
+  std::vector<double> largest_load;
   /// Equivalent range of the axial load over the cycles of the history [N]; empty without history.
   std::vector<double> equivalent_range;
   std::optional<RollerLives> rollers;  ///< Lives at the rollers; full mechanism only.
@@ -39,7 +40,7 @@ struct FlankLife {
   double life = 0.0;          ///< L10 with the real thread loads [revolutions of both senses].
   double life_at_rest = 0.0;  ///< The same with those of a screw at rest.
   PerInterface<ThreadLives> threads;
-  PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest force [Pa].
+  PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest loads of threads [Pa].
   /// Peak pressure under the largest force at which the screw turns [Pa].
   PerInterface<std::optional<double>> running_peak_pressure;
   /// Force at which the most loaded thread reaches `kStaticPressureLimit` [N].
@@ -126,9 +127,9 @@ struct LifeResult {
 };
 
 /// Static rating under forces of one sense, with the thread loads that are solved at the limit:
-/// what `analyze_life` has of a spectrum with such forces, without preload. Not of a full
-/// mechanism, whose load cases have side loads of their own. `force`: where the search begins [N].
-/// Absent where the geometry gives no Hertz contact, or no equilibrium is found.
+/// what `analyze_life` has of a spectrum with such forces, with the preload of the conditions. Not of
+/// a full mechanism, whose load cases have side loads of their own. `force`: where the search begins
+/// [N]. Absent where the geometry gives no Hertz contact, or no equilibrium is found.
 std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts, Direction direction,
                                                  double position, double force);
 

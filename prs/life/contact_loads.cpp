@@ -248,6 +248,20 @@ std::vector<double> rated_over(const LifeModel& model, const Orbit& orbit, doubl
   return loads;
 }
 
+/// The largest loads of a turn of the carrier, and where an interface has its own.
+void add_largest(const LifeModel& model, const Orbit& orbit, Direction d, ContactLoads& loads) {
+  const RatedContacts rated = model.rated();
+  for (const Interface i : kInterfaces) {
+    const OrbitLoads& turned = orbit.loads[i];
+    loads.carrier_angle[i] = turned.carrier_angle;
+    const double axial = std::cos(model.laws[i].normal_angle);
+    loads.largest[d][i].assign(rated.threads, 0.0);
+    for (std::size_t k = 0; k < rated.threads; ++k)
+      for (std::size_t j = 0; j < rated.rollers; ++j)
+        loads.largest[d][i][k] = std::max(loads.largest[d][i][k], axial * turned.peak[j][k]);
+  }
+}
+
 ContactSolver full_solver(const LifeModel& model, Direction d) {
   const LoadCase load = load_case_of(model, d);
   const SpatialLoad::Orbit turn = turn_of(load);
@@ -257,18 +271,9 @@ ContactSolver full_solver(const LifeModel& model, Direction d) {
     at.axial_force = force;
     const Orbit orbit = full_orbit(at, model.c, model.contacts, model.laws, *solver, turn);
     if (!orbit.converged()) return std::optional<ContactLoads>();
-    const RatedContacts rated = model.rated();
     ContactLoads loads;
     loads.rated = rated_over(model, orbit, force);
-    for (const Interface i : kInterfaces) {
-      const OrbitLoads& turned = orbit.loads[i];
-      loads.carrier_angle[i] = turned.carrier_angle;
-      const double axial = std::cos(model.laws[i].normal_angle);
-      loads.largest[d][i].assign(rated.threads, 0.0);
-      for (std::size_t k = 0; k < rated.threads; ++k)
-        for (std::size_t j = 0; j < rated.rollers; ++j)
-          loads.largest[d][i][k] = std::max(loads.largest[d][i][k], axial * turned.peak[j][k]);
-    }
+    add_largest(model, orbit, d, loads);
     return std::optional(std::move(loads));
   };
 }
@@ -280,6 +285,8 @@ RatedContacts LifeModel::rated() const {
   return {static_cast<std::size_t>(m.contacts_per_roller), full() ? static_cast<std::size_t>(m.rollers) : 0,
           preloaded()};
 }
+
+bool LifeModel::is_loaded_across() const { return full() && spatial_load(c).acts_across(); }
 
 double LifeModel::equal_share() const {
   const Mechanism& m = contacts.mechanism;
@@ -353,40 +360,42 @@ LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenB
   return load;
 }
 
-std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(const LifeModel& model,
-                                                                                     Direction d, DrivenBy driven_by) {
+ContactSolver running_loads_solver(const LifeModel& model, Direction d, DrivenBy driven_by) {
   const auto models =
       std::make_shared<SlipModels>(model.c, model.contacts, model.oils ? *model.oils : oils_in_operation(model.c));
   const auto running = std::make_shared<RunningSolver>(model.c, model.contacts, *models);
   const LoadCase load = driven_load_case(model.c, model.contacts.threads.screw.lead, d, driven_by);
-  return [&model, d, load, models, running](double force) -> std::optional<std::vector<double>> {
+  return [&model, d, load, models, running](double force) -> std::optional<ContactLoads> {
     LoadCase at = load;
     at.axial_force = force;
+    ContactLoads loads;
     if (model.full()) {
       const Orbit orbit = running->turned(at, turn_of(at));
       if (!orbit.converged()) return std::nullopt;
-      return rated_over(model, orbit, force);
+      loads.rated = rated_over(model, orbit, force);
+      add_largest(model, orbit, d, loads);
+      return loads;
     }
     std::optional<SlipEquilibrium> slip;
     const LoadCaseResult found = running->solve(at, Detail::numbers, slip);
     if (!found.threads) return std::nullopt;
-    std::vector<double> rated;
-    if (model.preloaded()) {
-      for (const Direction flank : kDirections) {
-        const bool named = flank == d;
-        const PerInterface<FlankThreads>& other = found.other_flank->threads;
-        for (const Interface i : kInterfaces)
-          for (const double normal : named ? (*found.threads)[i].normal_load : other[i].normal_load)
-            rated.push_back(normal * std::cos(model.laws[i].normal_angle) / model.equal_share());
-        const std::vector<double>& axial = named ? found.threads->screw.axial_load : other.screw.axial_load;
-        rated.push_back(model.contacts.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0));
-      }
-      return rated;
+    const double per_load = model.equal_share() * (model.preloaded() ? 1.0 : force);
+    for (const Direction flank : kDirections) {
+      const bool named = flank == d;
+      if (!named && !model.preloaded()) continue;
+      for (const Interface i : kInterfaces)
+        for (const double normal :
+             named ? (*found.threads)[i].normal_load : found.other_flank->threads[i].normal_load) {
+          const double axial = normal * std::cos(model.laws[i].normal_angle);
+          loads.largest[flank][i].push_back(axial);
+          loads.rated.push_back(axial / per_load);
+        }
+      if (!model.preloaded()) continue;
+      const std::vector<double>& axial =
+          named ? found.threads->screw.axial_load : found.other_flank->threads.screw.axial_load;
+      loads.rated.push_back(model.contacts.mechanism.rollers * std::accumulate(axial.begin(), axial.end(), 0.0));
     }
-    for (const Interface i : kInterfaces)
-      for (const double normal : (*found.threads)[i].normal_load)
-        rated.push_back(normal * std::cos(model.laws[i].normal_angle) / (force * model.equal_share()));
-    return rated;
+    return loads;
   };
 }
 

@@ -130,6 +130,8 @@ struct LifeModel {
   bool solved() const { return c.life->share == LoadCase::Share::solved; }
   bool preloaded() const { return c.preload.has_value(); }
   bool full() const { return solved() && c.model.mechanism == ModelOptions::Mechanism::full; }
+  /// Whether threads carry, and may reach a limit, without any axial force: not only by preload.
+  bool is_loaded_across() const;
   RatedContacts rated() const;
   /// Axial load of a thread with equal shares per axial force.
   double equal_share() const;
@@ -151,11 +153,9 @@ PerDirection<ContactSolver> contact_solvers(const LifeModel& model, const PerDir
 /// the magnitude of `operation.speed`.
 LoadCase driven_load_case(const Conditions& c, double lead, Direction d, DrivenBy driven_by);
 
-/// Loads of the running screw as `ContactLoads::rated`, under a force > 0 of one sense that the
-/// screw or the load drives at the magnitude of `operation.speed` [N]; nothing where there are
-/// none. Fatigue follows the normal loads: the share of a thread is n_t N cos(psi)/(F/N_r), which
-/// no longer sum to n_t.
-std::function<std::optional<std::vector<double>>(double force)> running_loads_solver(const LifeModel& model,
-                                                                                     Direction d, DrivenBy driven_by);
+/// Loads of the running screw under a force > 0 of one sense, with preload >= 0, that the screw or
+/// the load drives at the magnitude of `operation.speed`. Fatigue and pressure follow the normal
+/// loads N: a thread counts with N cos(psi), shares of which no longer sum to n_t.
+ContactSolver running_loads_solver(const LifeModel& model, Direction d, DrivenBy driven_by);
 
 }  // namespace prs

@@ -101,7 +101,8 @@ constexpr Quantity<ThreadLives> kThreadLives[] = {
     {"l10_revolutions", of<&ThreadLives::life>, "of the thread on all rollers; null where it is never loaded",
      source::kLife, "life L10 in revolutions"},
     {"rated_revolutions", of<&ThreadLives::rated_life>, kRated, kReliability, "rated life in revolutions"},
-    {"largest_load_N", of<&ThreadLives::largest_load>, "axial, under the largest force"},
+    {"largest_load_N", of<&ThreadLives::largest_load>,
+     "axial, the largest of all forces: at rest, and of a running screw where life is of its loads"},
     {"equivalent_range_N", of<&ThreadLives::equivalent_range>, "of the axial load over the cycles of the history",
      kMiner},
     {"rollers", of<&ThreadLives::rollers>, "threads of the rollers of a full mechanism"},
@@ -117,7 +118,7 @@ constexpr Quantity<RollerLives> kRollerLives[] = {
 
 constexpr Quantity<InterfaceLife> kInterfaceLife[] = {
     {"", of<&InterfaceLife::threads>},
-    {"peak_pressure_MPa", of<&InterfaceLife::peak_pressure>, "under the largest force", source::kHertz},
+    {"peak_pressure_MPa", of<&InterfaceLife::peak_pressure>, "under these loads", source::kHertz},
 };
 
 template <auto get>

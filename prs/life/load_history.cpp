@@ -33,6 +33,19 @@ std::optional<double> duration(const LoadHistory& h) {
   return *h.interval * static_cast<double>(h.force.size() - 1);
 }
 
+std::optional<double> largest_speed(const LoadHistory& h, double lead) {
+  const double per_metre = kTurn / std::abs(lead);
+  double largest = 0.0;
+  for (const double speed : h.speed)
+    largest = std::max(largest, std::abs(speed) * (h.speed_along_axis ? per_metre : 1.0));
+  if (!h.speed.empty()) return largest;
+  if (h.position.empty() || !duration(h)) return std::nullopt;
+  for (std::size_t k = 1; k < h.position.size(); ++k)
+    if (const double time = time_before(h, k); time > 0.0)
+      largest = std::max(largest, std::abs(h.position[k] - h.position[k - 1]) / time * per_metre);
+  return largest;
+}
+
 std::vector<LoadStep> load_steps(const LoadHistory& h, double lead, std::optional<double> operation_speed,
                                  HistorySource::DrivenBy driven_by) {
   // > 0 where tension drives.

@@ -8,6 +8,10 @@ namespace prs {
 /// From the first to the last sample [s]; absent without clock.
 std::optional<double> duration(const LoadHistory& history);
 
+/// The largest magnitude of the speed [rad/s]: of the samples, or from position to position. Absent
+/// where the history has neither speeds, nor positions with a clock.
+std::optional<double> largest_speed(const LoadHistory& history, double lead);
+
 /// The load of each sample and its revolutions, half of those of the steps to its neighbours
 /// (trapezoidal rule). A step turns the screw by |dx|/lead where the history has positions, else by
 /// the mean magnitude of the speed at its ends over its time: the history's or `operation_speed`

@@ -88,6 +88,11 @@ std::optional<Warning> dynamic_above_static(double dynamic_capacity, double stat
 
 std::optional<Warning> beyond_static_rating(double load, const StaticRating& rating, std::string_view shares) {
   if (!(load > rating.force)) return std::nullopt;
+  if (rating.force == 0.0)
+    return Warning{
+        "", "beyond_static_rating",
+        fmt::format("{}the static limit ({}) is passed without any axial load", shares, describe(rating.limit)),
+        "lower the preload, or what acts across the axis"};
   return Warning{"", "beyond_static_rating",
                  fmt::format("{}the load is {:.3f} times the static limit ({}): {{value}} "
                              "above {{limit}}",

@@ -281,7 +281,11 @@ class StaticRatings {
         load.share != LoadCase::Share::solved || !(load.axial_force > 0.0))
       return;
     const auto [known, is_new] = ratings_.try_emplace({*load.direction, *load.position});
-    if (is_new) known->second = solved_static_rating(c_, contacts_, *load.direction, *load.position, load.axial_force);
+    if (is_new) {
+      Conditions plain = c_;
+      plain.preload.reset();
+      known->second = solved_static_rating(plain, contacts_, *load.direction, *load.position, load.axial_force);
+    }
     if (!known->second) return;
     m.solved_static_safety = known->second->force / load.axial_force;
     m.solved_static_safety_limit = known->second->limit;

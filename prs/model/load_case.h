@@ -44,6 +44,11 @@ struct SpatialLoad {
   Lateral nut_offset;  ///< Displacement of the seat of the nut [m].
   std::optional<Orbit> orbit;
 
+  /// Whether threads carry, and the screw moves, without any axial force.
+  bool acts_across() const {
+    return side_force.value != Lateral{} || moment.value != Lateral{} || nut_tilt != Lateral{} ||
+           nut_offset != Lateral{};
+  }
   bool operator==(const SpatialLoad&) const = default;
 };
 

@@ -13,6 +13,7 @@
 #include "prs/losses/life_analysis.h"
 #include "prs/mechanism/travel.h"
 #include "prs/model/check_case.h"
+#include "prs/preload/preloaded_mechanism.h"
 #include "prs/run/commands.h"
 #include "prs/slip/slip.h"
 #include "prs/text.h"
@@ -388,6 +389,29 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
   }
 }
 
+/// Load cases at rest under preload, and their static ratings.
+std::optional<Result> loads_under_preload(const input::CaseInput& in, VerdictFacts& facts) {
+  const Case& c = in.values;
+  if (!c.preload || !facts.loads || !input::unmet(in, Command::preload).empty()) return std::nullopt;
+  Result result;
+  result.contacts = facts.loads->contacts;
+  try {
+    FlankSolver flanks(c, result.contacts);
+    for (const LoadCase& load : c.load_cases) {
+      if (!has_both_flanks(c, load.share)) continue;
+      result.load_cases.push_back(flanks.solve(load));
+      facts.preloaded_rating.push_back(
+          load.axial_force > 0.0
+              ? solved_static_rating(c, result.contacts, *load.direction, *load.position, load.axial_force)
+              : std::nullopt);
+    }
+  } catch (const CaseError&) {  // No fit has such a preload: what `preload` says.
+    facts.preloaded_rating.clear();
+    return std::nullopt;
+  }
+  return result;
+}
+
 }  // namespace
 
 PRS_RECORD(CheckResult, "Check", "What a case is ready for, and what follows from it.", kCheck);
@@ -442,6 +466,8 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
       facts.lacking[attempt.command] = attempt.failure;
     else
       put_facts(*attempt.delivery, attempt.command, facts);
+  const std::optional<Result> preloaded = loads_under_preload(in, facts);
+  if (preloaded) facts.preloaded = &*preloaded;
   return verdict_of(facts);
 }
 

@@ -60,6 +60,9 @@ struct VerdictFacts {
   const Contacts* contacts = nullptr;
   const Result* loads = nullptr;
   const Result* slip = nullptr;
+  /// Load cases at rest under preload, which `loads` lack, and the static rating of each.
+  const Result* preloaded = nullptr;
+  std::vector<std::optional<StaticRating>> preloaded_rating = {};
   const LifeResult* life = nullptr;
   const MeasuresResult* measures = nullptr;
   const ResponseResult* response = nullptr;

@@ -1,12 +1,16 @@
 #include "prs/run/check.h"
 
+#include <fmt/ranges.h>
+
 #include "prs/life/life_record.h"
+#include "prs/life/load_history.h"
 #include "prs/loads/load_record.h"
 
 namespace prs {
 namespace {
 
-constexpr double kRounding = 1e-9;                       ///< Relative, of a value that just meets its limit.
+constexpr double kRounding = 1e-9;  ///< Relative, of a value that just meets its limit.
+constexpr std::string_view kWithoutPreload = ", without the preload";
 constexpr double kTouching = 1e-9 * per_si::millimetre;  ///< Play of threads that touch [mm].
 
 /// What a case has of a criterion: the worst value, or why there is none.
@@ -77,16 +81,24 @@ Found static_safety(const VerdictFacts& f) {
       if (const auto& flank = f.life->flanks[d]; flank && flank->static_safety())
         found.take(*flank->static_safety(), loads_of(*f.life),
                    fmt::format("{} in {}", describe(flank->static_rating->limit), name(d)));
+  for (std::size_t k = 0; f.preloaded && k < f.preloaded_rating.size(); ++k)
+    if (const auto& rating = f.preloaded_rating[k]) {
+      const LoadCase& load = f.preloaded->load_cases[k].load_case;
+      found.take(rating->force / load.axial_force, load.name, describe(rating->limit) + ", under preload");
+    }
+  const std::string_view note = f.c.preload ? kWithoutPreload : "";
   for (std::size_t k = 0; f.measures && k < f.measures->load_measures.size(); ++k) {
     const auto& m = f.measures->load_measures[k];
     const LoadCase& load = f.measures->analysis.load_cases[k].load_case;
     if (m && m->solved_static_safety)
-      found.take(*m->solved_static_safety, load.name, describe(*m->solved_static_safety_limit));
+      found.take(*m->solved_static_safety, load.name,
+                 fmt::format("{}{}", describe(*m->solved_static_safety_limit), note));
     else if (m && m->thread_static_safety)
-      found.take(
-          *m->thread_static_safety, load.name,
-          (load.share == LoadCase::Share::equal ? "equal shares, " : "estimate with the shares under this load, ") +
-              describe(*m->thread_static_safety_limit));
+      found.take(*m->thread_static_safety, load.name,
+                 fmt::format(
+                     "{}, {}{}",
+                     load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load",
+                     describe(*m->thread_static_safety_limit), note));
   }
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;
@@ -96,7 +108,7 @@ Found peak_pressure(const VerdictFacts& f) {
   if (!f.loads && !f.life && !f.response) return without(f, Command::solve, Sense::greatest);
   Found found{Sense::greatest};
   const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
-  for (const Result* result : {f.loads, f.slip})  // Slip has the loads of warm parts.
+  for (const Result* result : {f.loads, f.preloaded, f.slip})  // Slip has the loads of warm parts.
     for (std::size_t k = 0; result && k < result->load_cases.size(); ++k)
       if (const LoadCaseResult& r = result->load_cases[k]; r.threads)
         for (const Interface i : kInterfaces)
@@ -108,6 +120,7 @@ Found peak_pressure(const VerdictFacts& f) {
         if (const auto& flank = f.life->flanks[d]; flank && flank->peak_pressure[i])
           found.take(*flank->peak_pressure[i] * per_si::megapascal, loads_of(*f.life),
                      fmt::format("{}, {}", at(i), name(d)));
+  if (found.value && f.c.preload && !f.preloaded && !f.slip && !f.life) found.note += kWithoutPreload;
   const std::optional<double> best = found.best;
   if (f.response)
     for (const Direction d : kDirections)
@@ -138,17 +151,27 @@ Found buckling_safety(const VerdictFacts& f) {
       if (const auto& buckling = f.measures->measures.buckling_load)
         found.take(*buckling / flank->largest_force, loads_of(*f.life));
     }
+  if (f.response)
+    if (const auto& largest = f.response->largest.compression; largest && largest->force != 0.0) {
+      compressed = true;
+      if (const auto& buckling = f.measures->measures.buckling_load)
+        found.take(*buckling / std::abs(largest->force), "response", "largest force in compression");
+    }
   found.applies = compressed;
   found.why = !compressed ? "no load compresses the screw" : lacks_shaft(f) ? kAddShaft : "no buckling load";
   return found;
 }
 
-/// The largest speed of the load cases and of the operation [rad/s].
+/// The largest speed of the load cases, of the operation, of a history and of a drive [rad/s].
 Found largest_speed(const VerdictFacts& f) {
   Found found{Sense::greatest};
   for (const LoadCase& load : f.c.load_cases)
     if (load.speed) found.take(std::abs(*load.speed), load.name);
   if (f.c.operation) found.take(std::abs(f.c.operation->speed), "", "operation.speed");
+  if (f.life && f.life->history)
+    if (const std::optional<double> speed = largest_speed(*f.life->history, f.c.mechanism.lead))
+      found.take(*speed, "life.history");
+  if (f.response) found.take(f.response->run.largest_speed, "response");
   found.why = "add operation.speed";
   return found;
 }
@@ -212,9 +235,19 @@ Found stiffness(const VerdictFacts& f) {
       found.title = "Stiffness with the shaft";
     }
   }
-  for (const LoadCaseResult& r : f.loads->load_cases)
-    if (r.axial_stiffness)
-      found.take(per_si::newton_per_micrometre / (1.0 / *r.axial_stiffness + shaft), r.load_case.name, note);
+  for (const LoadCaseResult& r : f.loads->load_cases) {
+    // A seat that stands askew moves the screw too: force over displacement would be no stiffness.
+    const SpatialLoad& spatial = r.load_case.spatial;
+    const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
+    const auto& own = askew ? r.tangent_stiffness : r.axial_stiffness;
+    if (!own) continue;
+    std::vector<std::string_view> notes;
+    if (!note.empty()) notes.push_back(note);
+    if (f.c.preload) notes.push_back("without the preload");
+    if (askew) notes.push_back("tangent, for the nut stands askew");
+    found.take(per_si::newton_per_micrometre / (1.0 / *own + shaft), r.load_case.name,
+               fmt::format("{}", fmt::join(notes, ", ")));
+  }
   found.why = "no load case has one";
   return found;
 }

@@ -21,9 +21,10 @@ std::array<double, 5> objectives_of(const SizedCandidate& c) {
           c.power_lost.value_or(kLast)};
 }
 
-/// -1 where a is less, 1 where it is more, by more than rounding.
+/// -1 where a is less, 1 where it is more, by more than rounding; both may be infinite.
 int compared(double a, double b) {
-  if (a == b || std::abs(a - b) <= kAlike * std::max(std::abs(a), std::abs(b))) return 0;
+  const double rounding = kAlike * std::max(std::abs(a), std::abs(b));
+  if (a == b || (std::isfinite(rounding) && std::abs(a - b) <= rounding)) return 0;
   return a < b ? -1 : 1;
 }
 

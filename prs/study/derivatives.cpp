@@ -57,10 +57,11 @@ std::string without_equilibrium(const LoadCase& load, Command command) {
       load.name, name(command));
 }
 
-/// A load case by the whole chain.
-LoadCaseResult solved_anew(const Case& given, Command command, const LoadCase& load) {
+/// A load case by the whole chain, with its modes or not.
+LoadCaseResult solved_anew(const Case& given, Command command, const LoadCase& load, bool with_modes) {
   Case one = given;
   one.load_cases = {load};
+  if (!with_modes) one.load_cases.front().modes.reset();
   Result all = command == Command::slip ? analyze_heat(one) : analyze_loads(one);
   LoadCaseResult& result = all.load_cases.front();
   if (!result.converged() || (result.slip && !result.slip->converged()))
@@ -78,6 +79,7 @@ bool is_solved_anew(const Case& c, Command command, const LoadCase& load) {
 Model model_of(const Case& given, Command command, const std::vector<ResultNumber>& numbers) {
   bool complete = false;
   for (const ResultNumber& number : numbers) complete = complete || number.needs_complete;
+  const bool with_modes = number_detail(numbers).modes;
   Model model;
   model.contacts = checked_contacts(given, complete ? Detail::complete : Detail::numbers);
   const Conditions& c = given;
@@ -95,7 +97,7 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
     if (solver || (load.share == LoadCase::Share::equal && command == Command::solve)) continue;
     if (is_solved_anew(given, command, load)) {
       std::optional<LoadCaseResult>& solved = model.solved[*number.load_case];
-      if (!solved) solved = solved_anew(given, command, load);
+      if (!solved) solved = solved_anew(given, command, load, with_modes);
       continue;
     }
     solver = std::make_unique<SectorSolver>(build_sector(model.contacts.mechanism, *c.structure, *c.materials, c.model,

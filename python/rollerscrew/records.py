@@ -1783,10 +1783,10 @@ class InterfaceLife(Record):
     equivalent_load_N [N]: axial, cubic mean over all revolutions; ISO 281; cubic mean
     l10_revolutions [revolutions]: of the thread on all rollers; null where it is never loaded; Jung 2017, (8.25); ISO 281
     rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
-    largest_load_N [N]: axial, under the largest force
+    largest_load_N [N]: axial, the largest of all forces: at rest, and of a running screw where life is of its loads
     equivalent_range_N [N]: of the axial load over the cycles of the history; FKM; Miner elementary
     rollers: threads of the rollers of a full mechanism
-    peak_pressure_MPa [MPa]: under the largest force; Hertz with exact ellipticity
+    peak_pressure_MPa [MPa]: under these loads; Hertz with exact ellipticity
     """
 
     __slots__ = ()

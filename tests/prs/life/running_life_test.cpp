@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
+#include "prs/life/contact_loads.h"
 #include "prs/life/load_history.h"
+#include "prs/slip/slip.h"
 
 namespace prs {
 namespace {
@@ -47,6 +50,25 @@ TEST(RunningLife, FollowsWhoDrives) {
   EXPECT_NEAR(life_over_static(Direction::compression, DrivenBy::screw), 1.0 - 0.262, 5e-4);
   EXPECT_NEAR(life_over_static(Direction::tension, DrivenBy::load), 1.0 + 0.358, 5e-4);
   EXPECT_NEAR(life_over_static(Direction::compression, DrivenBy::load), 1.0 + 0.256, 5e-4);
+}
+
+TEST(RunningLife, LargestLoadsAndPressuresAreThoseOfTheRunningScrew) {
+  const Case c = base();
+  const LifeResult life = analyze_life(c);
+  const FlankLife& flank = *life.flanks.tension;
+  Case one = c;
+  one.life.reset();
+  one.load_cases = {driven_load_case(c, c.mechanism.lead, Direction::tension, DrivenBy::screw)};
+  one.load_cases[0].axial_force = 20e3;
+  const Result slip = analyze_slip(one);
+  for (const Interface i : kInterfaces) {
+    const InterfaceLoads& threads = (*slip.load_cases[0].threads)[i];
+    EXPECT_NEAR(*flank.running_peak_pressure[i] / std::ranges::max(threads.peak_pressure), 1.0, 1e-9);
+    EXPECT_GE(*flank.peak_pressure[i], *flank.running_peak_pressure[i]);
+    // Under one load its mean is no larger.
+    EXPECT_GE(std::ranges::max(flank.threads[i].largest_load) * (1.0 + 1e-9),
+              std::ranges::max(flank.threads[i].equivalent_load));
+  }
 }
 
 /// Damage of both senses adds up: 2/L = 1/L_screw + 1/L_load, thread by thread before all of them.

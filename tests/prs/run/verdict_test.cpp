@@ -101,6 +101,71 @@ void expect_turn(const std::string& lesson, const std::vector<Limited>& limits, 
   }
 }
 
+TEST(Verdict, ADriveCountsForPressureSpeedAndBuckling) {
+  const Overrides drive{"measures={shaft: {length: 2 m, ends: fixed_free}}", "operation.speed=10 rpm",
+                        "response.load.force={steps: [{at: 90 ms, value: -30 kN}]}"};
+  const Json v = verdict("36_servo_axis.yaml", drive);
+  const Json response = document(Command::response, "36_servo_axis.yaml", drive)["response"];
+  const Json measures = document(Command::measures, "36_servo_axis.yaml", drive)["measures"];
+  const Json speed = criterion(v, "critical_speed_share"), buckling = criterion(v, "buckling_safety");
+  double fastest = 0.0;
+  for (const double rpm : response["series"]["screw_speed_rpm"]) fastest = std::max(fastest, std::abs(rpm));
+  EXPECT_GT(fastest, 100.0);
+  EXPECT_NEAR(speed["value"].get<double>() / (fastest / measures["critical_speed_rpm"].get<double>()), 1.0, 1e-3);
+  EXPECT_EQ(speed["load_case"], "response");
+  EXPECT_EQ(speed["state"], "red");
+  EXPECT_NEAR(buckling["value"].get<double>() * response["largest"]["compression"]["force_N"].get<double>() /
+                  measures["buckling_load_N"].get<double>(),
+              1.0, 1e-12);
+  EXPECT_EQ(buckling["state"], "red");
+}
+
+/// Also where nothing but `preload` takes it into account.
+TEST(Verdict, PressureIsThatUnderPreload) {
+  const Overrides strong{"preload.force=90 kN", "preload.load={from: 2 kN, to: 4 kN, steps: 2}",
+                         "load_cases=[{name: pull, axial_force: 2 kN, direction: tension, position: 29.1666667 mm}]"};
+  const Json v = verdict("12_preload.yaml", strong);
+  const Json point = document(Command::preload, "12_preload.yaml", strong)["preload"]["loads"][0];
+  double pressure = 0.0;
+  for (const char* side : {"tension_side", "compression_side"})
+    if (point.contains(side)) pressure = std::max(pressure, point[side]["peak_pressure_MPa"].get<double>());
+  EXPECT_GT(pressure, 4000.0);
+  const Json c = criterion(v, "peak_pressure");
+  EXPECT_NEAR(c["value"].get<double>() / pressure, 1.0, 1e-9) << point;
+  EXPECT_EQ(c["state"], "red");
+  const Json safety = criterion(v, "static_safety");
+  EXPECT_EQ(safety["value"], 0.0);
+  EXPECT_THAT(safety["reason"].get<std::string>(), HasSubstr("under preload"));
+}
+
+/// What a strong preload leaves of the limit: nothing, where it passes it alone.
+TEST(Verdict, StaticSafetyUnderStrongPreloadIsThatOfThePreloadCurve) {
+  const auto strong = [](const char* preload, const std::string& range = "{from: 1 kN, to: 2 kN, steps: 2}") {
+    return Overrides{std::string("preload.force=") + preload, "preload.load=" + range,
+                     "life={position: 29.1666667 mm, spectrum: [{force: 2 kN, direction: tension, share: 1}]}"};
+  };
+  const Json life = document(Command::life, "12_preload.yaml", strong("68 kN"))["life"];
+  EXPECT_EQ(life["static_safety_limit"], "pressure");
+  const double force = 2.0 * life["static_safety"].get<double>();  // [kN]
+  const std::string there = fmt::format("{{from: {:.12g} kN, to: {:.12g} kN, steps: 2}}", force, force + 1.0);
+  const Json point = document(Command::preload, "12_preload.yaml", strong("68 kN", there))["preload"]["loads"][0];
+  EXPECT_NEAR(point["tension_side"]["peak_pressure_MPa"].get<double>(), 4000.0, 1e-4) << force;
+  const Json none = document(Command::life, "12_preload.yaml", strong("90 kN"));
+  EXPECT_EQ(none["life"]["static_safety"], 0.0);
+  EXPECT_THAT(none["warnings"].dump(), HasSubstr("is passed without any axial load"));
+}
+
+TEST(Verdict, StiffnessOfATiltedNutIsTheTangent) {
+  const Overrides tilted{
+      "load_cases=[{name: t, axial_force: 9.3 kN, direction: tension, position: 29.1666667 mm, "
+      "misalignment: {nut_tilt: {z: 0.1 deg}}}]",
+      "limits={stiffness: 1500 N/um}"};
+  const Json c = criterion(verdict("24_misalignment.yaml", tilted), "stiffness");
+  const Json solved = document(Command::solve, "24_misalignment.yaml", tilted)["load_cases"][0];
+  EXPECT_EQ(c["value"], solved["tangent_stiffness_N_per_um"]);
+  EXPECT_EQ(c["state"], "red");
+}
+
 TEST(Verdict, StatedLimitsAreMetOrMissed) {
   expect_turn(kMeasured,
               {{"life", " h"},

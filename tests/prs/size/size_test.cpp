@@ -186,6 +186,46 @@ TEST(Size, WrittenCaseOfARunningScrewDoesToo) {
   expect_numbers_of_the_list(text.replace(text.find("static"), 6, "running"));
 }
 
+/// A word, blocks of a law, heads that need no film.
+TEST(Size, WrittenCaseHasTheFrictionOfItsRequirement) {
+  using Law = Friction::Model;
+  for (const auto& [text, law] :
+       {std::pair{"friction: {model: jacod}\n", Law::jacod}, std::pair{"friction: {coulomb: 0.05}\n", Law::coulomb},
+        std::pair{"friction: {mixed: {boundary: 0.1}}\n", Law::mixed},
+        std::pair{"friction: {coulomb: 0.05}\n"
+                  "carrier: {bearing: {diameter: 7 mm, friction: {coulomb: 0.1}}}\n",
+                  Law::coulomb}}) {
+    const SizeResult r = sized(of_one(std::string(kMotion).append("stroke: 650 mm\n").append(text)));
+    const std::string written = written_candidate(r.input, r.candidates.front());
+    const Case c = input::read_case_text(written, "screw.yaml", {}, Command::slip);
+    EXPECT_EQ(c.friction->model, law) << written;
+    EXPECT_EQ(c.carrier.bearing.has_value(), std::string_view(text).find("bearing") != std::string_view::npos);
+  }
+}
+
+TEST(Size, CandidatesWithoutTheObjectiveComeLast) {
+  input::Source source = input::source_of_text("press.yaml",
+                                               "motion: {segments: [{duration: 1 s, end_speed: 200 mm/s, force: -2 kN},"
+                                               " {duration: 0.2 s, end_speed: 200 mm/s, force: 6.7 kN},"
+                                               " {duration: 0.7 s, end_speed: 0 mm/s, force: 0.7 kN}]}\n"
+                                               "losses: catalogue\nobjective: motor_torque\nmodel: {loads: static}\n"
+                                               "candidates: {catalogue: {file: own.csv}}\n",
+                                               {});
+  source.files.emplace()["own.csv"] =
+      "screw_diameter_mm,lead_mm,starts,nut_diameter_mm,nut_length_mm,dynamic_capacity_kN,efficiency,back_driving_"
+      "efficiency\n"
+      "30,10,5,62,85,145,0.87,0.80\n"
+      "24,6,4,55,70,90,0.85,\n"
+      "39,10,5,75,100,,,\n";
+  const SizeResult r = size_screws(read_requirement(source));
+  ASSERT_EQ(r.passing(), 3);
+  EXPECT_TRUE(r.candidates[0].motor_rms_torque);
+  EXPECT_EQ(r.candidates[0].name, "30x10");
+  EXPECT_FALSE(r.candidates[1].motor_rms_torque);
+  EXPECT_EQ(r.candidates[1].name, "24x6");  // By the nut's diameter.
+  EXPECT_EQ(r.candidates[2].name, "39x10");
+}
+
 TEST(Size, EveryRowPassesWhenAskedForByItsOwnRating) {
   const SizeResult all = sized(example());
   for (const SizedCandidate& row : all.candidates) {

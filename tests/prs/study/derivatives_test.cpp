@@ -86,6 +86,17 @@ TEST(Derivatives, OfAllRollersAreTheComplianceOfTheScrewsEnd) {
   EXPECT_FALSE(d.factors[1].responses[0]->elasticity);
 }
 
+TEST(Derivatives, FrequenciesFallWithTheRootOfTheDensity) {
+  SKIP_UNDER_SANITIZERS();
+  const std::string text =
+      input::abevi_with("{name: pull,", "{name: pull, modes: {count: 2},") + "model: {mechanism: full}\n";
+  const CaseDerivatives d = derivatives_of(
+      "{path: materials.density}", std::string(text).insert(text.find("load_cases:"), "  density: 7850 kg/m^3\n"),
+      "'modes.mode[0].frequency_Hz', axial_stiffness_N_per_um");
+  EXPECT_NEAR(elasticity(d, 0, 0), -0.5, 1e-8);
+  EXPECT_NEAR(elasticity(d, 0, 1), 0.0, 1e-12);
+}
+
 std::string exact(double x) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.17g", x);
