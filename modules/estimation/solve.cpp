@@ -124,6 +124,7 @@ class Search {
   Status run(const VectorXd& from) {
     spread_ = first_spread_;
     failure_.reset();
+    held_by_.reset();
     VectorXd z = from;
     reaches_more(z);
     // No search leaves a place about which all curves are even: a tilt of 0.
@@ -149,16 +150,15 @@ class Search {
       status = settle(z, 3);
       if (status == Status::no_equilibrium) return status;
     } while (reaches_more(z) || takes_smaller_steps(z));
-    if (status == Status::iteration_limit) {
-      failure_.reset();
-      status = settle(z, 17);
-    }
+    if (status == Status::iteration_limit) status = settle(z, 17);
     place_ = z;
     return status;
   }
 
   const VectorXd& place() const { return place_; }
   const std::optional<Failure>& failure() const { return failure_; }
+  /// Of the row for want of whose answer the last of all attempts took back a step.
+  const std::optional<Failure>& held_by() const { return held_by_; }
   std::size_t iterations() const { return iterations_; }
   double value(std::size_t j) const {
     const auto at = static_cast<Index>(j);
@@ -595,11 +595,13 @@ class Search {
   Status settle(VectorXd& z, int attempts) {
     double norm = 0.0;
     for (int k = 0; k < attempts; ++k) {
+      failure_.reset();
       search(z, k == 0);
       if (!with_slopes(z)) return Status::no_equilibrium;
       if (polish(z, norm)) return Status::converged;
       if (!with_slopes(z)) return Status::no_equilibrium;
     }
+    held_by_ = failure_;
     return Status::iteration_limit;
   }
 
@@ -620,7 +622,7 @@ class Search {
   MatrixXd prior_;
   VectorXd place_;
   std::deque<StatePtr> known_;
-  std::optional<Failure> failure_;
+  std::optional<Failure> failure_, held_by_;
   std::size_t iterations_ = 0;
 };
 
@@ -902,7 +904,7 @@ Result solve(const Problem& problem) {
     VectorXd z;
     std::vector<double> spread;
     Status status;
-    std::optional<Failure> failure;
+    std::optional<Failure> held_by;
   };
   std::optional<std::size_t> best;
   std::vector<Found> found;
@@ -910,7 +912,7 @@ Result solve(const Problem& problem) {
   for (std::size_t k = 0; k < problem.starts; ++k) {
     const Status status = search.run(search.start(k));
     StartResult& start = result.starts.emplace_back(StartResult{.status = status});
-    found.push_back({search.place(), search.spread(), status, search.failure()});
+    found.push_back({search.place(), search.spread(), status, search.held_by()});
     if (status == Status::no_equilibrium) {
       if (!first_failure) first_failure = search.failure();
       continue;
@@ -936,7 +938,7 @@ Result solve(const Problem& problem) {
   result.starts[*best].is_best = true;
   search.set(found[*best].z, found[*best].spread);
   search.conclude(found[*best].status, result, true);
-  if (result.status == Status::iteration_limit) result.held_by = found[*best].failure;
+  if (result.status == Status::iteration_limit) result.held_by = found[*best].held_by;
   for (std::size_t k = 0; k < found.size(); ++k) {
     StartResult& start = result.starts[k];
     if (k == *best || !start.objective || *start.objective > *result.starts[*best].objective + 4.0) continue;

@@ -687,8 +687,8 @@ void fields(const Fields& io, HistorySource& h) {
   io("force", h.force, Block{}, required, "Axial force, > 0 in tension");
   io("position", h.position, Block{}, "Axial position of the nut on the screw; it grows where tension drives");
   io("speed", h.speed, Block{}, optional_only_if(!h.position, "in place of `position`"),
-     "Of the screw against the nut, with the sign of `operation.speed`, which is the other one than that of a "
-     "growing `position`; else `operation.speed`");
+     "Of the screw against the nut, with the sign of `operation.speed`: > 0 where `position` falls (left-handed: "
+     "grows); else `operation.speed`");
   io("time", h.time, Block{}, "Time of the sample");
   io("interval", h.interval, Quantity{unit::duration, positive}, optional_only_if(!h.time, "in place of `time`"),
      "Between two samples");

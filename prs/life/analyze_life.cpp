@@ -204,8 +204,8 @@ ShareCurve curve_of_sense(const LifeModel& p, const Sense& s, const ShareCurve::
 }
 
 /// The same of a running screw under the forces at which it turns, without interpolation where they
-/// are fewer than the nodes of a panel. Small forces, under which the centrifugal one opens threads, are as
-/// accurate as their damage asks for.
+/// are fewer than the nodes of a panel. Under small forces, where the centrifugal one opens threads, loads
+/// are only as accurate as their share of the damage requires.
 ShareCurve running_curve(const LifeModel& p, const Sense& s, const std::vector<double>& turns,
                          const ShareCurve::Solve& solve) {
   std::set<double> forces;
@@ -286,36 +286,38 @@ std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, d
       if (limit[i]) used = std::max(used, largest_normal_load(p, i, *loads) / *limit[i]);
     return used;
   };
+  if (p.preloaded()) {
+    const std::optional<double> used = overload(0.0);
+    if (!used) return std::nullopt;
+    if (*used >= 1.0) return 0.0;
+  }
   const double tolerance = p.full() ? 1e-7 : 1e-10;
   const std::optional<double> found = by_secant(overload, force, tolerance);
   if (p.preloaded() ? found.has_value() : !p.is_loaded_across()) return found;
 
   double above = found.value_or(force);
-  if (!found) {  // Where the limit is reached at all.
-    for (int k = 0; k < 20; ++k, above *= 2.0) {
-      const std::optional<double> used = overload(above);
-      if (!used) return std::nullopt;
-      if (*used >= 1.0) break;
-      if (k == 19) return std::nullopt;
-    }
+  for (int k = 0; !found; ++k, above *= 2.0) {
+    const std::optional<double> used = k < 20 ? overload(above) : std::nullopt;
+    if (!used) return std::nullopt;
+    if (*used >= 1.0) break;
   }
-  // Below it: halved, down to what counts for no load.
-  constexpr double kNoForce = 1e-4;
+  if (p.preloaded()) return between(overload, 0.0, above, tolerance);
+  // Loads that act across may be worse under smaller forces: in steps down to what counts for none.
+  constexpr double kStep = 0.84, kNoForce = 1e-3;
+  const double least = kNoForce * above;
   std::optional<double> below;
-  for (double at = 0.5 * above; at > kNoForce * force; at *= 0.5) {
+  for (double at = kStep * above; at > least; at *= kStep) {
     const std::optional<double> used = overload(at);
-    if (!used && !below) return above;
-    if (!used) break;
+    if (!used) return below && above != found ? between(overload, *below, above, tolerance) : found;
     if (*used >= 1.0) {
       above = at;
       below.reset();
-      continue;
+    } else if (!below) {
+      below = at;
     }
-    if (!below) below = at;
-    if (p.preloaded()) break;  // Which adds load at any force.
   }
-  if (below) return above == found ? found : between(overload, *below, above, tolerance);
-  return p.preloaded() && overload(0.0).value_or(1.0) < 1.0 ? between(overload, 0.0, above, tolerance) : 0.0;
+  if (!below) return 0.0;
+  return above == found ? found : between(overload, *below, above, tolerance);
 }
 
 /// `turns`: of the forces of a sense.

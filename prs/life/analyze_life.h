@@ -41,7 +41,7 @@ struct FlankLife {
   double life_at_rest = 0.0;  ///< The same with those of a screw at rest.
   PerInterface<ThreadLives> threads;
   PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest loads of threads [Pa].
-  /// Peak pressure under the largest force at which the screw turns [Pa].
+  /// Peak pressure under the largest loads of threads while the screw turns [Pa].
   PerInterface<std::optional<double>> running_peak_pressure;
   /// Force at which the most loaded thread reaches `kStaticPressureLimit` [N].
   std::optional<double> static_capacity;

@@ -297,7 +297,13 @@ LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactS
   if (!model.full())
     return [d, solver](double force) {
       std::optional<ContactLoads> loads = solver(force);
-      return loads ? std::optional(std::move(loads->largest[d])) : std::nullopt;
+      if (!loads) return std::optional<LargestLoads>();
+      LargestLoads& largest = loads->largest[d];
+      for (const Interface i : kInterfaces) {  // With preload the other flank carries too.
+        const std::vector<double>& other = loads->largest[opposite(d)][i];
+        for (std::size_t k = 0; k < other.size(); ++k) largest[i][k] = std::max(largest[i][k], other[k]);
+      }
+      return std::optional(std::move(largest));
     };
   std::vector<double> angles = {at.carrier_angle.screw};
   if (at.carrier_angle.nut != at.carrier_angle.screw) angles.push_back(at.carrier_angle.nut);

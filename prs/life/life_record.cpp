@@ -118,7 +118,7 @@ constexpr Quantity<RollerLives> kRollerLives[] = {
 
 constexpr Quantity<InterfaceLife> kInterfaceLife[] = {
     {"", of<&InterfaceLife::threads>},
-    {"peak_pressure_MPa", of<&InterfaceLife::peak_pressure>, "under these loads", source::kHertz},
+    {"peak_pressure_MPa", of<&InterfaceLife::peak_pressure>, "under the largest loads of its threads", source::kHertz},
 };
 
 template <auto get>

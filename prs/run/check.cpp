@@ -405,11 +405,12 @@ std::optional<Result> loads_under_preload(const input::CaseInput& in, VerdictFac
               ? solved_static_rating(c, result.contacts, *load.direction, *load.position, load.axial_force)
               : std::nullopt);
     }
-  } catch (const CaseError&) {  // No fit has such a preload: what `preload` says.
+  } catch (const CaseError& error) {
     facts.preloaded_rating.clear();
+    facts.lacking[Command::preload] = error.what();
     return std::nullopt;
   }
-  return result;
+  return result.load_cases.empty() ? std::nullopt : std::optional(std::move(result));
 }
 
 }  // namespace

@@ -9,8 +9,7 @@
 namespace prs {
 namespace {
 
-constexpr double kRounding = 1e-9;  ///< Relative, of a value that just meets its limit.
-constexpr std::string_view kWithoutPreload = ", without the preload";
+constexpr double kRounding = 1e-9;                       ///< Relative, of a value that just meets its limit.
 constexpr double kTouching = 1e-9 * per_si::millimetre;  ///< Play of threads that touch [mm].
 
 /// What a case has of a criterion: the worst value, or why there is none.
@@ -73,8 +72,29 @@ Found life(const VerdictFacts& f) {
   return found;
 }
 
+/// Whether a load case has both flanks under preload, so that what it has without says nothing.
+bool is_preloaded(const VerdictFacts& f, const LoadCase& load) {
+  return f.preloaded &&
+         std::ranges::any_of(f.preloaded->load_cases, [&](const auto& r) { return r.load_case.name == load.name; });
+}
+
+/// For values that lack a preload; a play is none.
+std::string_view without_preload(const VerdictFacts& f) {
+  return f.c.preload && !f.c.preload->backlash ? ", without the preload" : "";
+}
+
+/// The preload that the case asks for cannot be had.
+std::optional<Found> without_fit(const VerdictFacts& f, Sense sense) {
+  const auto lacking = f.lacking.find(Command::preload);
+  if (!f.c.preload || lacking == f.lacking.end()) return std::nullopt;
+  Found found{sense};
+  found.why = lacking->second;
+  return found;
+}
+
 Found static_safety(const VerdictFacts& f) {
   if (!f.measures && !f.life) return without(f, Command::measures, Sense::least);
+  if (auto none = without_fit(f, Sense::least)) return *std::move(none);
   Found found;
   if (f.life && f.life->converged())
     for (const Direction d : kDirections)
@@ -86,41 +106,57 @@ Found static_safety(const VerdictFacts& f) {
       const LoadCase& load = f.preloaded->load_cases[k].load_case;
       found.take(rating->force / load.axial_force, load.name, describe(rating->limit) + ", under preload");
     }
-  const std::string_view note = f.c.preload ? kWithoutPreload : "";
   for (std::size_t k = 0; f.measures && k < f.measures->load_measures.size(); ++k) {
     const auto& m = f.measures->load_measures[k];
     const LoadCase& load = f.measures->analysis.load_cases[k].load_case;
-    if (m && m->solved_static_safety)
+    if (!m || is_preloaded(f, load)) continue;
+    if (m->solved_static_safety)
       found.take(*m->solved_static_safety, load.name,
-                 fmt::format("{}{}", describe(*m->solved_static_safety_limit), note));
-    else if (m && m->thread_static_safety)
+                 fmt::format("{}{}", describe(*m->solved_static_safety_limit), without_preload(f)));
+    else if (m->thread_static_safety)
       found.take(*m->thread_static_safety, load.name,
                  fmt::format(
                      "{}, {}{}",
                      load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load",
-                     describe(*m->thread_static_safety_limit), note));
+                     describe(*m->thread_static_safety_limit), without_preload(f)));
   }
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;
 }
 
+/// Largest pressure of the threads of a load case at an interface, on both flanks [Pa].
+std::optional<double> largest_pressure(const Result& result, const LoadCaseResult& r, Interface i) {
+  const auto& named = (*r.threads)[i].peak_pressure;
+  if (named.empty()) return std::nullopt;
+  double largest = std::ranges::max(named);
+  const InterfaceContact& contact = result.contacts.interfaces[i];
+  if (r.other_flank && contact.has_hertz())
+    for (const double load : r.other_flank->threads[i].normal_load)
+      largest = std::max(largest, contact::at_load(contact.hertz, load).peak_pressure);
+  return largest;
+}
+
 Found peak_pressure(const VerdictFacts& f) {
   if (!f.loads && !f.life && !f.response) return without(f, Command::solve, Sense::greatest);
+  if (auto none = without_fit(f, Sense::greatest)) return *std::move(none);
   Found found{Sense::greatest};
   const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
   for (const Result* result : {f.loads, f.preloaded, f.slip})  // Slip has the loads of warm parts.
-    for (std::size_t k = 0; result && k < result->load_cases.size(); ++k)
-      if (const LoadCaseResult& r = result->load_cases[k]; r.threads)
-        for (const Interface i : kInterfaces)
-          if (const auto& p = (*r.threads)[i].peak_pressure; !p.empty())
-            found.take(*std::ranges::max_element(p) * per_si::megapascal, r.load_case.name, at(i));
+    for (std::size_t k = 0; result && k < result->load_cases.size(); ++k) {
+      const LoadCaseResult& r = result->load_cases[k];
+      const bool plain = result == f.loads;
+      if (!r.threads || (plain && is_preloaded(f, r.load_case))) continue;
+      for (const Interface i : kInterfaces)
+        if (const auto pressure = largest_pressure(*result, r, i))
+          found.take(*pressure * per_si::megapascal, r.load_case.name,
+                     fmt::format("{}{}", at(i), plain ? without_preload(f) : ""));
+    }
   if (f.life && f.life->converged())
     for (const Direction d : kDirections)
       for (const Interface i : kInterfaces)
         if (const auto& flank = f.life->flanks[d]; flank && flank->peak_pressure[i])
           found.take(*flank->peak_pressure[i] * per_si::megapascal, loads_of(*f.life),
                      fmt::format("{}, {}", at(i), name(d)));
-  if (found.value && f.c.preload && !f.preloaded && !f.slip && !f.life) found.note += kWithoutPreload;
   const std::optional<double> best = found.best;
   if (f.response)
     for (const Direction d : kDirections)
@@ -236,17 +272,21 @@ Found stiffness(const VerdictFacts& f) {
     }
   }
   for (const LoadCaseResult& r : f.loads->load_cases) {
-    // A seat that stands askew moves the screw too: force over displacement would be no stiffness.
+    const auto take = [&](const std::optional<double>& own, std::string_view kind) {
+      if (!own) return;
+      std::vector<std::string_view> notes;
+      if (!note.empty()) notes.push_back(note);
+      if (!without_preload(f).empty()) notes.push_back(without_preload(f).substr(2));
+      if (!kind.empty()) notes.push_back(kind);
+      found.take(per_si::newton_per_micrometre / (1.0 / *own + shaft), r.load_case.name,
+                 fmt::format("{}", fmt::join(notes, ", ")));
+    };
+    // What acts across the axis moves the screw too, and force over displacement may say nothing; a seat
+    // that stands askew does so without any load.
     const SpatialLoad& spatial = r.load_case.spatial;
     const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
-    const auto& own = askew ? r.tangent_stiffness : r.axial_stiffness;
-    if (!own) continue;
-    std::vector<std::string_view> notes;
-    if (!note.empty()) notes.push_back(note);
-    if (f.c.preload) notes.push_back("without the preload");
-    if (askew) notes.push_back("tangent, for the nut stands askew");
-    found.take(per_si::newton_per_micrometre / (1.0 / *own + shaft), r.load_case.name,
-               fmt::format("{}", fmt::join(notes, ", ")));
+    if (!askew) take(r.axial_stiffness, "");
+    if (spatial.acts_across()) take(r.tangent_stiffness, "tangent, for something acts across the axis");
   }
   found.why = "no load case has one";
   return found;
@@ -379,7 +419,8 @@ void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
   if (c.name == "life" && (f.limits.life ? f.limits.life->travel.has_value() : f.life && !f.life->revolution_rate))
     c.unit = "km";
   c.value = found.value;
-  if (found.best && found.value && *found.best != *found.value) c.best = found.best;
+  if (found.best && found.value && std::abs(*found.best - *found.value) > kRounding * std::abs(*found.value))
+    c.best = found.best;
   if (c.value) {
     c.load_case = std::move(found.where);
     c.reason = std::move(found.note);
@@ -394,7 +435,7 @@ void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
 
 /// What did not converge, all of it told.
 void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
-  if (!f.loads && !f.life) return;
+  if (!f.loads && !f.life && !without_fit(f, Sense::least)) return;
   std::string failed;
   const auto tell = [&](const std::string& what) { failed += (failed.empty() ? "" : ", ") + what; };
   const auto count = [&](const Result* result, const char* what, auto good) {
@@ -405,6 +446,8 @@ void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
                        result->load_cases.size() == 1 ? "" : "s"));
   };
   count(f.loads, "thread loads", [](const LoadCaseResult& r) { return r.converged(); });
+  if (const auto none = without_fit(f, Sense::least)) tell(fmt::format("preload ({})", none->why));
+  count(f.preloaded, "thread loads under preload", [](const LoadCaseResult& r) { return r.converged(); });
   count(f.slip, "slip", [](const LoadCaseResult& r) { return r.slip && r.slip->converged(); });
   count(f.slip, "temperatures", [](const LoadCaseResult& r) { return !r.heat || r.heat->converged(); });
   if (f.slip && f.slip->heat_cycle && !f.slip->heat_cycle->converged()) tell("the duty cycle");

@@ -1786,7 +1786,7 @@ class InterfaceLife(Record):
     largest_load_N [N]: axial, the largest of all forces: at rest, and of a running screw where life is of its loads
     equivalent_range_N [N]: of the axial load over the cycles of the history; FKM; Miner elementary
     rollers: threads of the rollers of a full mechanism
-    peak_pressure_MPa [MPa]: under these loads; Hertz with exact ellipticity
+    peak_pressure_MPa [MPa]: under the largest loads of its threads; Hertz with exact ellipticity
     """
 
     __slots__ = ()
