@@ -127,8 +127,8 @@ struct Result {
   Status status = Status::no_equilibrium;
   std::optional<Failure> failure = {};
   bool failed_at_start = false;
-  std::optional<Failure> held_by =
-      {};  ///< Of a search that did not come to rest: the row for want of whose answer it took back steps.
+  /// Row for want of whose answer a search took back steps and did not come to rest.
+  std::optional<Failure> held_by = {};
   std::optional<std::size_t> without_influence = {};   ///< An unknown that no curve depends on.
   std::optional<std::size_t> without_redundancy = {};  ///< Curve.
   double objective = 0.0;
