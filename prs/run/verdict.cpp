@@ -45,6 +45,12 @@ Found without(const VerdictFacts& f, Command command, Sense sense) {
   return found;
 }
 
+/// A drive could not be computed, and might be worse.
+void note_response(const VerdictFacts& f, Found& found) {
+  if (found.value && f.lacking.contains(Command::response))
+    found.note += found.note.empty() ? "without `response`" : ", without `response`";
+}
+
 std::string_view loads_of(const LifeResult& life) { return life.history ? "life.history" : "life.spectrum"; }
 
 Found life(const VerdictFacts& f) {
@@ -164,7 +170,7 @@ Found peak_pressure(const VerdictFacts& f) {
         found.take(*largest->peak_pressure * per_si::megapascal, "response",
                    fmt::format("largest force in {}", name(d)));
   found.best = best;  // Of load cases.
-  if (found.value && f.lacking.contains(Command::response)) found.note += ", without `response`";
+  note_response(f, found);
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;
 }
@@ -193,8 +199,13 @@ Found buckling_safety(const VerdictFacts& f) {
       if (const auto& buckling = f.measures->measures.buckling_load)
         found.take(*buckling / std::abs(largest->force), "response", "largest force in compression");
     }
-  found.applies = compressed;
-  found.why = !compressed ? "no load compresses the screw" : lacks_shaft(f) ? kAddShaft : "no buckling load";
+  const bool unknown = f.lacking.contains(Command::response);  // Which may compress it.
+  note_response(f, found);
+  found.applies = compressed || unknown;
+  found.why = !found.applies   ? "no load compresses the screw"
+              : lacks_shaft(f) ? kAddShaft
+              : compressed     ? "no buckling load"
+                               : "no load case compresses the screw, `response` was not computed";
   return found;
 }
 
@@ -208,6 +219,7 @@ Found largest_speed(const VerdictFacts& f) {
     if (const std::optional<double> speed = largest_speed(*f.life->history, f.c.mechanism.lead))
       found.take(*speed, "life.history");
   if (f.response) found.take(f.response->run.largest_speed, "response");
+  note_response(f, found);
   found.why = "add operation.speed";
   return found;
 }
