@@ -47,6 +47,11 @@ std::string error_of(const std::string& text, const HistorySource& history = wan
   return "no error";
 }
 
+/// What the resolved input shows before the name is refused with its place.
+TEST(ForceHistory, WithoutANameStandsNowhere) {
+  EXPECT_EQ(place_of_history({}, source_of_text("case.yaml", "", {})), "");
+}
+
 TEST(ForceHistory, ReadsColumnsByNameInSiUnits) {
   const LoadHistory h = parse("t,n,other,load\n0,60,x,1.5\n250,-30,,-2e1\n");
   EXPECT_THAT(h.force, ElementsAre(1500.0, -20e3));

@@ -81,5 +81,20 @@ TEST(LoadSteps, SharesSumToOne) {
   EXPECT_NEAR(revolutions(load_steps(spectrum, 5e-3, std::nullopt)), 1.0, 1e-15);
 }
 
+TEST(LargestSpeed, IsThatOfTheSamplesOrFromPositionToPosition) {
+  LoadHistory h;
+  EXPECT_FALSE(largest_speed(h, 5e-3));
+  h.speed = {3.0, -7.0, 2.0};
+  EXPECT_EQ(largest_speed(h, -5e-3), 7.0);
+  h.speed_along_axis = true;  // [m/s]
+  EXPECT_NEAR(*largest_speed(h, -5e-3), 7.0 * 2.0 * std::numbers::pi / 5e-3, 1e-10);
+  h = {};
+  h.force = {1.0, 1.0, 1.0};
+  h.position = {0.0, 10e-3, 5e-3};
+  EXPECT_FALSE(largest_speed(h, 5e-3));  // No clock.
+  h.time = {0.0, 1.0, 1.25};
+  EXPECT_NEAR(*largest_speed(h, 5e-3), 4.0 * 2.0 * std::numbers::pi, 1e-12);
+}
+
 }  // namespace
 }  // namespace prs

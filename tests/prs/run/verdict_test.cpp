@@ -155,6 +155,22 @@ TEST(Verdict, StaticSafetyUnderStrongPreloadIsThatOfThePreloadCurve) {
   EXPECT_THAT(none["warnings"].dump(), HasSubstr("is passed without any axial load"));
 }
 
+/// Pressure over force has a hump: 4.0 GPa from 1.26 kN to 2.4 kN, and again from 10 kN on.
+TEST(Verdict, TheStaticLimitOfATiltedScrewIsTheSmallestForceWhateverTheSpectrum) {
+  const auto capacity = [](const char* force) {
+    const Overrides tilted{
+        "load_cases=[{name: t, axial_force: 9 kN, direction: tension, position: 29.1666667 mm, "
+        "misalignment: {nut_tilt: {z: 0.13 deg}}}]",
+        std::string("life={position: 29.1666667 mm, spectrum: [{force: ") + force +
+            ", direction: tension, share: 1}]}"};
+    return document(Command::life, "24_misalignment.yaml", tilted)["life"]["tension"]["static_capacity_N"]
+        .get<double>();
+  };
+  const double least = capacity("2 kN");
+  EXPECT_LT(least, 1500.0);
+  EXPECT_NEAR(capacity("45 kN") / least, 1.0, 1e-6);
+}
+
 TEST(Verdict, StiffnessOfATiltedNutIsTheTangent) {
   const Overrides tilted{
       "load_cases=[{name: t, axial_force: 9.3 kN, direction: tension, position: 29.1666667 mm, "
