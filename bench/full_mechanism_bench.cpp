@@ -8,6 +8,7 @@
 #include <random>
 
 #include "fe/cholesky.h"
+#include "fe/cholmod.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/mechanism/full_influence.h"
 #include "prs/mechanism/full_model.h"
@@ -75,7 +76,7 @@ BENCHMARK(FullFactorize);
 
 void FullFactorizeSupernodal(benchmark::State& state) {
   const Tangent t;
-  const auto cholesky = modules::loaded<fe::CholmodModule>().supernodal(t.matrix);
+  const auto cholesky = fe::supernodal_factorization(t.matrix);
   for (auto _ : state) benchmark::DoNotOptimize(cholesky->factorize(t.matrix));
 }
 BENCHMARK(FullFactorizeSupernodal);

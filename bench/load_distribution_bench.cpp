@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "fe/cholesky.h"
+#include "fe/cholmod.h"
 #include "fe/newton.h"
 #include "prs/sector/sector.h"
 #include "support/sectors.h"
@@ -58,7 +59,7 @@ BENCHMARK(Factorize);
 
 void FactorizeSupernodal(benchmark::State& state) {
   Loaded l;
-  const auto cholesky = modules::loaded<fe::CholmodModule>().supernodal(l.tangent);
+  const auto cholesky = fe::supernodal_factorization(l.tangent);
   for (auto _ : state) benchmark::DoNotOptimize(cholesky->factorize(l.tangent));
 }
 BENCHMARK(FactorizeSupernodal);

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <numbers>
 
+#include "fe/cholmod.h"
+
 namespace fe {
 namespace {
 
@@ -207,9 +209,8 @@ HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, 
     couple(rows);
   }
   // Renumbers the equations to keep the factor small.
-  const CholmodModule& cholmod = modules::loaded<CholmodModule>();
   const SparseSymmetric pattern = places.compressed(equations);
-  const std::vector<int> place = inverse(cholmod.fill_reducing_order(pattern));
+  const std::vector<int> place = inverse(minimum_degree_order(pattern));
   stiffness_ = permuted(pattern, place);
   for (Freedom& f : freedom_)
     if (f.equation >= 0) f.equation = at(place, f.equation);
@@ -241,7 +242,7 @@ HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, 
         if (i.equation < 0 || j.equation < i.equation) continue;
         springs_[slot(i.equation, j.equation)] += spring.stiffness * i.sign * a.weight * j.sign * b.weight;
       }
-  cholesky_ = cholmod.supernodal(stiffness_);
+  cholesky_ = supernodal_factorization(stiffness_);
 }
 
 int HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,

@@ -4,6 +4,8 @@
 #include <Eigen/SparseCholesky>
 #include <atomic>
 
+#include "fe/cholmod.h"
+
 namespace fe {
 namespace {
 
@@ -41,31 +43,15 @@ class EigenFactorization : public SparseFactorization {
 
 std::atomic<bool> eigen_always = false;
 
-struct Library {
-  CholmodModule::Factorize* factorization;
-  std::string name;
-};
-
-/// CHOLMOD's where its module loads; a failure is not tried again.
-const Library& library() {
-  static const Library eigen{eigen_factorization, eigen_factorization_name()};
-  if (eigen_always) return eigen;
-  static const Library best = [] {
-    try {
-      const CholmodModule& module = modules::loaded<CholmodModule>();
-      return Library{module.simplicial, module.name()};
-    } catch (const modules::Missing&) {
-      return eigen;
-    }
-  }();
-  return best;
-}
-
 }  // namespace
 
-Cholesky::Cholesky(const SparseSymmetric& pattern) : factorization_(library().factorization(pattern)) {}
+Cholesky::Cholesky(const SparseSymmetric& pattern)
+    : factorization_(eigen_always ? eigen_factorization(pattern) : simplicial_factorization(pattern)) {}
 
-std::string_view Cholesky::name() { return library().name; }
+std::string_view Cholesky::name() {
+  static const std::string cholmod = simplicial_factorization_name(), eigen = eigen_factorization_name();
+  return eigen_always ? eigen : cholmod;
+}
 
 void factorize_by_eigen(bool always) { eigen_always = always; }
 

@@ -1,50 +1,16 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "fe/sparse_symmetric.h"
-#include "modules/module.h"
+#include "fe/sparse_factorization.h"
 
 namespace fe {
 
-/// A symmetric matrix as a product of sparse triangles. The pattern is fixed and its order is kept.
-/// All of it throws std::bad_alloc where memory does not suffice.
-class SparseFactorization {
- public:
-  SparseFactorization() = default;
-  virtual ~SparseFactorization() = default;
-  SparseFactorization(const SparseFactorization&) = delete;
-  SparseFactorization& operator=(const SparseFactorization&) = delete;
-
-  /// Not positive definite: also where a pivot is below `smallest_pivot_ratio` times the largest.
-  virtual FactorizationStatus factorize(const SparseSymmetric& matrix,
-                                        double smallest_pivot_ratio = kSmallestPivotRatio) = 0;
-
-  /// Solves A x = b for the columns of b with the last factorization, which must have been `ok`; x
-  /// has the size of b.
-  virtual void solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x) const = 0;
-};
-
-struct CholmodModule : modules::Module {
-  static constexpr modules::Name kName{"prs_cholmod.so", "CHOLMOD", "libsuitesparse-dev", ""};
-
-  using Factorize = std::unique_ptr<SparseFactorization>(const SparseSymmetric& pattern);
-  Factorize* simplicial;  ///< LDL' number by number, for patterns of the size of a sector.
-  Factorize* supernodal;  ///< LL' by dense blocks, for much larger patterns.
-
-  /// Approximate minimum degree order: entry k is the row that comes k-th.
-  std::vector<int> (*fill_reducing_order)(const SparseSymmetric& pattern);
-
-  /// Library, version and kind of `simplicial`.
-  std::string (*name)();
-};
-
-/// Sparse LDL' for a fixed pattern of the size of a sector: by CHOLMOD, or by Eigen where that is
-/// not installed. The symbolic analysis happens once, at birth; `factorize` takes new values for
-/// the same pattern. The matrix is factorized in the order given: number the equations by
+/// Sparse LDL' for a fixed pattern of the size of a sector, by CHOLMOD. The symbolic analysis happens
+/// once, at birth; `factorize` takes new values for the same pattern. The matrix is factorized in the order given: number the equations by
 /// `fill_reducing_order` first.
 class Cholesky {
  public:

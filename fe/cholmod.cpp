@@ -1,9 +1,10 @@
+#include "fe/cholmod.h"
+
 #include <cholmod.h>
 
+#include <cassert>
 #include <limits>
 #include <new>
-
-#include "fe/cholesky.h"
 
 namespace fe {
 namespace {
@@ -115,12 +116,17 @@ class Cholmod : public SparseFactorization {
   mutable cholmod_dense* workspace_e_ = nullptr;
 };
 
-template <int kind>
-std::unique_ptr<SparseFactorization> factorization(const SparseSymmetric& pattern) {
-  return std::make_unique<Cholmod>(pattern, kind);
+}  // namespace
+
+std::unique_ptr<SparseFactorization> simplicial_factorization(const SparseSymmetric& pattern) {
+  return std::make_unique<Cholmod>(pattern, CHOLMOD_SIMPLICIAL);
 }
 
-std::vector<int> amd_order(const SparseSymmetric& pattern) {
+std::unique_ptr<SparseFactorization> supernodal_factorization(const SparseSymmetric& pattern) {
+  return std::make_unique<Cholmod>(pattern, CHOLMOD_SUPERNODAL);
+}
+
+std::vector<int> minimum_degree_order(const SparseSymmetric& pattern) {
   std::vector<int> order(static_cast<std::size_t>(pattern.size()));
   cholmod_common common{};
   set_common(common);
@@ -132,18 +138,13 @@ std::vector<int> amd_order(const SparseSymmetric& pattern) {
   return order;
 }
 
-/// The version of the library that is loaded.
-std::string name() {
+std::string simplicial_factorization_name() {
   int version[3];
-  cholmod_version(version);
+  cholmod_version(version);  // Of the library that is loaded.
   std::string text = "CHOLMOD ";
   for (const int number : version) text += std::to_string(number) + '.';
   text.back() = ',';
   return text + " simplicial LDL'";
 }
 
-}  // namespace
 }  // namespace fe
-
-extern "C" __attribute__((visibility("default"))) const fe::CholmodModule prs_module{
-    {}, fe::factorization<CHOLMOD_SIMPLICIAL>, fe::factorization<CHOLMOD_SUPERNODAL>, fe::amd_order, fe::name};

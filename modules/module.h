@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace modules {
 
@@ -26,6 +27,12 @@ struct Module {
 class Missing : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// Something that a light build leaves out (PRS_FULL).
+class NotBuilt : public Missing {
+ public:
+  explicit NotBuilt(const std::string& what) : Missing(what + ": not built; scripts/install.sh builds all") {}
 };
 
 /// Searches the folder of the program (or of the library that this function is part of), the folder

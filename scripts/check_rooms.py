@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks sources against the rooms that the add_room lines of prs/CMakeLists.txt state: includes
+"""Checks sources against the rooms of scripts/rooms.toml: includes
 against their order, circles of folders, sources of no room, too many lines or loose files, and what
 one room declares and another defines: functions, members and types. So each room links alone."""
 
@@ -7,12 +7,14 @@ import argparse
 import os
 import re
 import sys
+import tomllib
 from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
+ROOMS = ROOT / "scripts/rooms.toml"
 CONTRIBUTING = ROOT / "docs/CONTRIBUTING.md"
 MOST_LOOSE_FILES = 12
 CPP = (".h", ".cpp", ".in")
@@ -24,7 +26,7 @@ MOST_LINES = [
 ]
 
 
-# Sources of a room with SHOWN that show its results, in a library of their own (cmake/rooms.cmake).
+# Sources of a room with SHOWN that show its results, in a library of their own (shown in scripts/rooms.toml).
 SHOWN = re.compile(
     r"_(record|json|table|csv|netcdf|columns|files|figures|pictures|parts|case|analysis)$"
 )
@@ -38,41 +40,14 @@ class Room(NamedTuple):
     shown: list[str]  # what those sources see besides; empty where there are none
 
 
-def add_links(room: Room, words: list[str]) -> None:
-    """Adds what the room's library links, as far as it belongs to the project."""
-    scope = "PUBLIC"
-    for word in words:
-        if word in ("USES", "PUBLIC", "INTERFACE", "PRIVATE", "SOURCES", "SHOWN"):
-            scope = word
-        elif scope == "USES":
-            room.uses.append(word)
-        elif scope == "SHOWN":
-            room.shown.append(word)
-        elif scope != "SOURCES" and (match := re.fullmatch(r"prs(?:_|::)(\w+)", word)):
-            (room.hidden if scope == "PRIVATE" else room.uses).append(match[1])
-
-
 def read_rooms() -> dict[str, Room]:
-    """Rooms by their name: those of add_room, and other libraries that share headers."""
-    rooms: dict[str, Room] = {}
-    call = r"((?:^#.*\n)*)^(add_\w+|share_headers|target_link_libraries)\(prs_(\w+)([^)]*)\)"
-    lists = [ROOT / name / "CMakeLists.txt" for name in ("simd", "contact", "fe")]
-    lists += sorted(set(ROOT.glob("*/CMakeLists.txt")) - set(lists))
-    text = "".join(path.read_text() for path in lists).replace("add_room(", "add_room(prs_")
-    calls = [(*found[:3], found[3].split()) for found in re.findall(call, text, re.M)]
-    purposes: dict[str, str] = {}
-    for comment, verb, name, words in calls:
-        text = " ".join(line.lstrip("# ") for line in comment.splitlines())
-        purpose = purposes[name] = text or purposes.get(name, "")
-        if verb == "add_room":
-            folder = os.path.normpath(f"prs/{words[0]}")
-            rooms[name] = Room(folder, [], [], purpose, [])
-            add_links(rooms[name], words[1:])
-        elif verb == "share_headers":
-            rooms[name] = Room(words[0], [], [], purpose, [])
-    for _, verb, name, words in calls:
-        if verb == "target_link_libraries" and name in rooms:
-            add_links(rooms[name], words)
+    """Rooms by their name; those with sources that show results are two."""
+    rooms = {
+        name: Room(
+            row["folder"], row["uses"], row.get("hidden", []), row["holds"], row.get("shown", [])
+        )
+        for name, row in tomllib.loads(ROOMS.read_text()).items()
+    }
     for name, room in list(rooms.items()):
         if room.shown:
             rooms[f"{name}_shown"] = Room(room.folder, [name, *room.shown], [], room.purpose, [])
@@ -117,7 +92,7 @@ def faults_of_file(file: Path, rooms: dict[str, Room], graph: dict[str, set[str]
             where = f"of room {target}" if target else "of no room"
             yield (
                 f'{place}:{number}: room {name} includes "{match[1]}" {where}; it may see:\n'
-                f"  {', '.join(seen) or 'no other room'} (USES in prs/CMakeLists.txt)"
+                f"  {', '.join(seen) or 'no other room'} (uses in scripts/rooms.toml)"
             )
 
 
@@ -130,7 +105,7 @@ def faults(rooms: dict[str, Room]) -> Iterator[str]:
             if file.suffix not in (".h", ".cpp") or folder.startswith("prs/cli"):
                 continue
             if folder not in graph:
-                yield f"{place}: {folder} is no room; name it by add_room in prs/CMakeLists.txt"
+                yield f"{place}: {folder} is no room; name it in scripts/rooms.toml"
                 continue
             yield from faults_of_file(file, rooms, graph)
     for room in rooms.values():
@@ -273,7 +248,7 @@ def hidden_name(statement: Statement) -> str | None:
 
 def repeated(rooms: dict[str, Room]) -> Iterator[str]:
     """What two files name alike in anonymous namespaces, of which one may hide the other where both
-    are compiled in one batch (cmake/unity.cmake)."""
+    are compiled in one batch (prs/CMakeLists.txt)."""
     first: dict[tuple[str, str, str], Path] = {}
     for top in ("prs", "fe", "contact", "simd", "validation"):
         for file in sorted((ROOT / top).rglob("*.cpp")):
@@ -309,7 +284,7 @@ def main() -> int:
     found = [*faults(rooms), *misplaced(rooms), *repeated(rooms)]
     if text != updated:
         found.append(
-            "docs/CONTRIBUTING.md: its table is not that of prs/CMakeLists.txt;\n"
+            "docs/CONTRIBUTING.md: its table is not that of scripts/rooms.toml;\n"
             "  scripts/check_rooms.py --write updates it"
         )
     print("\n".join(found), end="\n" if found else "", file=sys.stderr)

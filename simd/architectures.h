@@ -7,18 +7,14 @@
 ///
 /// A kernel is a function object with `template <class Arch> R operator()(Arch, ...) const`, in a
 /// header that an own source file for each instruction set instantiates (see add_simd_kernel in
-/// cmake/simd.cmake).
+/// cmake/kernels.cmake).
 namespace simd {
 
 #if defined(__x86_64__)
 using Avx512 = xsimd::avx512bw;
 using Avx2 = xsimd::fma3<xsimd::avx2>;
 using Baseline = xsimd::sse2;
-#if defined(PRS_WITHOUT_AVX2)
-using Architectures = xsimd::arch_list<Avx512, Baseline>;
-#else
 using Architectures = xsimd::arch_list<Avx512, Avx2, Baseline>;
-#endif
 #else
 using Baseline = xsimd::default_arch;
 using Architectures = xsimd::arch_list<Baseline>;

@@ -1,8 +1,21 @@
 #pragma once
 
+#include "prs/cli/program.h"
 #include "prs/validation/validate.h"
+#include "prs/version.h"
 
 // What the code of each source adds to its `reference.yaml`.
+
+namespace prs {
+/// The code of all sources; of those that a light program leaves out, the folder alone.
+std::vector<SourceExtension> extensions();
+
+/// A source's formulas for diameters of the user: `prs validate --recipe`. Returns the exit status.
+int run_recipe(const cli::ValidateOptions& options);
+
+/// Origin of the documents of `prs validate`.
+inline DocumentInfo validation_info() { return {kVersion, kSchemaVersion, "", {}, "validate"}; }
+}  // namespace prs
 
 namespace prs::abevi_2015 {
 /// The statements in words.

@@ -7,13 +7,10 @@
 #include "prs/cli/program.h"
 #include "prs/version.h"
 #include "validation/extensions.h"
-#include "validation/jung_2017/tables.h"
 
 namespace {
 
 using namespace prs::cli;
-
-const prs::DocumentInfo kInfo{prs::kVersion, prs::kSchemaVersion, "", {}, "validate"};
 
 using Options = ValidateOptions;
 
@@ -42,15 +39,12 @@ int validate(const Options& options) {
     line.tell(fmt::format("{} of {} sources done; {}", done, all, source));
   };
   const std::vector<prs::SourceReport> reports =
-      prs::validate(options.file,
-                    {prs::abevi_2015::extension(), prs::jung_2017::extension(), prs::reference_fe::extension(),
-                     prs::sandu_2018::extension(), prs::standard_screws::extension(), prs::yao_2023::extension()},
-                    progress);
+      prs::validate(options.file, prs::extensions(), progress);
   line.clear();
   if (reports.empty())
     return wrong_input(fmt::format(
         "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n", options.file));
-  const std::string document = prs::json_text(prs::validation_json(reports, kInfo));
+  const std::string document = prs::json_text(prs::validation_json(reports, prs::validation_info()));
   if (options.output) write(reports, document, options);
   if (options.json) {
     print(document);
@@ -64,27 +58,6 @@ int validate(const Options& options) {
   return exit_status(true);
 }
 
-/// A source's formulas for diameters of the user.
-int recipe(const Options& options) {
-  using namespace prs::jung_2017;
-  const Recipe* recipe = find_recipe(*options.recipe);
-  if (recipe == nullptr) {
-    std::vector<std::string_view> names;
-    for (const Recipe& known : recipes()) names.push_back(known.name);
-    return wrong_input(fmt::format("prs: error: --recipe: got {}; expected one of {}\n",
-                                   prs::input::shown(*options.recipe), fmt::join(names, ", ")));
-  }
-  const std::vector<Diameters> rows = read_diameters(options.file, options.diameters);
-  return deliver({.file = "recipe.json",
-                  .document = [&](const prs::DocumentInfo& i) { return recipe_json(*recipe, rows, i); },
-                  .table = [&] { return recipe_text(*recipe, rows); },
-                  .files =
-                      [&](const prs::CsvStyle& style) {
-                        return std::vector<prs::OutputFile>{{"recipe.csv", recipe_csv(*recipe, rows, style)}};
-                      }},
-                 kInfo, options);
-}
-
 int run(int argc, char** argv) {
   CLI::App app{"Compare with the published sources", "prs validate"};
   app.set_help_flag("-h,--help", "Print this help");
@@ -93,7 +66,7 @@ int run(int argc, char** argv) {
   if (const std::optional<int> status = parse(app, argc, argv)) return *status;
 
   if (!options.recipe && options.file.empty()) options.file = data_folder("validation").string();
-  return run_recorded([&] { return options.recipe ? recipe(options) : validate(options); }, options, "validate", "",
+  return run_recorded([&] { return options.recipe ? prs::run_recipe(options) : validate(options); }, options, "validate", "",
                       {});
 }
 

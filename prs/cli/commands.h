@@ -2,6 +2,7 @@
 
 #include "prs/cli/printing.h"
 #include "prs/configurations/new_case.h"
+#include "prs/study/designs.h"
 
 namespace CLI {
 class App;

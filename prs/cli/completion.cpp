@@ -10,7 +10,7 @@
 #include "prs/cli/commands.h"
 #include "prs/embed.h"
 
-PRS_EMBED(bash_script, PRS_COMPLETION_OF_BASH)
+PRS_EMBED(bash_script, "prs/cli/completion.bash")
 
 namespace prs::cli {
 namespace {

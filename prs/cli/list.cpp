@@ -8,6 +8,7 @@
 #include "prs/measures/measures_analysis.h"
 #include "prs/run/document_schema.h"
 #include "prs/run/lists.h"
+#include "prs/run/response_lists.h"
 #include "prs/size/requirement.h"
 #include "prs/text.h"
 

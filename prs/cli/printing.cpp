@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "prs/cli/interruption.h"
-#include "prs/study/study_files.h"
 #include "prs/text.h"
 
 namespace prs::cli {
@@ -130,14 +129,13 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
 
 ProgressLine::ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1), next_(start_ + kPeriod) {}
 
-void ProgressLine::show(const StudyProgress& progress) {
+void ProgressLine::show(const std::function<std::string(double seconds)>& text) {
   if (!shown_) return;
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
   if (now < next_) return;
   next_ = now + kPeriod;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  write(progress_line(progress.done, progress.total, seconds, progress.found));
+  write(text(std::chrono::duration<double>(now - start_).count()));
 }
 
 void ProgressLine::tell(std::string_view text) {

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 
 #include "prs/output/files.h"
 #include "prs/record/table_units.h"
 #include "prs/run/commands.h"
-#include "prs/study/study_run.h"
 
 namespace prs::cli {
 
@@ -71,8 +71,9 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// May be called from any thread.
-  void show(const StudyProgress& progress);
+  /// Shows a text that depends on the seconds since the line began, twice a second at most. May be
+  /// called from any thread.
+  void show(const std::function<std::string(double seconds)>& text);
   void tell(std::string_view text);
   void clear();
 

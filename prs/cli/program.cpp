@@ -7,7 +7,7 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
-#include "prs/sector/influence/matrix_cache.h"
+#include "prs/components/components.h"
 
 namespace prs::cli {
 namespace {
@@ -98,13 +98,7 @@ void add_csv_options(CLI::App& command, CsvStyle& style) {
 
 int run_recorded(const std::function<int()>& run, const OutputOptions& options, const std::string& command,
                  const std::string& case_file, const std::vector<std::string>& overrides) {
-  shared_matrix_cache().keep_in(cache_directory());
-  shared_matrix_cache().report_to([line = std::make_shared<ProgressLine>(options.quiet)](bool working, int computed) {
-    if (working)
-      line->tell(fmt::format("matrices of `influence`: {} made; a screw has about ten", computed));
-    else
-      line->clear();
-  });
+  open_matrix_cache(options.quiet);
   if (options.png) modules::loaded<PictureModule>();  // Says early that it is missing.
   std::optional<RunFiles> files;
   if (options.output) require_folder(*options.output);
@@ -112,7 +106,7 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options, 
   const int status = run();
   if (files)
     for (const std::string& text : files->finish()) note(options, "prs: " + text);
-  if (const std::string text = shared_matrix_cache().refusal(); !text.empty()) note(options, "prs: " + text);
+  if (const std::string text = matrix_cache_refusal(); !text.empty()) note(options, "prs: " + text);
   return status;
 }
 

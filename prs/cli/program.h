@@ -39,6 +39,11 @@ void add_csv_options(CLI::App& command, CsvStyle& style);
 int run_recorded(const std::function<int()>& run, const OutputOptions& options, const std::string& command,
                  const std::string& case_file, const std::vector<std::string>& overrides);
 
+/// Lets the matrices of `influence` be kept between runs, and says how many are being made.
+void open_matrix_cache(bool quiet);
+/// Why they could not be kept; empty where they were.
+std::string matrix_cache_refusal();
+
 /// The main function of a program: makes the streams safe to write to, and exit statuses and lines
 /// on standard error of what `run` throws.
 int run_program(int (*run)(int argc, char** argv), int argc, char** argv);

@@ -38,6 +38,10 @@ bool is_full_disk(const std::error_code& code) {
          (code.category() == std::generic_category() && code.value() == EDQUOT);
 }
 
+void show(ProgressLine& line, const StudyProgress& now) {
+  line.show([&](double seconds) { return progress_line(now.done, now.total, seconds, now.found); });
+}
+
 std::string warning_note(const Warning& warning) { return "warning: " + printable(sentence(warning)); }
 
 /// Tables, figures and files of a study whose rows are complete.
@@ -136,7 +140,7 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads, cons
                                     {options.restart, Interruption::asked,
                                      [&](const StudyProgress& now) {
                                        progress = now;
-                                       line.show(now);
+                                       show(line, now);
                                      },
                                      [&](const std::string& text) { note(options, text); }});
   interruption.reset();
@@ -285,7 +289,7 @@ int optimize(const Options& options) {
     ProgressLine line(options.quiet);
     const Interruption interruption(patience_for(options.output.has_value()));
     result = run_optimization(in, threads, open,
-                              {Interruption::asked, [&](const StudyProgress& progress) { line.show(progress); }});
+                              {Interruption::asked, [&](const StudyProgress& now) { show(line, now); }});
   }
   if (!result) return report_interruption(options);
   const int status = deliver(delivery_of(*result, source), document_info(source, Command::optimize), options);

@@ -2,6 +2,7 @@
 
 #include "prs/loads/analyze.h"
 #include "prs/model/check_case.h"
+#include "modules/module.h"
 #include "prs/sector/influence/influence_solver.h"
 
 namespace prs {
@@ -76,6 +77,10 @@ ModelComparison compare_bodies(const Case& c) {
       if (bodies != Bodies::influence)
         comparison.warnings.push_back({error.path(), fmt::format("without_{}", name(bodies)),
                                        fmt::format("without `bodies: {}`: {}", name(bodies), error.what())});
+    } catch (const modules::NotBuilt& error) {
+      if (stated) throw;
+      comparison.warnings.push_back(
+          {"model.bodies", fmt::format("without_{}", name(bodies)), std::string("without ") + error.what()});
     }
   }
   return comparison;

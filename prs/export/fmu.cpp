@@ -10,19 +10,19 @@
 #include "prs/sha256.h"
 #include "prs/version.h"
 
-PRS_EMBED(drive_h, PRS_DRIVE_SOURCES "/drive.h")
-PRS_EMBED(drive_c, PRS_DRIVE_SOURCES "/drive.c")
-PRS_EMBED(dormand_prince_h, PRS_DRIVE_SOURCES "/dormand_prince.h")
-PRS_EMBED(dormand_prince_c, PRS_DRIVE_SOURCES "/dormand_prince.c")
-PRS_EMBED(curves_h, PRS_DRIVE_SOURCES "/curves.h")
-PRS_EMBED(curves_c, PRS_DRIVE_SOURCES "/curves.c")
-PRS_EMBED(fmi2_h, PRS_UNIT_SOURCES "/fmi2.h")
-PRS_EMBED(description, PRS_UNIT_SOURCES "/modelDescription.xml")
-PRS_EMBED(drive_variables, PRS_UNIT_SOURCES "/drive_variables.txt")
-PRS_EMBED(unit_c, PRS_UNIT_SOURCES "/unit.c")
-PRS_EMBED(licence, PRS_LICENCE)
-PRS_EMBED(library, PRS_UNIT_LIBRARY)
-PRS_EMBED(modelica_functions, PRS_UNIT_SOURCES "/curves.mo")
+PRS_EMBED(drive_h, "modules/drive/drive.h")
+PRS_EMBED(drive_c, "modules/drive/drive.c")
+PRS_EMBED(dormand_prince_h, "modules/drive/dormand_prince.h")
+PRS_EMBED(dormand_prince_c, "modules/drive/dormand_prince.c")
+PRS_EMBED(curves_h, "modules/drive/curves.h")
+PRS_EMBED(curves_c, "modules/drive/curves.c")
+PRS_EMBED(fmi2_h, "prs/export/fmi2.h")
+PRS_EMBED(description, "prs/export/modelDescription.xml")
+PRS_EMBED(drive_variables, "prs/export/drive_variables.txt")
+PRS_EMBED(unit_c, "prs/export/unit.c")
+PRS_EMBED(licence, "LICENSE")
+PRS_EMBED(library, "prs_unit.so")
+PRS_EMBED(modelica_functions, "prs/export/curves.mo")
 
 namespace prs {
 namespace {

@@ -8,8 +8,8 @@
 #include "prs/report/report.h"
 #include "prs/version.h"
 
-PRS_EMBED(mjcf_form, PRS_UNIT_SOURCES "/joint.mjcf.xml")
-PRS_EMBED(urdf_form, PRS_UNIT_SOURCES "/joint.urdf")
+PRS_EMBED(mjcf_form, "prs/export/joint.mjcf.xml")
+PRS_EMBED(urdf_form, "prs/export/joint.urdf")
 
 namespace prs {
 namespace {

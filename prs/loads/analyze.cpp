@@ -1,6 +1,6 @@
 #include "prs/loads/analyze.h"
 
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/model/check_case.h"
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/influence/influence_solver.h"

@@ -1,4 +1,4 @@
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
 #include "prs/record/record_table.h"
 

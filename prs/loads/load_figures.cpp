@@ -1,6 +1,6 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_table.h"
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 

@@ -1,4 +1,4 @@
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 

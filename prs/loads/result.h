@@ -73,7 +73,7 @@ struct LoadCaseResult {
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
   std::optional<OtherFlank> other_flank;                ///< Present with preload.
-  std::shared_ptr<const FullLoads> full;                ///< Loads of the full mechanism, see load_case_result.h.
+  std::shared_ptr<const FullLoads> full;                ///< Loads of the full mechanism, see full_result.h.
   std::optional<RunningLoads> running;                  ///< Present if these are loads of the running screw.
   std::optional<SlipResult> slip;                       ///< Present if it was asked for and the loads are known.
   std::optional<HeatResult> heat;                       ///< Present with `heat`: the slip is that at its temperatures.

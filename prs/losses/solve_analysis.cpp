@@ -1,7 +1,7 @@
 #include "prs/losses/solve_analysis.h"
 
 #include "prs/loads/case_table.h"
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/model/check_case.h"

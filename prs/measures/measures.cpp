@@ -4,7 +4,7 @@
 #include <map>
 
 #include "prs/life/analyze_life.h"
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/slip/slip.h"
 
 namespace prs {

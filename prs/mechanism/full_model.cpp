@@ -167,11 +167,6 @@ Lateral turned_back(const Lateral& l, double angle) {
 
 }  // namespace
 
-double slip_ratio(const Mechanism& m, const Travel& t) {
-  const auto& d = m.pitch_diameter;
-  return std::isnan(t.stated_slip_ratio) ? *d.screw / (*d.screw + *d.nut) : t.stated_slip_ratio;
-}
-
 Turn turn_of(const Mechanism& m, const Travel& t, double theta) {
   const bool screw = t.part == Travel::Part::screw;
   const double nut = screw ? 0.0 : -theta;

@@ -2,6 +2,7 @@
 
 #include "fe/model.h"
 #include "prs/sector/sector_model.h"
+#include "prs/threads/motion_orders.h"
 
 namespace prs {
 
@@ -87,9 +88,6 @@ struct Turn {
   /// Turn of the part to which gears tie the rollers, by the starts.
   double geared(Mechanism::Type type) const { return type == Mechanism::Type::standard ? nut : screw; }
 };
-
-/// d_S/(d_S + d_N), or what is stated; the mechanism must be complete.
-double slip_ratio(const Mechanism& mechanism, const Travel& travel);
 
 /// The turn when the screw has turned by theta against the nut: one of both turns, the carrier by the slip
 /// ratio.

@@ -20,11 +20,6 @@ constexpr int kChunk = 64;
 /// Loads that differ by less are the same load, as rounding has it.
 constexpr double kSameNormalLoad = 1e-9;
 
-double spin_order(const Mechanism& m, double slip_ratio) {
-  const double of_carrier = m.type == Mechanism::Type::standard ? slip_ratio : 1.0 - slip_ratio;
-  return static_cast<double>(m.starts.screw) / m.starts.roller * of_carrier;
-}
-
 /// Largest width of `values` over so many of them in a row.
 double widest(const std::vector<double>& values, std::size_t count) {
   double width = 0.0;
@@ -119,22 +114,6 @@ class Collected {
 
 }  // namespace
 
-std::vector<MotionOrder> motion_orders(const Mechanism& m, double epsilon) {
-  return {{"turn", 1.0},
-          {"carrier", epsilon},
-          {"carrier_on_screw", 1.0 - epsilon},
-          {"roller_spin", spin_order(m, epsilon)},
-          {"rollers_past_nut", m.rollers * epsilon},
-          {"rollers_past_screw", m.rollers * (1.0 - epsilon)}};
-}
-
-std::optional<int> turns_until_repeat(const Mechanism& m, double epsilon) {
-  const auto whole = [](double x) { return std::abs(x - std::round(x)) <= kOnLimit; };
-  for (int turns = 1; turns <= 1000; ++turns)
-    if (whole(turns * epsilon) && whole(turns * spin_order(m, epsilon))) return turns;
-  return std::nullopt;
-}
-
 TravelBands travel_bands(const std::vector<double>& d, double sense, int one_turn, int in_300_mm) {
   const double last = static_cast<double>(d.size()) - 1.0;
   double mean = 0.0, slope = 0.0, square = 0.0;
@@ -200,12 +179,6 @@ std::vector<OrderAmplitude> fitted_orders(const std::vector<double>& d, const Tr
     kept[i].amplitude = std::hypot(fit[at], fit[at + 1]);
   }
   return kept;
-}
-
-std::vector<double> TravelResult::deviation() const {
-  std::vector<double> less_mean = displacement;
-  for (double& d : less_mean) d -= mean_displacement;
-  return less_mean;
 }
 
 TravelResult travel(const TravelModel& model, const Mechanism& m, const Travel& wanted) {

@@ -1,21 +1,9 @@
 #pragma once
 
 #include "prs/mechanism/full_distribution.h"
+#include "prs/threads/motion_orders.h"
 
 namespace prs {
-
-/// A motion of the mechanism that comes back so many times in a turn of the screw against the nut.
-struct MotionOrder {
-  std::string_view name;
-  double order = 0.0;
-};
-
-/// Orders of the parts' motions, of a slip ratio epsilon: turn 1, carrier epsilon, carrier on the
-/// screw 1 - epsilon, spin of the rollers against the carrier, rollers past nut and screw.
-std::vector<MotionOrder> motion_orders(const Mechanism& mechanism, double slip_ratio);
-
-/// Turns up to 1,000 after which all that does not depend on places along the parts repeats.
-std::optional<int> turns_until_repeat(const Mechanism& mechanism, double slip_ratio);
 
 /// Deviations of a travel, after ISO 3408-3 [m].
 struct TravelBands {
@@ -92,7 +80,11 @@ struct TravelResult {
 
   int positions() const { return static_cast<int>(angle.size()); }
   /// Less the mean [m].
-  std::vector<double> deviation() const;
+  std::vector<double> deviation() const {
+    std::vector<double> less_mean = displacement;
+    for (double& d : less_mean) d -= mean_displacement;
+    return less_mean;
+  }
 };
 
 /// A mechanism at each theta, and what solves positions one after the other.

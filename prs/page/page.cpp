@@ -12,6 +12,7 @@
 #include "prs/report/findings.h"
 #include "prs/run/commands.h"
 #include "prs/run/lists.h"
+#include "prs/run/response_lists.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
 #include "prs/version.h"

@@ -83,6 +83,7 @@ struct AnyAnalysis {
   std::span<const std::string_view> responses = {};
   bool takes_load_cases_apart = false;
   std::string_view result_class = {};  ///< In Python; without it that of the command's word.
+  bool is_built = true;                ///< False in a program that names the command alone (PRS_FULL).
 };
 
 /// A kind of file that is no case, and the analysis that reads it.

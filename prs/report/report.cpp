@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "prs/compare/compare_analysis.h"
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
 #include "prs/report/findings.h"
 #include "prs/report/tables.h"

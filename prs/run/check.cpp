@@ -11,7 +11,7 @@
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/losses/life_analysis.h"
-#include "prs/mechanism/travel.h"
+#include "prs/threads/motion_orders.h"
 #include "prs/model/check_case.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/run/commands.h"
@@ -35,7 +35,7 @@ std::vector<const Problem*> problems_of(const CheckResult& result) {
   std::vector<const Problem*> all;
   for (const CommandNeeds& command : result.commands)
     for (const Problem& problem : command.unmet)
-      if (std::ranges::none_of(all, [&](const Problem* p) { return p->path == problem.path; })) all.push_back(&problem);
+      if (command.is_built && std::ranges::none_of(all, [&](const Problem* p) { return p->path == problem.path; })) all.push_back(&problem);
   return all;
 }
 
@@ -51,8 +51,8 @@ std::string readiness(const CheckResult& result) {
   std::string text = "Commands\n";
   for (const CommandNeeds& command : result.commands) {
     if (command.command == Command::check) continue;
-    std::string what = "ready";
-    if (!command.unmet.empty()) {
+    std::string what = command.is_built ? "ready" : "not built; scripts/install.sh builds all";
+    if (command.is_built && !command.unmet.empty()) {
       const std::string missing = paths_of(command, true), wrong = paths_of(command, false);
       what = missing.empty() ? "" : "add " + missing;
       if (!wrong.empty()) what += (what.empty() ? "change " : "; change ") + wrong;
@@ -128,7 +128,9 @@ constexpr auto unmet_paths = filled<[](const CommandNeeds& command) {
 }>;
 
 constexpr Quantity<CommandNeeds> kNeeds[] = {
-    {"ready", always<[](auto& command) { return command.unmet.empty(); }>},
+    {"ready", always<[](auto& command) { return command.is_built && command.unmet.empty(); }>},
+    {"not_built", filled<[](auto& command) { return std::string(command.is_built ? "" : "scripts/install.sh builds all"); }>,
+     "how to get a command that this program leaves out"},
     {"missing", unmet_paths<true>, "what to add"},
     {"wrong", unmet_paths<false>, "what to change"},
     {"loads", of<&CommandNeeds::loads>, "static | running, of commands that have loads of threads"},
@@ -222,7 +224,7 @@ std::vector<LoadCaseResult> solved_largest(const input::CaseInput& in, double la
 /// What `solve` finds unusual about the largest loads, and `life` about those of its block.
 std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in, double largest) {
   std::vector<Warning> warnings = all_warnings({}, solved_largest(in, largest));
-  if (input::unmet(in, Command::life).empty())
+  if (analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty())
     std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
   return warnings;
 }
@@ -254,7 +256,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
                behind = largest_load(with_start(-kOff));
   if (!(std::max(ahead, behind) > perfect) || perfect == 0.0) return std::nullopt;
   std::string life;
-  if (input::unmet(in, Command::life).empty()) {
+  if (analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty()) {
     const double whole = life_of(source, in).system_life,
                  left = life_of(source, with_start(ahead > behind ? kOff : -kOff)).system_life;
     if (left > 0.0 && left < whole) life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / whole));
@@ -321,12 +323,13 @@ std::optional<ModelOptions::Loads> thread_loads_of(const Case& c, Command comman
 CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   if (in.study) input::read_study_input(source);
   if (in.optimize) input::read_optimize_input(source);
-  if (in.fits && !source.files) read_fit_input(source);  // A page has no curves.
+  // A page has no curves.
+  if (in.fits && !source.files && analysis_of(Command::fit).is_built) read_fit_input(source);
   const Case& c = in.values;
   CheckResult result{in.fields, input::assumptions(in.fields, source), {}, {}};
   for (const AnyAnalysis& analysis : analyses()) {
     CommandNeeds& needs = result.commands.emplace_back();
-    needs = {analysis.command, input::unmet(in, analysis.command), {}};
+    needs = {analysis.command, input::unmet(in, analysis.command), {}, analysis.is_built};
     if (needs.unmet.empty()) needs.loads = thread_loads_of(c, needs.command);
   }
   Result& geometry = result.geometry;
@@ -357,6 +360,8 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
       attempts.push_back({command, deliveries.back().get()});
     } catch (const input::InputError& error) {
       attempts.push_back({command, nullptr, error.what()});
+    } catch (const modules::NotBuilt& error) {
+      attempts.push_back({command, nullptr, error.what(), true});
     } catch (const modules::Missing& error) {
       attempts.push_back({command, nullptr, error.what()});
     }
@@ -393,6 +398,10 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
 std::optional<Result> loads_under_preload(const input::CaseInput& in, VerdictFacts& facts) {
   const Case& c = in.values;
   if (!c.preload || !facts.loads || !input::unmet(in, Command::preload).empty()) return std::nullopt;
+  if (!analysis_of(Command::preload).is_built) {
+    facts.not_built.emplace_back(name(Command::preload));
+    return std::nullopt;
+  }
   Result result;
   result.contacts = facts.loads->contacts;
   try {
@@ -462,11 +471,13 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
   for (const Command command : {Command::solve, Command::slip, Command::life, Command::measures})
     if (const std::vector<std::string> paths = input::missing(in, command); !paths.empty())
       facts.lacking[command] = fmt::format("add {}", fmt::join(paths, ", "));
-  for (const Attempt& attempt : attempts)
+  for (const Attempt& attempt : attempts) {
+    if (attempt.is_not_built) facts.not_built.emplace_back(name(attempt.command));
     if (!attempt.delivery)
       facts.lacking[attempt.command] = attempt.failure;
     else
       put_facts(*attempt.delivery, attempt.command, facts);
+  }
   const std::optional<Result> preloaded = loads_under_preload(in, facts);
   if (preloaded) facts.preloaded = &*preloaded;
   return verdict_of(facts);

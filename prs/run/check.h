@@ -47,9 +47,11 @@ struct Criterion {
 struct CaseVerdict {
   std::vector<Criterion> criteria = {};
   bool is_complete = true;  ///< All commands were asked that the case is ready for.
+  /// Commands that the case is ready for and the program leaves out (PRS_FULL).
+  std::vector<std::string> not_built = {};
 
-  /// The worst: red, amber, green; amber where a stated limit has no value. `no_limit` where
-  /// nothing is held against a limit.
+  /// The worst: red, amber, green; amber where a stated limit has no value or a command is not
+  /// built. `no_limit` where nothing is held against a limit.
   Standing standing() const;
 };
 
@@ -69,6 +71,7 @@ struct VerdictFacts {
   /// Why commands were not run: what to add, or what they found wrong. One that is neither here nor
   /// above was not asked; what it would have given is left out.
   std::map<Command, std::string> lacking = {};
+  std::vector<std::string> not_built = {};  ///< See CaseVerdict.
 };
 
 CaseVerdict verdict_of(const VerdictFacts& facts);
@@ -97,6 +100,7 @@ struct CommandNeeds {
   Command command = Command::check;
   std::vector<Problem> unmet;
   std::optional<ModelOptions::Loads> loads;  ///< Loads that a command with loads of threads takes.
+  bool is_built = true;                      ///< False where the program leaves the command out (PRS_FULL).
 };
 
 /// The resolved case, what follows from it, what is unusual, and what it is ready for.
@@ -128,6 +132,7 @@ struct Attempt {
   Command command = Command::check;
   const Delivery* delivery = nullptr;
   std::string failure = {};
+  bool is_not_built = false;  ///< The program leaves it out (PRS_FULL).
 };
 
 /// The verdict on a case by what was run of it.

@@ -1,48 +1,14 @@
 #include "prs/run/commands.h"
 
-#include "modules/fit/fit_analysis.h"
-#include "modules/response/response_analysis.h"
-#include "prs/compare/compare_analysis.h"
-#include "prs/losses/life_analysis.h"
-#include "prs/losses/preload_analysis.h"
-#include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
-#include "prs/measures/measures_analysis.h"
-#include "prs/run/check.h"
-#include "prs/size/size_analysis.h"
 #include "prs/version.h"
 
 namespace prs {
-
-std::span<const AnyAnalysis> analyses() {
-  static const AnyAnalysis all[] = {
-      any(check_analysis()),
-      any(contact_analysis()),
-      any(solve_analysis()),
-      any(compare_analysis()),
-      any(slip_analysis()),
-      any(preload_analysis()),
-      any(life_analysis()),
-      any(measures_analysis()),
-      any(response_analysis()),
-      {Command::study, "Run the study of the file: many designs, a row each"},
-      {.command = Command::optimize,
-       .help = "Search the designs that the file aims at",
-       .result_class = "OptimizationResult"},
-      any(fit_analysis()),
-  };
-  return all;
-}
 
 const AnyAnalysis& analysis_of(Command command) {
   const auto found = std::ranges::find(analyses(), command, &AnyAnalysis::command);
   if (found == analyses().end()) throw std::logic_error(std::string(name(command)) + " is in no list of analyses");
   return *found;
-}
-
-std::span<const OtherFile> other_files() {
-  static const OtherFile all[] = {size_file()};
-  return all;
 }
 
 const OtherFile* other_file(const input::Source& source) {

@@ -16,6 +16,13 @@ std::span<const OtherFile> other_files();
 /// The kind of a source that is no case, by its keys; null of a case.
 const OtherFile* other_file(const input::Source& source);
 
+/// A command's document of no analysis, or another form of one.
+struct DocumentForm {
+  std::string_view command;
+  const RecordInfo& (*record)();
+};
+std::span<const DocumentForm> document_forms();
+
 /// `solve` by other means than those of its row, on a case that has all for it.
 Delivery run_solve(const input::Source& source, const input::CaseInput& in, const AnalysisOptions& options);
 

@@ -1,13 +1,9 @@
 #include "prs/run/document_schema.h"
 
-#include "prs/configurations/configurations_files.h"
 #include "prs/input/schema.h"
-#include "prs/optimize/optimize_files.h"
 #include "prs/record/schema_parts.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"
-#include "prs/run/compare_cases.h"
-#include "prs/study/study_files.h"
 
 namespace prs {
 namespace {
@@ -161,20 +157,8 @@ void put_records(Parts& d, std::span<const Place> places) {
   }
 }
 
-struct Document {
-  std::string_view command;
-  const RecordInfo& (*record)();
-};
-
 /// What documents have besides the records of their analyses.
-constexpr Document kMore[] = {{"check", describe<CheckResult>}};
-
-/// Documents of no analysis, and other forms.
-constexpr Document kForms[] = {
-    {"compare", case_comparison_record},          {"study", describe<StudyDocument>},
-    {"study", describe<CaseDerivatives>},         {"optimize", describe<OptimizationResult>},
-    {"configurations", describe<Configurations>},
-};
+constexpr DocumentForm kMore[] = {{"check", describe<CheckResult>}};
 
 /// What every document begins with, and the pictures of `--figures`.
 Json whole(Parts d, std::string_view command) {
@@ -273,7 +257,7 @@ Json document_schema(std::string_view command) {
   for (const AnyAnalysis& analysis : analyses())
     if (name(analysis.command) == command && !analysis.places.empty()) {
       documents::Parts parts;
-      for (const documents::Document& more : documents::kMore)
+      for (const DocumentForm& more : documents::kMore)
         if (more.command == command) parts.put(more.record());
       put_records(parts, analysis.places);
       add_form(std::move(parts));
@@ -286,7 +270,7 @@ Json document_schema(std::string_view command) {
       add_form(std::move(parts));
       input = file.schema();
     }
-  for (const documents::Document& form : documents::kForms)
+  for (const DocumentForm& form : document_forms())
     if (form.command == command) {
       documents::Parts parts;
       parts.put(form.record());

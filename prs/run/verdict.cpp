@@ -527,12 +527,13 @@ Standing CaseVerdict::standing() const {
   const auto any = [&](auto of) { return std::ranges::any_of(criteria, of); };
   const auto has = [&](Standing s) { return any([&](const Criterion& c) { return c.standing == s; }); };
   if (has(Standing::red)) return Standing::red;
-  if (has(Standing::amber) || any(is_unknown)) return Standing::amber;
+  if (has(Standing::amber) || any(is_unknown) || !not_built.empty()) return Standing::amber;
   return has(Standing::green) ? Standing::green : Standing::no_limit;
 }
 
 CaseVerdict verdict_of(const VerdictFacts& f) {
   CaseVerdict verdict;
+  verdict.not_built = f.not_built;
   for (const Row& row : kRows) add(row, f, verdict);
   add_play(f, verdict);
   add_convergence(f, verdict);
@@ -563,6 +564,7 @@ std::string summary(const CaseVerdict& verdict) {
   tell("Not met", of(Standing::red));
   tell("Short of what is recommended", of(Standing::amber));
   tell("Not computed, so not met", titles(verdict, is_unknown));
+  tell("Not built, so not judged by it", fmt::format("{}", fmt::join(verdict.not_built, ", ")));
   if (!verdict.is_complete)
     text += text.empty() ? "Other criteria follow." : " Other criteria follow.";
   else if (text.empty())
@@ -611,6 +613,8 @@ constexpr Quantity<Criterion> kCriterion[] = {
 constexpr Quantity<CaseVerdict> kVerdict[] = {
     {"state", of<&CaseVerdict::standing>, "the worst: green | amber | red | no_limit"},
     {"criteria", of<&CaseVerdict::criteria>, "each with its worst value"},
+    {"not_built", filled<[](const CaseVerdict& v) { return v.not_built; }>,
+     "commands that the case is ready for and this program leaves out; scripts/install.sh builds all"},
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/slip/slip_model.h"

@@ -4,6 +4,7 @@
 
 #include <charconv>
 
+#include "modules/module.h"
 #include "prs/run/commands.h"
 #include "prs/text.h"
 
@@ -31,10 +32,16 @@ Json document_of(const ReferenceCase& reference, const Reference& source, const 
 }
 
 std::vector<Comparison> compare(const ReferenceCase& reference, const Reference& source, const SourceExtension& code) {
-  const Json document = document_of(reference, source, code);
+  bool is_built = code.is_built;
+  Json document = Json::object();
+  try {
+    document = document_of(reference, source, code);
+  } catch (const modules::NotBuilt&) {
+    is_built = false;
+  }
   const std::string name = reference.file.empty() ? reference.formulas : reference.file.stem().string();
   return each(reference.values, [&](const PrintedValue& value) {
-    return Comparison{name, value, number_at(document, value.quantity)};
+    return Comparison{name, value, number_at(document, value.quantity), is_built};
   });
 }
 
@@ -48,6 +55,7 @@ void add(SourceReport& report, Supplement&& supplement) {
   append(report.tables, std::move(supplement.tables));
   append(report.figures, std::move(supplement.figures));
   append(report.files, std::move(supplement.files));
+  append(report.not_built, std::move(supplement.not_built));
 }
 
 SourceReport report_on(const std::filesystem::path& folder, const std::vector<SourceExtension>& extensions) {
@@ -59,6 +67,8 @@ SourceReport report_on(const std::filesystem::path& folder, const std::vector<So
   for (const SourceExtension& c : extensions)
     if (c.folder == report.name) code = c;
   for (const ReferenceCase& c : reference.cases) append(report.comparisons, compare(c, reference, code));
+  if (!code.is_built && !reference.statements.empty())
+    report.not_built.push_back(fmt::format("{} statements in words", reference.statements.size()));
   if (code.tables) report.tables = code.tables(reference);
   if (!code.supplement) return report;
   // Left out where the reference does not hold the case that the code is about.
@@ -149,12 +159,12 @@ Json comparison_json(const Comparison& c) {
 }  // namespace
 
 const char* name(Outcome outcome) {
-  static constexpr std::array kNames{"reproduces", "differs", "unexpected", "missing"};
+  static constexpr std::array kNames{"reproduces", "differs", "unexpected", "missing", "not_computed"};
   return kNames.at(static_cast<std::size_t>(outcome));
 }
 
 Outcome Comparison::outcome() const {
-  if (!computed) return Outcome::missing;
+  if (!computed) return is_built ? Outcome::missing : Outcome::not_built;
   const bool as_printed = reference.printed.is_reproduced_by(*computed);
   if (reference.differs.empty()) return as_printed ? Outcome::reproduces : Outcome::unexpected;
   const bool as_corrected = !reference.corrected || reference.corrected->is_reproduced_by(*computed);
@@ -187,6 +197,10 @@ std::string validation_text(const std::vector<SourceReport>& reports) {
     }
     for (const ValidationTable& table : report.tables) text += table_text(table);
     for (const ComparedStatement& s : report.statements) text += statement_text(s);
+    if (!report.not_built.empty())
+      text += wrapped(fmt::format("Not built, so not computed: {}; scripts/install.sh builds all.",
+                                  fmt::join(report.not_built, ", ")),
+                      "  ", 110);
     text += '\n';
   }
   return text;
@@ -210,6 +224,7 @@ nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports,
                                       {"only_with", s.verdict.only_with},
                                       {"evidence", s.verdict.evidence},
                                       {"why", s.verdict.why}});
+    for (const std::string& what : report.not_built) source["not_computed"].push_back(what);
     document["sources"].push_back(std::move(source));
   }
   return document;

@@ -184,6 +184,7 @@ enum class Outcome {
   differs,     ///< Listed as different with a reason; a corrected number, where given, is met.
   unexpected,  ///< Not reproduced and not listed, or listed and reproduced all the same.
   missing,     ///< The result does not hold the quantity.
+  not_built,   ///< The program leaves out what computes it.
 };
 
 const char* name(Outcome outcome);
@@ -193,6 +194,7 @@ struct Comparison {
   std::string case_name;  ///< Case file without its ending; or name of the formulas.
   PrintedValue reference;
   std::optional<double> computed;  ///< Absent where the result does not hold the quantity.
+  bool is_built = true;  ///< False where the program leaves out what computes it (PRS_FULL).
 
   Outcome outcome() const;
   bool unexpected() const { return outcome() == Outcome::unexpected || outcome() == Outcome::missing; }
@@ -204,6 +206,7 @@ struct Supplement {
   std::vector<ValidationTable> tables = {};
   std::vector<Figure> figures = {};
   std::vector<OutputFile> files = {};
+  std::vector<std::string> not_built = {};  ///< What the program leaves out of the source (PRS_FULL).
 };
 
 /// What the run says of one folder below `validation/`.
@@ -226,6 +229,7 @@ struct SourceExtension {
   std::function<Supplement(const Case&, const Reference&)> supplement = {};
   /// File of that case; empty for the first one of the reference.
   std::string subject = {};
+  bool is_built = true;  ///< False where the program leaves the code of the source out (PRS_FULL).
 };
 
 /// Is told which source comes next, and how many of all are done.

@@ -98,6 +98,7 @@ std::vector<ComparedStatement> compare_statements(const Fidelities& f) {
       bars_shift_the_loads(f));
   add("refined", "within " + limits_text(kRefinedError) + " of the reference, at all loads",
       stays_within(kRefinedError, f.refined, f.reference, count));
+  if (f.influence.empty()) return all;
   add("refined", "within " + limits_text(kRefinedError) + " of the influence model, at all loads",
       stays_within(kRefinedError, f.refined, f.influence, count));
   add("influence", "within both error bars of the reference at all loads: " + limits_text(joint),
@@ -461,12 +462,20 @@ Supplement compared(const Case& screw, const Reference& of) {
   using enum ModelOptions::Bodies;
   const std::vector<Curve> reference = read_curves(of.folder / "data" / "curves.csv");
   const auto curves = [&](ModelOptions::Bodies bodies) { return computed_curves(screw, bodies, reference); };
-  const Fidelities f{reference, curves(bars), curves(refined), curves(influence)};
-  const std::vector<Model> models{{"bars", f.bars}, {"refined", f.refined}, {"influence", f.influence}};
+  Fidelities f{reference, curves(bars), curves(refined), {}};
+  std::vector<Model> models{{"bars", f.bars}, {"refined", f.refined}};
+  std::vector<std::string> not_built;
+  try {
+    f.influence = curves(influence);
+    models.push_back({"influence", f.influence});
+  } catch (const modules::NotBuilt&) {
+    not_built = {"bodies: influence"};
+  }
   Supplement supplement{compare_statements(f), tables(models, reference),
                         load_rate_figures(models, reference, kReferenceError), files(models, reference)};
   for (Figure& figure : displacement_figures(models, reference, kReferenceError))
     supplement.figures.push_back(std::move(figure));
+  supplement.not_built = std::move(not_built);
   return supplement;
 }
 

@@ -17,7 +17,7 @@ struct Fidelities {
   std::vector<Curve> reference;
   std::vector<Curve> bars;
   std::vector<Curve> refined;
-  std::vector<Curve> influence;
+  std::vector<Curve> influence;  ///< Empty where the program leaves that model out.
 };
 
 /// How large the gap of the bar model is, and whether the other two stay within their error bars.

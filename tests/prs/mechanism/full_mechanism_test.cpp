@@ -11,7 +11,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/mechanism/full_distribution.h"
 #include "prs/mechanism/full_model.h"

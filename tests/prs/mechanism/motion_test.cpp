@@ -13,7 +13,7 @@
 #include "prs/input/source.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/mechanism/linearised.h"
 #include "prs/mechanism/modes.h"
 #include "support/count.h"

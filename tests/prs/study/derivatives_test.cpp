@@ -10,7 +10,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/loads/load_case_result.h"
+#include "prs/loads/full_result.h"
 #include "prs/model/problems.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/sanitized.h"

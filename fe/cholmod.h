@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fe/sparse_factorization.h"
+
+/// CHOLMOD of SuiteSparse. The engine of pages is built without it (PRS_CHOLMOD), and has Eigen's
+/// factorization behind the same functions. All of them throw std::bad_alloc.
+namespace fe {
+
+/// LDL' number by number, for patterns of the size of a sector.
+std::unique_ptr<SparseFactorization> simplicial_factorization(const SparseSymmetric& pattern);
+
+/// LL' by dense blocks, for much larger patterns.
+std::unique_ptr<SparseFactorization> supernodal_factorization(const SparseSymmetric& pattern);
+
+/// Approximate minimum degree order for large patterns: entry k is the row that comes k-th.
+std::vector<int> minimum_degree_order(const SparseSymmetric& pattern);
+
+/// Library, version and kind of `simplicial_factorization`.
+std::string simplicial_factorization_name();
+
+}  // namespace fe
