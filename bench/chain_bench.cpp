@@ -16,6 +16,7 @@
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/chain/design_solvers.h"
+#include "simd/dispatch.h"
 #include "support/allocations.h"
 #include "support/sectors.h"
 
@@ -180,7 +181,7 @@ void FunctionFloor(benchmark::State& state) {
   for (std::size_t i = 0; i < kNumbers; ++i) x[i] = 0.1 + 1e-3 * static_cast<double>(i);
   const auto function = static_cast<Function>(state.range(0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(xsimd::dispatch<simd::Architectures>(FunctionKernel{})(function, x.data(), x.size()));
+    benchmark::DoNotOptimize(simd::run_kernel(InstructionSet::best, FunctionKernel{}, function, x.data(), x.size()));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kNumbers));
 }
 BENCHMARK(FunctionFloor)->ArgName("function")->DenseRange(0, static_cast<int>(Function::asinh));

@@ -10,6 +10,7 @@
 #include "prs/slip/slip.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"
+#include "simd/dispatch.h"
 #include "tests/support/slips.h"
 
 namespace {
@@ -76,7 +77,7 @@ void AsinhOfOnePatch(benchmark::State& state) {
   for (auto _ : state) {
     x[0] += 1e-6;
     benchmark::DoNotOptimize(
-        xsimd::dispatch<simd::Architectures>(FunctionKernel{})(Function::asinh, x.data(), x.size()));
+        simd::run_kernel(simd::InstructionSet::best, FunctionKernel{}, Function::asinh, x.data(), x.size()));
   }
 }
 BENCHMARK(AsinhOfOnePatch);

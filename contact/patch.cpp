@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "contact/hertz_formulas.h"
+#include "simd/dispatch.h"
 
 namespace contact {
 namespace {
@@ -62,7 +63,7 @@ PatchPoints PatchGrid::points() const {
 void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure, double* ratio) {
   const auto size = static_cast<std::size_t>(grid.domes().size());
   Eigen::Map<Eigen::ArrayXd>(ratio, grid.domes().size()) = peak_pressure * grid.domes();
-  xsimd::dispatch<simd::Architectures>(ViscosityKernel{})(viscosity, ratio, size, ratio);
+  simd::run_kernel(simd::InstructionSet::best, ViscosityKernel{}, viscosity, ratio, size, ratio);
 }
 
 FrictionLaw coulomb_friction(double coefficient) { return {.coefficient = coefficient}; }
@@ -93,9 +94,9 @@ Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionL
 template <class Number>
 PatchFrictionOf<Number> Patch::friction(const PatchMotionOf<Number>& motion) const {
   const double a = ellipse_.semi_major, b = ellipse_.semi_minor;
-  const auto sums = xsimd::dispatch<simd::Architectures>(PatchKernel{})(
-      grid_->points(), sliding_field(motion, a, b), law_at(law_, ellipse_.peak_pressure, motion),
-      law_.has_film() ? viscosity_ratio_.data() : nullptr);
+  const auto sums = simd::run_kernel(simd::InstructionSet::best, PatchKernel{}, grid_->points(),
+                                     sliding_field(motion, a, b), law_at(law_, ellipse_.peak_pressure, motion),
+                                     law_.has_film() ? viscosity_ratio_.data() : nullptr);
   return patch_friction(sums, grid_->cell_load(), static_cast<double>(grid_->inside()), a, b);
 }
 template PatchFriction Patch::friction(const PatchMotion&) const;

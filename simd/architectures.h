@@ -2,8 +2,7 @@
 
 #include <xsimd/xsimd.hpp>
 
-/// Instruction sets that one binary holds side by side; `xsimd::dispatch<simd::Architectures>`
-/// takes the best that the processor has, at run time.
+/// Instruction sets that one binary holds side by side; `simd::run_kernel` takes one of them at run time.
 ///
 /// A kernel is a function object with `template <class Arch> R operator()(Arch, ...) const`, in a
 /// header that an own source file for each instruction set instantiates (see add_simd_kernel in

@@ -7,18 +7,22 @@
 
 namespace simd {
 
-/// Runs a kernel (see simd/architectures.h) with the instruction set asked for, or the best that
-/// the processor has below it.
+/// Result of a kernel (see simd/architectures.h), run with the instruction set asked for or the best below it that is
+/// available.
 template <class Kernel, class... Arguments>
-void run_kernel(InstructionSet set, Kernel kernel, Arguments&&... arguments) {
-  const auto run = [&](auto architectures) {
-    xsimd::dispatch<decltype(architectures)>(Kernel(kernel))(std::forward<Arguments>(arguments)...);
-  };
-#if defined(__x86_64__) && !defined(PRS_WITHOUT_AVX2)
-  if (set == InstructionSet::avx2) return run(xsimd::arch_list<Avx2, Baseline>{});
+auto run_kernel(InstructionSet set, Kernel kernel, Arguments&&... arguments) {
+  switch (taken(set)) {
+#if defined(__x86_64__)
+    case InstructionSet::avx512:
+      return kernel(Avx512{}, std::forward<Arguments>(arguments)...);
+#if !defined(PRS_WITHOUT_AVX2)
+    case InstructionSet::avx2:
+      return kernel(Avx2{}, std::forward<Arguments>(arguments)...);
 #endif
-  if (set == InstructionSet::baseline) return run(xsimd::arch_list<Baseline>{});
-  run(Architectures{});
+#endif
+    default:
+      return kernel(Baseline{}, std::forward<Arguments>(arguments)...);
+  }
 }
 
 }  // namespace simd

@@ -3,11 +3,13 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <system_error>
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
 #include "prs/components/components.h"
+#include "simd/instruction_set.h"
 
 namespace prs::cli {
 namespace {
@@ -39,6 +41,15 @@ int out_of_memory() noexcept {
   } catch (...) {
   }
   std::abort();
+}
+
+/// Says a wrong PRS_INSTRUCTION_SET here, before a kernel meets it on a thread of its own.
+void require_instruction_set() {
+  try {
+    simd::widest();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
 }
 
 /// Before hours are spent on what cannot be written.
@@ -116,6 +127,7 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
   end_on_interrupt();
   std::set_terminate(end_without_memory);
   try {
+    require_instruction_set();
     const int status = run(argc, argv);
     close_output();
     return status;

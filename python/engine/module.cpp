@@ -28,6 +28,7 @@
 #include "python/engine/optimization.h"
 #include "python/engine/study.h"
 #include "python/engine/theory.h"
+#include "simd/instruction_set.h"
 
 namespace nb = nanobind;
 
@@ -53,6 +54,7 @@ NB_MODULE(_engine, module) {
   using namespace prs::python;
   module.doc() = "The engine of rollerscrew: cases, studies and documents as the program has them.";
   module.attr("version") = kVersion;
+  simd::widest();        // An import fails where PRS_INSTRUCTION_SET names no set that is here.
   fe::Cholesky::name();  // Loads its library: a fork must not find a thread that is about to.
   nb::register_exception_translator(raise_input_errors);
   module.def(

@@ -694,7 +694,7 @@ def test_interrupts_stop_long_work(case: Callable[[], rs.Case], call: str) -> No
         input=text,
         capture_output=True,
         encoding="utf-8",
-        timeout=60,
+        timeout=300,
         check=False,
     )
     assert run.returncode == 0, run.stderr

@@ -594,7 +594,7 @@ def assert_survives(indented: str) -> None:
         [sys.executable, "-c", script, str(CONFIGS)],
         capture_output=True,
         encoding="utf-8",
-        timeout=100,
+        timeout=300,
         check=False,
     )
     assert run.returncode == 0, run.stderr[-3000:]

@@ -31,8 +31,8 @@ from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
 #: Those that run at once: load cases, contacts from the geometry, a history, all rollers, films.
 QUICK = {1, 4, 14, 24, 29}
 
-#: Seconds until something that must come is missing.
-PATIENCE = 60
+#: Seconds until something that must come is missing; only a page that hangs takes so long.
+PATIENCE = 300
 
 
 def each_lesson() -> list[Any]:

@@ -67,6 +67,7 @@ def test_every_document_is_on_the_site(tmp_path: Path) -> None:
     listed = subprocess.run(
         [
             "git",
+            *("-c", "safe.directory=*"),  # Whoever owns the clone.
             "ls-files",
             "README.md",
             "docs/*.md",

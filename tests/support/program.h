@@ -13,6 +13,12 @@ namespace test {
 /// The file of `prs`. A build folder's name stands in no other object than that of this function.
 const char* program();
 
+/// Environment of a command, for a shell, that loads a library of the tests before all others. LD_PRELOAD ends a name
+/// at a blank, LD_LIBRARY_PATH does not.
+inline std::string preloaded(const std::filesystem::path& library) {
+  return "LD_LIBRARY_PATH='" + library.parent_path().string() + "' LD_PRELOAD='" + library.filename().string() + "' ";
+}
+
 /// How a run of the program ended and what it wrote.
 struct Outcome {
   int status = -1;

@@ -209,7 +209,9 @@ if __name__ == "__main__":
         rounded = lambda v: ({k: rounded(w) for k, w in v.items()} if isinstance(v, dict) else [rounded(w) for w in v] if isinstance(v, list)
                              else float(f"{v:.10g}") if isinstance(v, float) else v)
         path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "data", "full_mechanism.json")
-        json.dump(rounded(report), open(path, "w"), indent=1)
+        entry = lambda v: "{\n" + ",\n".join(f"{json.dumps(k)}: {json.dumps(w)}" for k, w in v.items()) + "\n}" if isinstance(v, dict) else json.dumps(v)
+        with open(path, "w") as file:  # one case per line
+            file.write("{\n" + ",\n".join(f"{json.dumps(k)}: {entry(v)}" for k, v in rounded(report).items()) + "\n}\n")
     for name in ("bars", "finite elements", "face clamped"):
         for case, r in report.get(name, {}).items():
             print(name, case, f"{r['axial_displacement_um']:.4f} um", *(f"{i} {r[i]['largest_normal_load_N']:.3f} N at {r[i]['largest_roller']}/{r[i]['largest_thread']}, "

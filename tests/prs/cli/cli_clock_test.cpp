@@ -21,13 +21,13 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kJumps = std::string("LD_PRELOAD='") + PRS_JUMPING_CLOCK + "' ";
+const std::string kJumps = test::preloaded(PRS_JUMPING_CLOCK);
 
 class JumpingClock : public testing::Test {
  protected:
   JumpingClock() {
     test::write_study_file(folder / "study.yaml", 200);
-    std::ofstream(folder / "optimize.yaml") << test::content_of(kConfigs + "01_config_1_to_3.yaml") << R"(
+    std::ofstream(folder / "optimize.yaml") << test::content_of(PRS_SOURCE_DIR "/configs/01_config_1_to_3.yaml") << R"(
 optimize:
   command: solve
   seed: 1
@@ -42,7 +42,8 @@ optimize:
 
   /// Runs `prs ARGUMENTS`.
   test::Outcome prs(const std::string& arguments, const std::string& environment) const {
-    return test::run_prs(arguments, folder, "PRS_CACHE_DIR='" + cache.string() + "' " + environment);
+    return test::run_prs(arguments, folder,
+                         "env -u SOURCE_DATE_EPOCH PRS_CACHE_DIR='" + cache.string() + "' " + environment);
   }
 
   /// What is written and printed is the same with and without jumps, but for a journal: how many
@@ -65,14 +66,16 @@ optimize:
     EXPECT_TRUE(written(kJumps) == written(""));
   }
 
-  const std::string kConfigs = PRS_SOURCE_DIR "/configs/";
+  /// A lesson's file, as a word of a command.
+  static std::string lesson(const std::string& name) { return "'" PRS_SOURCE_DIR "/configs/" + name + ".yaml' "; }
+
   const test::TemporaryDirectory temporary;
   const fs::path folder = temporary.path(), cache = folder / "cache";
 };
 
 TEST_F(JumpingClock, ShowsInTheDateOfAPageAndTheTimeThatIsLeft) {
   const auto dated = [&](const std::string& environment) {
-    EXPECT_EQ(prs("report " + kConfigs + "05_standard_screw.yaml --output page.html", environment).status, 0);
+    EXPECT_EQ(prs("report " + lesson("05_standard_screw") + "--output page.html", environment).status, 0);
     return test::content_of(folder / "page.html");
   };
   const auto far = testing::ContainsRegex("(1968|1969|1970|2039|2169|2170)-[0-9][0-9]-[0-9][0-9]");
@@ -86,9 +89,9 @@ TEST_F(JumpingClock, ShowsInTheDateOfAPageAndTheTimeThatIsLeft) {
 }
 
 TEST_F(JumpingClock, LeavesWhatIsPrintedAndWritten) {
-  expect_same("solve " + kConfigs + "05_standard_screw.yaml --output out");
-  expect_same("report " + kConfigs + "09_slip_and_dissipation.yaml --output out/page.html");
-  expect_same("export " + kConfigs + "34_reversal.yaml --fmu --output out/screw.fmu");
+  expect_same("solve " + lesson("05_standard_screw") + "--output out");
+  expect_same("report " + lesson("09_slip_and_dissipation") + "--output out/page.html");
+  expect_same("export " + lesson("34_reversal") + "--fmu --output out/screw.fmu");
   expect_same("study study.yaml --threads 2 --output out");
   expect_same("study study.yaml --threads 2 --shard 1/1 --output out/shard",
               "study merge out/shard --output out/merged");
@@ -97,7 +100,7 @@ TEST_F(JumpingClock, LeavesWhatIsPrintedAndWritten) {
 
 TEST_F(JumpingClock, LeavesTheCacheOfMatrices) {
   if (test::count(0, 1) == 0) GTEST_SKIP() << "takes long; set PRS_THOROUGH=1";
-  const std::string arguments = "solve " + kConfigs + "13_three_models.yaml --set model.bodies=influence " +
+  const std::string arguments = "solve " + lesson("13_three_models") + "--set model.bodies=influence " +
                                 "--set mechanism.contacts_per_roller=2 --json --quiet";
   const std::string expected = prs(arguments, "").out;
   const auto kept = test::files_in(cache);

@@ -25,6 +25,22 @@ struct Touched {
   std::vector<std::string> network;
 };
 
+/// A name in a log of strace, which writes bytes beyond ASCII as \303\244.
+std::string unescaped(const std::string& name) {
+  static const std::regex octal(R"re(^\\([0-7]{1,3}))re");
+  std::string plain;
+  for (auto at = name.begin(); at != name.end();) {
+    std::smatch found;
+    if (std::regex_search(at, name.end(), found, octal)) {
+      plain += static_cast<char>(std::stoi(found[1], nullptr, 8));
+      at += found.length();
+    } else {
+      plain += *at++;
+    }
+  }
+  return plain;
+}
+
 /// The files that succeeding calls opened or changed, absolute; what only asks whether a file
 /// exists is left out.
 Touched touched(const std::string& log, const fs::path& working) {
@@ -45,11 +61,11 @@ Touched touched(const std::string& log, const fs::path& working) {
     if (found[3].str().starts_with('-')) continue;
     if (name == "open" || name == "openat" || name == "creat") {
       const bool writes = name == "creat" || std::regex_search(arguments, to_write);
-      (writes ? all.written : all.read).insert(found[4]);
+      (writes ? all.written : all.read).insert(unescaped(found[4]));
     } else if (changes.contains(name)) {
       for (std::sregex_iterator path(arguments.begin(), arguments.end(), named), end; path != end; ++path) {
-        const fs::path base = (*path)[1].matched ? fs::path((*path)[1].str()) : working;
-        all.written.insert((base / (*path)[2].str()).lexically_normal().string());
+        const fs::path base = (*path)[1].matched ? fs::path(unescaped((*path)[1])) : working;
+        all.written.insert((base / unescaped((*path)[2])).lexically_normal().string());
       }
     }
   }

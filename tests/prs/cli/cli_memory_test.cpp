@@ -13,7 +13,7 @@ namespace {
 test::Outcome run_scarce(const std::string& arguments, std::size_t bytes) {
   return test::run_prs(
       arguments, PRS_SOURCE_DIR,
-      "PRS_CACHE_DIR= PRS_LARGEST_ALLOCATION=" + std::to_string(bytes) + " LD_PRELOAD='" + PRS_SCARCE_MEMORY + "'");
+      "PRS_CACHE_DIR= PRS_LARGEST_ALLOCATION=" + std::to_string(bytes) + " " + test::preloaded(PRS_SCARCE_MEMORY));
 }
 
 void expect_out_of_memory(const test::Outcome& run) {

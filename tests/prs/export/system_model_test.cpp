@@ -103,7 +103,7 @@ struct WrongExport {
 
 TEST(Export, WrongInputIsToldAndNothingIsWritten) {
   const test::TemporaryDirectory folder;
-  const std::string lessons = PRS_SOURCE_DIR "/configs/";
+  const std::string lessons = "'" PRS_SOURCE_DIR "/configs'/";
   const std::string screw = lessons + "05_standard_screw.yaml";
   for (const auto& [arguments, words] : std::vector<WrongExport>{
            {screw, {"--fmu, --modelica"}},

@@ -271,7 +271,7 @@ TEST(Report, KeepsTheDateThatItIsGiven) {
 
 TEST(ReportCommand, WritesAFileAndNothingElse) {
   const test::TemporaryDirectory folder;
-  const std::string lesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
+  const std::string lesson = "'" PRS_SOURCE_DIR "/configs/05_standard_screw.yaml'";
   const test::Outcome run = test::run_prs("report " + lesson + " --output page.html", folder.path());
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(test::content_of(folder.path() / "page.html").ends_with("</html>\n"));
@@ -281,8 +281,8 @@ TEST(ReportCommand, WritesAFileAndNothingElse) {
 
 TEST(ReportCommand, WritesAndMarksWhatDidNotConverge) {
   const test::TemporaryDirectory folder;
-  const test::Outcome run = test::run_prs("report " PRS_SOURCE_DIR
-                                          "/configs/09_slip_and_dissipation.yaml --output page.html "
+  const test::Outcome run = test::run_prs("report '" PRS_SOURCE_DIR
+                                          "/configs/09_slip_and_dissipation.yaml' --output page.html "
                                           "--set 'carrier.nut_torque=150 N m' --set 'load_cases[0].axial_force=80 kN'",
                                           folder.path());
   EXPECT_EQ(run.status, 3);
@@ -292,7 +292,7 @@ TEST(ReportCommand, WritesAndMarksWhatDidNotConverge) {
 
 TEST(ReportCommand, RefusesWhatIsNoFile) {
   const test::TemporaryDirectory folder;
-  const std::string lesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
+  const std::string lesson = "'" PRS_SOURCE_DIR "/configs/05_standard_screw.yaml'";
   EXPECT_EQ(test::run_prs("report " + lesson, folder.path()).status, 2);
   EXPECT_EQ(test::run_prs("report " + lesson + " --output .", folder.path()).status, 2);
   EXPECT_EQ(test::run_prs("report " + lesson + " --set mechanism.rollers=x --output page.html", folder.path()).status,
@@ -302,7 +302,7 @@ TEST(ReportCommand, RefusesWhatIsNoFile) {
 
 TEST(ReportCommand, ShowsTheStudyOfTheSameCase) {
   const test::TemporaryDirectory folder;
-  const std::string lesson = PRS_SOURCE_DIR "/configs/17_derivatives.yaml";
+  const std::string lesson = "'" PRS_SOURCE_DIR "/configs/17_derivatives.yaml'";
   ASSERT_EQ(test::run_prs("study " + lesson + " --quiet --output results", folder.path()).status, 0);
   const auto page = [&](const std::string& more) {
     EXPECT_EQ(test::run_prs("report " + lesson + " --results results --output page.html" + more, folder.path()).status,

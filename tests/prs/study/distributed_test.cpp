@@ -87,7 +87,7 @@ TEST_F(Distributed, WrongInputEndsAllRanksWithItsStatus) {
 TEST_F(Distributed, RanksWithDifferentArgumentsAreRefused) {
   test::write_study_file(file, 100);
   const Words ranks{"sh", "-c",
-                    std::string("exec ") + test::program() + " study '" + file.string() + "' --output '" +
+                    std::string("exec '") + test::program() + "' study '" + file.string() + "' --output '" +
                         temporary.path().string() + "'/$OMPI_COMM_WORLD_RANK"};
   EXPECT_EQ(test::Process(on_ranks(2, ranks)).wait(), 2);
 }

@@ -6,7 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 
 #include "prs/file_descriptor.h"
 #include "support/temporary_directory.h"
@@ -19,6 +21,9 @@ using test::content_of;
 
 class CacheFolderTest : public testing::Test {
  protected:
+  CacheFolderTest() : umask_(::umask(022)) {}  // Folders that tests make are for nobody else.
+  ~CacheFolderTest() override { ::umask(umask_); }
+
   static std::string digest(char digit) { return std::string(64, digit); }
   fs::path file(char digit) const { return path / (digest(digit) + ".matrices"); }
   static void write(const fs::path& to, const std::string& text) { std::ofstream(to, std::ios::binary) << text; }
@@ -26,6 +31,9 @@ class CacheFolderTest : public testing::Test {
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "cache";
   const CacheFolder folder{path};
+
+ private:
+  const mode_t umask_;
 };
 
 TEST_F(CacheFolderTest, FindsWhatWasWrittenInAFolderOfTheUserAlone) {
@@ -123,7 +131,7 @@ TEST_F(CacheFolderTest, AFolderOrLinkOfAnotherUserIsNotUsed) {
   const fs::path link = temporary.path() / "link";
   fs::create_directory_symlink(path, link);
   EXPECT_EQ(CacheFolder(link).refusal(), "");
-  ASSERT_EQ(::lchown(link.c_str(), 1, 1), 0);
+  if (::lchown(link.c_str(), 1, 1) != 0) GTEST_SKIP() << "there is no other user here: " << std::strerror(errno);
   for (const fs::path& name : {link, link / ""}) {
     const CacheFolder other(name);
     EXPECT_NE(other.refusal().find("belongs to another user"), std::string::npos) << name;
