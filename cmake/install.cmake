@@ -25,6 +25,8 @@ install(DIRECTORY configs/ DESTINATION share/prs/lessons COMPONENT program
   FILES_MATCHING PATTERN *.yaml PATTERN *.csv)
 install(DIRECTORY validation/ DESTINATION share/prs/validation COMPONENT program
   FILES_MATCHING PATTERN *.yaml PATTERN *.csv PATTERN *.json PATTERN SOURCE.md)
+# Engine and scripts of live pages, where scripts/web.sh built them.
+install(DIRECTORY build/web/ DESTINATION share/prs/web COMPONENT program OPTIONAL)
 install(CODE "set(prs \"$<TARGET_FILE:prs>\")" COMPONENT program)
 install(SCRIPT cmake/install_texts.cmake COMPONENT program)
 
