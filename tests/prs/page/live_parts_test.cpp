@@ -10,7 +10,6 @@ namespace prs {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -101,7 +100,7 @@ TEST_F(ProgramOfPages, NotesOnTheTerminalThatAPageIsStatic) {
   EXPECT_THAT(prs(report).err, HasSubstr(line(kOther)));
   test::write_live_parts(share / "web");
   EXPECT_THAT(prs(report).err, Not(HasSubstr("static")));
-  EXPECT_THAT(test::content_of(out / "page.html"), HasSubstr("script-src"));
+  EXPECT_NE(test::content_of(out / "page.html").find("script-src"), std::string::npos);
 }
 
 TEST_F(ProgramOfPages, WritesNoWorkbenchAndExploresNothingWithoutAnEngine) {
@@ -118,7 +117,9 @@ TEST_F(ProgramOfPages, WritesNoWorkbenchAndExploresNothingWithoutAnEngine) {
   }
   test::write_live_parts(share / "web");
   EXPECT_EQ(prs("workbench --output page.html --quiet").status, 0);
-  EXPECT_THAT(test::content_of(out / "page.html"), AllOf(HasSubstr("'workbench.hash'"), HasSubstr(">worker.js")));
+  const std::string page = test::content_of(out / "page.html");
+  for (const char* part : {"'workbench.hash'", "worker.js</script>", "<script type=\"module\">start.js</script>"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
 }  // namespace
