@@ -197,10 +197,8 @@ void multiply_adds(benchmark::State& state, int lanes) {
 }
 
 #if defined(__x86_64__)
-#if !defined(PRS_WITHOUT_AVX2)
 void MultiplyAddAvx2(benchmark::State& state) { multiply_adds<simd::Avx2>(state, 4); }
 BENCHMARK(MultiplyAddAvx2)->ThreadRange(1, 2)->UseRealTime();
-#endif
 
 void MultiplyAddAvx512(benchmark::State& state) { multiply_adds<simd::Avx512>(state, 8); }
 BENCHMARK(MultiplyAddAvx512)->ThreadRange(1, 2)->UseRealTime();

@@ -1,4 +1,4 @@
-// Time per answer of the shipped engine, as a page has it: node bench/engine.mjs [SECONDS]
+// Time per answer of the engine of scripts/web.sh, as a page has it: node bench/engine.mjs [SECONDS]
 import {commandsFor, loadEngine, questionOn} from '../tests/engine/engine.mjs';
 
 const seconds = Number(process.argv[2] ?? 1);

@@ -13,7 +13,7 @@ foreach(library eigen3/Eigen eigen3/unsupported boost fast_float fmt nlohmann xs
 endforeach()
 include_directories(SYSTEM ${headers})
 foreach(target Eigen3::Eigen Boost::headers fmt::fmt nlohmann_json::nlohmann_json PkgConfig::NETTLE
-        CLI11::CLI11)
+        CLI11::CLI11 ZLIB::ZLIB)
   add_library(${target} INTERFACE IMPORTED GLOBAL)
 endforeach()
 target_include_directories(PkgConfig::NETTLE INTERFACE ${PROJECT_SOURCE_DIR}/wasm/include)
@@ -39,11 +39,8 @@ FetchContent_Declare(libcsv URL ${urls}
 FetchContent_MakeAvailable(yaml-cpp libcsv)
 set(YAML_CPP_LIBRARIES yaml-cpp)
 add_library(csv STATIC ${libcsv_SOURCE_DIR}/libcsv.c)
-set(CSV_LIBRARY csv)
-set(CSV_INCLUDE_DIR ${libcsv_SOURCE_DIR})
-
-# What pictures and tables of many designs refer to, and no answer on one case asks for.
-set(PRS_ROOMS_OF_HEADERS study optimize)
+target_include_directories(csv PUBLIC ${libcsv_SOURCE_DIR})
+add_library(csv::csv ALIAS csv)
 
 add_compile_definitions(
   EIGEN_DONT_VECTORIZE                       # The kernels of contacts and chains are.

@@ -1,28 +1,20 @@
 #!/usr/bin/env bash
-# Bundles the pages' scripts, web/, into prs/page/live, with the hash of their sources in web.sources.
-# Needs npm; users and builds do not. --check: whether the bundles are those of these sources.
+# Builds what makes pages live, into build/web: their scripts (web/, by npm) and their engine (by emscripten), with
+# the identity of their sources, by which a program knows its own (cmake/source_id.cmake). Needs the network.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-manifest=prs/page/live/web.sources
-bundles=(prs/page/live/{report,workbench,mechanism}.{js.gz,hash} prs/page/live/{start,worker}.js)
-
-hash_of() { # FILE..: of their names and contents
-  sha256sum -- "$@" | sha256sum | cut -d ' ' -f 1
-}
-
-if [[ ${1:-} == --check ]]; then
-  mapfile -t lines <"$manifest"
-  if [[ $(hash_of "${bundles[@]}" "${lines[@]:1}") != "${lines[0]}" ]]; then
-    echo "web: the bundles in prs/page/live are not those of their sources ($manifest); run scripts/web.sh" >&2
-    exit 1
-  fi
-  exit
+if grep -q 'web)' scripts/setup.sh; then
+  scripts/setup.sh web
+else
+  scripts/setup.sh emscripten libfast-float-dev xz-utils $(command -v npm >/dev/null || echo npm)
 fi
-
-(cd web && npm ci --silent --ignore-scripts --no-audit --no-fund && node build.mjs)
-mapfile -t sources < <(find web -name node_modules -prune -o -type f -print | LC_ALL=C sort)
-{
-  hash_of "${bundles[@]}" "${sources[@]}"
-  printf '%s\n' "${sources[@]}"
-} >"$manifest"
+rm -rf build/web
+mkdir -p build/web
+cmake -D OUTPUT=build/source_id -P cmake/source_id.cmake
+(cd web && npm ci --silent --ignore-scripts --no-audit --no-fund && node build.mjs ../build/web)
+cmake --preset wasm >/dev/null
+cmake --build --preset wasm
+xz --format=lzma --lzma1=preset=9e,dict=8MiB,pb=0,lc=4 -c build/wasm/wasm/engine.wasm >build/web/engine.wasm.lzma
+mv build/source_id build/web/source_id  # Last: without it the others are not taken.
+ls -l build/web

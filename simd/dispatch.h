@@ -15,10 +15,8 @@ auto run_kernel(InstructionSet set, Kernel kernel, Arguments&&... arguments) {
 #if defined(__x86_64__)
     case InstructionSet::avx512:
       return kernel(Avx512{}, std::forward<Arguments>(arguments)...);
-#if !defined(PRS_WITHOUT_AVX2)
     case InstructionSet::avx2:
       return kernel(Avx2{}, std::forward<Arguments>(arguments)...);
-#endif
 #endif
     default:
       return kernel(Baseline{}, std::forward<Arguments>(arguments)...);

@@ -1,24 +1,25 @@
-// Bundles the pages' scripts into prs/page/live, see scripts/web.sh: report, workbench and the view of the
-// mechanism, which both load when it is looked at, gzipped, each with the hash by which the page's policy
-// names it; what starts them, and the worker, as they are.
+// Bundles the pages' scripts into a folder, `node build.mjs FOLDER` (scripts/web.sh): report, workbench and the
+// view of the mechanism, which both load when it is looked at, gzipped, each with the hash by which the page's
+// policy names it; what starts them, and the worker, as they are.
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
 
-const live = new URL('../prs/page/live/', import.meta.url);
+const folder = process.argv[2];
 
 /** Of others, by their names: {version, licence, text}. */
 const used = new Map();
 
 function note(file) {
-  const [folder, name] = file.match(/^(?:.*\/)?node_modules\/((?:@[^/]+\/)?[^/]+)(?=\/)/) ?? [];
+  const [place, name] = file.match(/^(?:.*\/)?node_modules\/((?:@[^/]+\/)?[^/]+)(?=\/)/) ?? [];
   if (!name || used.has(name)) return name;
-  const { version, license } = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
+  const { version, license } = JSON.parse(readFileSync(`${place}/package.json`, 'utf8'));
   if (!['MIT', 'ISC', 'BSD-2-Clause', 'BSD-3-Clause', 'Apache-2.0'].includes(license))
     throw new Error(`${name}: got licence ${license}; expected MIT, ISC, BSD or Apache`);
-  const text = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
-  used.set(name, { version, license, text: readFileSync(`${folder}/${text}`, 'utf8').trim() });
+  const text = readdirSync(place).find((each) => /^licen[cs]e/i.test(each));
+  used.set(name, { version, license, text: readFileSync(`${place}/${text}`, 'utf8').trim() });
   return name;
 }
 
@@ -48,15 +49,12 @@ async function bundled(entry, format) {
 for (const name of ['report', 'workbench', 'mechanism']) {
   const text = await bundled(`src/${name}/main.js`, 'esm');
   const packed = gzipSync(text, { level: 9 });
-  writeFileSync(new URL(`${name}.js.gz`, live), packed);
-  writeFileSync(
-    new URL(`${name}.hash`, live),
-    `sha256-${createHash('sha256').update(text).digest('base64')}`,
-  );
+  writeFileSync(join(folder, `${name}.js.gz`), packed);
+  writeFileSync(join(folder, `${name}.hash`), `sha256-${createHash('sha256').update(text).digest('base64')}`);
   console.log(`${name}: ${text.length} letters, ${packed.length} bytes packed`);
 }
 for (const name of ['start', 'worker'])
-  writeFileSync(new URL(`${name}.js`, live), await bundled(`src/page/${name}.js`, 'iife'));
+  writeFileSync(join(folder, `${name}.js`), await bundled(`src/page/${name}.js`, 'iife'));
 
 writeFileSync(
   new URL('licences.txt', import.meta.url),

@@ -37,6 +37,14 @@ std::vector<fs::path> shared_folders() {
   return {above / "share" / "prs", above.parent_path() / "share" / "prs"};
 }
 
+/// The first of them that there is; empty where there is none.
+fs::path shared_folder(const std::string& name) {
+  std::error_code unreadable;
+  for (const fs::path& folder : shared_folders())
+    if (fs::is_directory(folder / name, unreadable)) return folder / name;
+  return {};
+}
+
 }  // namespace
 
 void become(const std::string& program, int argc, char** argv) {
@@ -57,14 +65,14 @@ void become(const std::string& program, int argc, char** argv) {
 }
 
 fs::path data_folder(const std::string& name) {
-  const std::vector<fs::path> shared = shared_folders();
-  for (const fs::path& folder : shared)
-    if (fs::is_directory(folder / name)) return folder / name;
+  if (const fs::path folder = shared_folder(name); !folder.empty()) return folder;
   throw std::runtime_error(
       fmt::format("the folder `{}` is missing in {}; install the program with its data, or name "
                   "the folder that holds it in PRS_SHARE",
-                  name, shared.front().string()));
+                  name, shared_folders().front().string()));
 }
+
+fs::path live_parts_folder() { return shared_folder("web"); }
 
 namespace {
 

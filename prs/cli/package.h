@@ -20,6 +20,9 @@ namespace prs::cli {
 /// std::runtime_error where there is none.
 std::filesystem::path data_folder(const std::string& name);
 
+/// Folder of the engine and the scripts of live pages, `web`, in the same places; empty where there is none.
+std::filesystem::path live_parts_folder();
+
 /// A numbered case that teaches.
 struct Lesson {
   std::string name;   ///< `14_flight_spectrum`

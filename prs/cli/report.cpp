@@ -71,7 +71,7 @@ void write_html(const std::filesystem::path& path, std::string_view html) {
 /// The page of a case, written where the options say.
 Report write_page(const Options& options) {
   const input::Source source = case_source(options);
-  PageOptions asked{command_of(options), options.results, !options.without_engine};
+  PageOptions asked{command_of(options), options.results, !options.without_engine, live_parts_folder()};
   if (asked.results.empty()) asked.results = {std::filesystem::absolute(options.report.value_or("page")).parent_path()};
   const TableUnits units(options.units);
   Report report = make_report(source, asked);
@@ -89,11 +89,11 @@ std::filesystem::path temporary_page(const std::string& file) {
   return std::filesystem::path(folder) / ((stem.empty() || stem == "-" ? "case" : stem) + ".html");
 }
 
-void require_engine() {
-  if (page_engine().empty())
-    throw std::runtime_error(
-        "this program was built without the engine of pages; `prs report` writes a page for "
-        "reading");
+/// What makes pages live. Throws std::runtime_error where there is none of this program.
+LiveParts require_live_parts() {
+  LiveParts parts = read_live_parts(live_parts_folder());
+  if (!parts.absent.empty()) throw std::runtime_error(parts.absent);
+  return parts;
 }
 
 /// Hands a file to the desktop's program for it, and does not wait; false where there is none.
@@ -117,8 +117,6 @@ int report(const Options& options) {
     throw UsageError("--output is missing; expected a file, for example --output report.html");
   require_places(options);
   const Report report = write_page(options);
-  if (!options.without_engine && page_engine().empty())
-    note(options, "prs: this program was built without the engine of pages: the page is static");
   if (options.json)
     print(json_text(report.data));
   else if (!options.quiet)
@@ -127,8 +125,8 @@ int report(const Options& options) {
 }
 
 int workbench(const Options& options) {
-  require_engine();
   require_places(options);
+  const LiveParts parts = require_live_parts();
   std::optional<input::Source> opened;
   if (!options.file.empty()) {
     opened = case_source(options);
@@ -148,7 +146,7 @@ int workbench(const Options& options) {
     add_companions(source);
   }
   if (opened) add_companions(*opened);
-  const std::string page = workbench_page(opened, texts);
+  const std::string page = workbench_page(parts, opened, texts);
   write_html(*options.report, page);
   if (!options.quiet)
     print(fmt::format("{}: {:.0f} kB\n", options.report->string(), static_cast<double>(page.size()) / 1000.0));
@@ -156,8 +154,8 @@ int workbench(const Options& options) {
 }
 
 int explore(const Options& options) {
-  require_engine();
   require_places(options);
+  require_live_parts();
   Options at = options;
   if (!at.report) at.report = temporary_page(options.file);
   const Report report = write_page(at);

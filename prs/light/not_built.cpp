@@ -9,12 +9,14 @@
 #include "prs/loads/full_result.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/measures/measures_analysis.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"
 #include "prs/run/compare_cases.h"
 #include "prs/run/response_lists.h"
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/influence/influence_solver.h"
+#include "prs/size/requirement.h"
 
 /// What the light program calls of the rooms that it leaves out (PRS_FULL): each says by name that it
 /// is not built.
@@ -75,6 +77,9 @@ Orbit full_orbit(const LoadCase&, const Conditions&, const Contacts&, const PerI
   throw NotBuilt("model.mechanism: full");
 }
 
+bool travels(const LoadCaseResult&) { return true; }
+Warning no_orbit(const Orbit::Failure&) { throw NotBuilt("model.mechanism: full"); }
+
 MatrixCache& shared_matrix_cache() { throw NotBuilt("model.bodies: influence"); }
 InfluenceSolver influence_solver(const Conditions&, const Contacts&, const PerInterface<ContactLaw>&, Direction, double,
                                  MatrixCache&, bool) {
@@ -109,6 +114,9 @@ std::optional<StaticRating> solved_static_rating(const Conditions&, const Contac
 }
 
 // Lists and comparisons.
+std::string measure_explanations() { throw NotBuilt("prs measures"); }
+Json measure_explanations_json() { throw NotBuilt("prs measures"); }
+Json requirement_schema() { throw NotBuilt("prs size"); }
 std::string responses_table(const std::vector<std::string>&) { throw NotBuilt("prs list responses"); }
 Json responses_json(const std::vector<std::string>&) { throw NotBuilt("prs list responses"); }
 std::vector<std::string> known_responses() { throw NotBuilt("prs list responses"); }

@@ -9,6 +9,7 @@
 #include "prs/embed.h"
 #include "prs/input/force_history.h"
 #include "prs/input/schema.h"
+#include "prs/page/live_parts.h"
 #include "prs/report/findings.h"
 #include "prs/run/commands.h"
 #include "prs/run/lists.h"
@@ -17,23 +18,14 @@
 #include "prs/text.h"
 #include "prs/version.h"
 
-PRS_EMBED(page, PRS_PAGE_FOLDER "/page.html")
-PRS_EMBED(panel, PRS_PAGE_FOLDER "/panel.html")
-PRS_EMBED(thread_form, PRS_PAGE_FOLDER "/thread.html")
-PRS_EMBED(scripts, PRS_PAGE_FOLDER "/scripts.html")
-PRS_EMBED(style_sheet, PRS_PAGE_FOLDER "/page.css")
-PRS_EMBED(report_script, PRS_PAGE_FOLDER "/report.js.gz")
-PRS_EMBED(report_hash, PRS_PAGE_FOLDER "/report.hash")
-PRS_EMBED(mechanism_script, PRS_PAGE_FOLDER "/mechanism.js.gz")
-PRS_EMBED(mechanism_hash, PRS_PAGE_FOLDER "/mechanism.hash")
-PRS_EMBED(start, PRS_PAGE_FOLDER "/start.js")
-PRS_EMBED(worker, PRS_PAGE_FOLDER "/worker.js")
-PRS_EMBED(workbench_frame, PRS_PAGE_FOLDER "/workbench.html")
-PRS_EMBED(workbench_style, PRS_PAGE_FOLDER "/workbench.css")
-PRS_EMBED(workbench_script, PRS_PAGE_FOLDER "/workbench.js.gz")
-PRS_EMBED(workbench_hash, PRS_PAGE_FOLDER "/workbench.hash")
-PRS_EMBED(loader, PRS_PAGE_LOADER)
-PRS_EMBED(engine, PRS_PAGE_ENGINE)
+PRS_EMBED(page, "prs/page/live/page.html")
+PRS_EMBED(panel, "prs/page/live/panel.html")
+PRS_EMBED(thread_form, "prs/page/live/thread.html")
+PRS_EMBED(scripts, "prs/page/live/scripts.html")
+PRS_EMBED(style_sheet, "prs/page/live/page.css")
+PRS_EMBED(workbench_frame, "prs/page/live/workbench.html")
+PRS_EMBED(workbench_style, "prs/page/live/workbench.css")
+PRS_EMBED(loader, "prs/page/live/engine.js")
 
 namespace prs {
 namespace {
@@ -142,9 +134,21 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
 }
 
 /// What lets a page run its scripts, of which its own and that of the mechanism are packed in it.
-std::string script_policy(std::string_view packed_hash) {
+std::string script_policy(const LiveParts& parts, const LiveParts::Packed& own) {
   return fmt::format("; script-src '{}' '{}' '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'",
-                     policy_hash(start()), packed_hash, mechanism_hash());
+                     policy_hash(parts.start), own.hash, parts.mechanism.hash);
+}
+
+/// A sentence in which commands stand between backquotes.
+std::string sentence_html(std::string_view sentence) {
+  std::string text;
+  bool command = false;
+  for (const char c : sentence)
+    if (c == '`')
+      text += (command = !command) ? "<code>" : "</code>";
+    else
+      text += c;
+  return text;
 }
 
 /// The style of all pages: their rules, those of pictures and the colours of scales.
@@ -152,10 +156,14 @@ std::string style_of_pages() {
   return fmt::format("{}{}:root{{--scale:{}}}\n", style_sheet(), svg_style(), fmt::join(kScaleColours, ","));
 }
 
-/// The whole file. `engine` is empty for a page without scripts.
-std::string page_html(const input::Source& source, const ReportParts& parts, std::string_view engine) {
-  const bool live = !engine.empty();
+/// The whole file. Without `live` it has no scripts, and says why where `still` does.
+std::string page_html(const input::Source& source, const ReportParts& parts, const LiveParts* live,
+                      std::string_view still = {}) {
   const std::string style = style_of_pages() + sheet_style(parts);
+  const std::string panel_or_reason =
+      live            ? fmt::format(fmt::runtime(panel()), parts.controls)
+      : still.empty() ? ""
+                      : fmt::format("<p id=\"static\">This page is static: {}.</p>\n", sentence_html(still));
   std::string links, body;
   const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
     links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id, section.title);
@@ -168,24 +176,22 @@ std::string page_html(const input::Source& source, const ReportParts& parts, std
   std::string data = data_block("data", parts.shown);
   if (live)
     data += data_block("case", case_of(source)) + data_block("threads", parts.threads) +
-            fmt::format(fmt::runtime(scripts()), loader(), worker(), base85(engine), base85(report_script()),
-                        base85(mechanism_script()), start());
-  const std::string policy = live ? script_policy(report_hash()) : "";
+            fmt::format(fmt::runtime(scripts()), loader(), live->worker, base85(live->engine),
+                        base85(live->report.script), base85(live->mechanism.script), live->start);
+  const std::string policy = live ? script_policy(*live, live->report) : "";
   return fmt::format(
       fmt::runtime(page()), fmt::arg("units", table_system() == UnitSystem::us ? " data-units=\"us\"" : ""),
       fmt::arg("style_hash", policy_hash(style)), fmt::arg("scripts", policy), fmt::arg("title", html(parts.title)),
       fmt::arg("style", style), fmt::arg("changed", live ? "<p id=\"changed\" hidden></p>\n" : ""),
       fmt::arg("kind", live ? " is-live" : ""), fmt::arg("head", parts.head), fmt::arg("links", links),
       // It is shown by the script alone.
-      fmt::arg("panel", live ? fmt::format(fmt::runtime(panel()), parts.controls) : ""), fmt::arg("body", body),
-      fmt::arg("foot", parts.foot), fmt::arg("data", data));
+      fmt::arg("panel", panel_or_reason), fmt::arg("body", body), fmt::arg("foot", parts.foot), fmt::arg("data", data));
 }
 
 }  // namespace
 
-std::string_view page_engine() { return engine(); }
-
-std::string workbench_page(const std::optional<input::Source>& opened, const std::vector<NamedText>& texts) {
+std::string workbench_page(const LiveParts& parts, const std::optional<input::Source>& opened,
+                           const std::vector<NamedText>& texts) {
   Json data{{"version", kVersion},
             {"schemas", {{"case", input::schema()}}},
             {"units", units_json()["quantities"]},
@@ -207,37 +213,39 @@ std::string workbench_page(const std::optional<input::Source>& opened, const std
   if (opened) data["opened"] = texts_of(*opened);
   const std::string style = style_of_pages() + std::string(workbench_style());
   return fmt::format(fmt::runtime(workbench_frame()), fmt::arg("style_hash", policy_hash(style)),
-                     fmt::arg("scripts", script_policy(workbench_hash())), fmt::arg("style", style),
-                     fmt::arg("loader", loader()), fmt::arg("worker", worker()), fmt::arg("engine", base85(engine())),
-                     fmt::arg("mechanism", base85(mechanism_script())),
+                     fmt::arg("scripts", script_policy(parts, parts.workbench)), fmt::arg("style", style),
+                     fmt::arg("loader", loader()), fmt::arg("worker", parts.worker),
+                     fmt::arg("engine", base85(parts.engine)), fmt::arg("mechanism", base85(parts.mechanism.script)),
                      fmt::arg("data", base85(deflated(data.dump(-1, ' ', false, Json::error_handler_t::replace)))),
-                     fmt::arg("script", base85(workbench_script())), fmt::arg("start", start()));
+                     fmt::arg("script", base85(parts.workbench.script)), fmt::arg("start", parts.start));
 }
 
 Report make_report(const input::Source& source, const PageOptions& options) {
-  const bool live = options.live && !other_file(source);
-  const std::string_view engine = live ? page_engine() : std::string_view();
+  const bool asked_live = options.live && !other_file(source);
+  const LiveParts live = asked_live ? read_live_parts(options.live_parts) : LiveParts{};
   ReportOptions asked{options.command, options.results};
   const auto report = [](std::string page, ReportParts parts) {
     return Report{std::move(page), std::move(parts.data), std::move(parts.notes), parts.converged};
   };
-  std::size_t size = 0;
-  if (!engine.empty())
+  std::string still = live.absent;
+  if (asked_live && still.empty()) {
+    std::size_t size = 0;
     for (const ReportRoom& room : kRoomsWithEngine) {
       asked.room = room;
       ReportParts parts = report_parts(source, asked);
-      std::string page = page_html(source, parts, engine);
+      std::string page = page_html(source, parts, &live);
       size = page.size();
       if (size <= kLargestLivePage) return report(std::move(page), std::move(parts));
     }
+    still = fmt::format(
+        "with the engine, the file and its force history it would have {:.1f} MB; expected at most {:.1f} MB; shorten "
+        "the file or the history",
+        static_cast<double>(size) / 1e6, kLargestLivePage / 1e6);
+  }
   asked.room = {};
   ReportParts parts = report_parts(source, asked);
-  if (size > 0)
-    parts.notes.push_back(
-        fmt::format("the page is static: with the engine, the file and its force history it would "
-                    "have {:.1f} MB; expected at most {:.1f} MB; shorten the file or the history",
-                    static_cast<double>(size) / 1e6, kLargestLivePage / 1e6));
-  std::string page = page_html(source, parts, {});
+  if (!still.empty()) parts.notes.push_back("the page is static: " + still);
+  std::string page = page_html(source, parts, nullptr, still);
   return report(std::move(page), std::move(parts));
 }
 

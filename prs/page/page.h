@@ -1,5 +1,6 @@
 #pragma once
 
+#include "prs/page/live_parts.h"
 #include "prs/report/report.h"
 
 namespace prs {
@@ -11,6 +12,9 @@ struct PageOptions {
   /// Whether the page holds the engine, so that a reader with scripts may change values; else it is for
   /// reading alone.
   bool live = true;
+  /// Folder of the engine and the scripts (`read_live_parts`). Where they are absent or of other sources, the
+  /// page is static and a note says why.
+  std::filesystem::path live_parts = {};
 };
 
 /// All that a case asks for, on one page.
@@ -31,11 +35,9 @@ struct NamedText {
   std::string name, title, text;
 };
 
-/// The whole program as one page. `opened` is what it starts with, empty for the choice of a start;
-/// `texts` are the lessons that it offers and, without a title, the files that cases name.
-std::string workbench_page(const std::optional<input::Source>& opened, const std::vector<NamedText>& texts);
-
-/// The engine for the page, a WebAssembly module, packed as .lzma; empty where this build has none.
-std::string_view page_engine();
+/// The whole program as one page, with complete `parts`. `opened` is what it starts with, empty for the choice
+/// of a start; `texts` are the lessons that it offers and, without a title, the files that cases name.
+std::string workbench_page(const LiveParts& parts, const std::optional<input::Source>& opened,
+                           const std::vector<NamedText>& texts);
 
 }  // namespace prs

@@ -82,9 +82,12 @@ std::shared_ptr<Document> CaseSource::run(const AnyAnalysis& row) const {
       delivery->pictures ? keeping(delivery->pictures(), delivery) : Pictures{}, delivery->converged);
 }
 
-bool CaseSource::report(const std::string& file, const std::vector<std::string>& results) const {
+bool CaseSource::report(const std::string& file, const std::vector<std::string>& results,
+                        const std::string& live_parts) const {
   const GilRelease released;
-  const Report report = make_report(*source_, {"Case.report of the Python package", {results.begin(), results.end()}});
+  const Report report = make_report(*source_, {.command = "Case.report of the Python package",
+                                               .results = {results.begin(), results.end()},
+                                               .live_parts = live_parts});
   StagedFile staged(file);
   staged.append(report.html);
   staged.publish();
@@ -164,7 +167,7 @@ void bind_case(nb::module_& module) {
   bound
       .def(nb::init<input::Source>(), nb::arg("source"),
            "InputError with the text of `prs check` where something is wrong.")
-      .def("report", &CaseSource::report, nb::arg("file"), nb::arg("results"),
+      .def("report", &CaseSource::report, nb::arg("file"), nb::arg("results"), nb::arg("live_parts"),
            "Writes all that the case asks for as one page; whether all of it converged.")
       .def("thread_profiles", &CaseSource::thread_profiles,
            "Axial profiles of the threads as JSON, in metres: radii, and half the width of the "

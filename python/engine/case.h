@@ -27,8 +27,9 @@ class CaseSource {
   /// needs what the case lacks.
   std::shared_ptr<Document> run(const AnyAnalysis& row) const;
 
-  /// Writes the page of `prs report`, with the studies that folders hold; whether all converged.
-  bool report(const std::string& file, const std::vector<std::string>& results) const;
+  /// Writes the page of `prs report`, with the studies that folders hold and what the folder `live_parts` has
+  /// of live pages; whether all converged.
+  bool report(const std::string& file, const std::vector<std::string>& results, const std::string& live_parts) const;
 
   /// Axial profiles of the threads as JSON, SI: what solid models of the grooved bodies are made
   /// of.

@@ -16,6 +16,7 @@
 #include "prs/input/source.h"
 #include "prs/input/units.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/page/live_parts.h"
 #include "prs/record/table_units.h"
 #include "prs/run/document_schema.h"
 #include "prs/run/lists.h"
@@ -67,6 +68,9 @@ NB_MODULE(_engine, module) {
       "Those known by name, as `prs list lubricants --json` prints them.");
   module.def(
       "units", [] { return json_text(units_json()); }, "Units of the input, as `prs list units --json` prints them.");
+  module.def(
+      "live_parts_absent", [](const std::string& folder) { return read_live_parts(folder).absent; }, nb::arg("folder"),
+      "Why a folder makes no page live; empty where it does.");
   module.def(
       "input_paths",
       [] {

@@ -8,6 +8,7 @@ import math
 import os
 import re
 import reprlib
+import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self, overload
@@ -232,9 +233,16 @@ class Case(Analyses):
 
         Of its study and its optimization the page shows what `prs study` or `prs optimize` left in
         one of the folders `results`. False where something on the page did not converge.
+        Warns where the page is static because the package has no engine of live pages.
         """
+        from rollerscrew.library import live_parts_folder
+
         folders = [results] if isinstance(results, str | os.PathLike) else results
-        return self._case.report(_file_name(file), [_file_name(folder) for folder in folders])
+        live_parts = live_parts_folder()
+        if absent := _engine.live_parts_absent(live_parts):
+            warnings.warn(f"the page is static: {absent}", stacklevel=2)
+        names = [_file_name(folder) for folder in folders]
+        return self._case.report(_file_name(file), names, live_parts)
 
     def explore(
         self,

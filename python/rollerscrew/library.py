@@ -191,3 +191,11 @@ def _shared(name: str) -> Path:
         if (folder / name).is_dir():
             return folder / name
     raise FileNotFoundError(f"no folder {name!r} in {above / 'share' / 'prs'}; install it again")
+
+
+def live_parts_folder() -> str:
+    """The folder of the engine and the scripts of live pages; empty where there is none."""
+    try:
+        return str(_shared("web"))
+    except FileNotFoundError:
+        return ""

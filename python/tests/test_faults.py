@@ -128,6 +128,8 @@ class Bench:
         if key not in self.expected:
             out = self.output()
             run = self.run(name, out, executable=executable or program())
+            if "the engine of live pages" in run.stderr:
+                pytest.skip(run.stderr)
             assert run.returncode == 0, run.stderr
             self.expected[key] = contents(out)
         return self.expected[key]
@@ -213,9 +215,10 @@ def bench(tmp_path_factory: pytest.TempPathFactory) -> Bench:
 @pytest.mark.parametrize("name", SOME)
 def test_two_runs_write_the_same_bytes(bench: Bench, name: str) -> None:
     out = bench.output()
+    expected = bench.undisturbed(name)
     run = bench.run(name, out)
     assert run.returncode == 0, run.stderr
-    assert contents(out).keys() == bench.undisturbed(name).keys()
+    assert contents(out).keys() == expected.keys()
     assert_in_order(bench, name, out, run)
 
 

@@ -91,3 +91,21 @@ def test_explores_in_the_browser(
     assert pages[1].parent.parent == tmp_path
     assert opened == [page.as_uri() for page in pages]
     assert own.read_text().startswith("<!DOCTYPE html>")
+
+
+def test_warns_once_that_a_page_is_static(
+    own_case: rs.Case, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PRS_SHARE", str(tmp_path))
+    page = tmp_path / "page.html"
+    reason = "the engine of live pages is not built"
+    with pytest.warns(UserWarning, match=f"the page is static: {reason}") as caught:
+        own_case.report(page)
+    assert len(caught) == 1
+    assert caught[0].filename == __file__
+    assert f"This page is static: {reason}" in page.read_text(encoding="utf-8")
+    (tmp_path / "web").mkdir()
+    (tmp_path / "web" / "source_id").write_text("another")
+    with pytest.warns(UserWarning, match="is of other sources than this program"):
+        own_case.report(page)
+    assert "script-src" not in page.read_text(encoding="utf-8")

@@ -1,16 +1,19 @@
-// The shipped engine, as a page has it, and the program that it is compared with.
+// The engine of scripts/web.sh, as a page has it, and the program that it is compared with. Where it is absent or
+// of other sources than the program, nothing is compared.
 import {spawnSync} from 'node:child_process';
-import {readFileSync, readdirSync} from 'node:fs';
+import {mkdtempSync, readFileSync, readdirSync, rmSync, writeSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 const program = process.env.PRS ?? `${root}/build/release/prs/cli/prs`;
-const script = readFileSync(`${root}/prs/engine/engine.js`, 'utf8');
-const shipped = process.env.PRS_ENGINE ?? `${root}/prs/engine/engine.wasm.lzma`;
+const script = readFileSync(`${root}/prs/page/live/engine.js`, 'utf8');
+const packed = process.env.PRS_ENGINE ?? `${root}/build/web/engine.wasm.lzma`;
 
 const load = new Function(`${script}; return {unpackEngine, loadEngine};`);
 export const {unpackEngine} = load();
-export const loadEngine = () => load().loadEngine(unpackEngine(readFileSync(shipped)));
+export const loadEngine = () => load().loadEngine(unpackEngine(readFileSync(packed)));
 
 export const textOf = (lesson) => readFileSync(`${root}/configs/${lesson}`, 'utf8');
 
@@ -44,3 +47,19 @@ export function run(...words) {
 export const commandsFor = (lesson) => run('list', 'commands', `configs/${lesson}`)
                                            .out.trim().split('\n')
                                            .filter((name) => !['study', 'optimize'].includes(name));
+
+/** What the program says where it has no engine of its sources. */
+function absent() {
+  const folder = mkdtempSync(join(tmpdir(), 'prs-engine-'));
+  try {
+    return run('workbench', '--quiet', '--output', join(folder, 'page.html')).lines.join('\n');
+  } finally {
+    rmSync(folder, {recursive: true});
+  }
+}
+
+const reason = process.env.PRS_ENGINE ? '' : absent();
+if (reason) {
+  writeSync(1, `skipped: ${reason}\n`);
+  process.exit();
+}

@@ -1,4 +1,4 @@
-// The shipped engine of live pages against the program, which must have been built.
+// The engine of live pages against the program; both must have been built.
 import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import {createHash} from 'node:crypto';

@@ -1,4 +1,4 @@
-// Shapes of the mechanism in three dimensions, from documents of the shipped engine.
+// Shapes of the mechanism in three dimensions, from documents of the engine.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 

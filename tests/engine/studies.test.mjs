@@ -1,4 +1,4 @@
-// Studies of the workbench's page, asked of the shipped engine, against `prs study`.
+// Studies of the workbench's page, asked of the engine, against `prs study`.
 import assert from 'node:assert/strict';
 import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';

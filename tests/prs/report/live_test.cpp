@@ -6,7 +6,9 @@
 
 #include "prs/configurations/configurations.h"
 #include "prs/page/page.h"
+#include "support/made_up_live_parts.h"
 #include "support/sanitized.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {
@@ -163,14 +165,12 @@ TEST(LivePage, CarriesTheEngineUnlessStatic) {
   const input::Source source = live_lesson("04_contacts_from_geometry.yaml");
   const std::string still = make_report(source, {.live = false}).html;
   EXPECT_THAT(still, Not(HasSubstr("script-src")));
-  const std::string live = make_report(source).html;
-  if (page_engine().empty()) {  // A build without the module.
-    EXPECT_EQ(live, still);
-    return;
-  }
+  const test::TemporaryDirectory parts;
+  test::write_live_parts(parts.path());
+  const std::string live = make_report(source, {.live_parts = parts.path()}).html;
   EXPECT_THAT(live, HasSubstr("script-src 'sha256-"));
   EXPECT_THAT(live, HasSubstr("connect-src 'none'"));
-  EXPECT_GT(live.size(), still.size() + page_engine().size());
+  EXPECT_GT(live.size(), still.size() + read_live_parts(parts.path()).engine.size());
 }
 
 TEST(Report, OfThousandsOfLoadsIsNoLargerThanOthers) {
@@ -184,13 +184,15 @@ TEST(Report, OfThousandsOfLoadsIsNoLargerThanOthers) {
 }
 
 TEST(LivePage, IsStaticWhereItsFileIsTooLarge) {
-  if (page_engine().empty()) return;
+  const test::TemporaryDirectory parts;
+  test::write_live_parts(parts.path());
   input::Source source = live_lesson("04_contacts_from_geometry.yaml");
   source.text += "\n# " + std::string(900'000, 'x') + "\n";
-  const Report report = make_report(source);
+  const Report report = make_report(source, {.live_parts = parts.path()});
   EXPECT_LT(report.html.size(), 3'000'000u);
   EXPECT_THAT(report.html, Not(HasSubstr("script-src")));
-  EXPECT_THAT(report.notes, Contains(HasSubstr("the page is static")));
+  EXPECT_THAT(report.notes, Contains(HasSubstr("the page is static: with the engine, the file and its force history")));
+  EXPECT_THAT(report.html, HasSubstr("<p id=\"static\">This page is static: with the engine"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "prs/report/report.h"
 #include "prs/report/tables.h"
 #include "prs/run/commands.h"
+#include "tests/support/made_up_live_parts.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"
 
@@ -86,7 +87,10 @@ TEST_P(LessonReport, IsOnePageThatAsksForNothingAndSaysWhatTheCommandsSay) {
   const input::Source source = lesson_source(GetParam());
   const Report report = make_report(source, {.live = false});
   if (!test::sanitized()) {  // With the engine; the rest was computed above.
-    const std::string live = make_report(source).html;
+    const test::TemporaryDirectory parts;
+    test::write_live_parts(parts.path());
+    const std::string live = make_report(source, {.live_parts = parts.path()}).html;
+    EXPECT_THAT(live, HasSubstr("script-src"));
     EXPECT_EQ(malformed(live), "");
     EXPECT_LT(live.size(), 3'000'000u);
   }
@@ -129,7 +133,10 @@ TEST(Report, ShowsTextsOfTheCaseAsText) {
   const std::string name = "config1-tension";
   source.text.replace(source.text.find(name), name.size(), "'" + hostile + "''");
   source = input::source_of_text("<b>" + hostile + ".yaml", source.text, {});
-  const Report report = make_report(source, {"prs report '" + hostile + "'"});
+  const test::TemporaryDirectory parts;
+  test::write_live_parts(parts.path());
+  const Report report = make_report(source, {.command = "prs report '" + hostile + "'", .live_parts = parts.path()});
+  EXPECT_THAT(report.html, HasSubstr("id=\"case\""));
   EXPECT_EQ(malformed(report.html), "");
   EXPECT_THAT(report.html, Not(HasSubstr("<img")));
   EXPECT_THAT(report.html, Not(HasSubstr("<b>")));

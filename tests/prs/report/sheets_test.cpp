@@ -3,6 +3,8 @@
 #include "prs/page/page.h"
 #include "prs/report/report.h"
 #include "prs/report/tables.h"
+#include "tests/support/made_up_live_parts.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {
@@ -83,7 +85,10 @@ TEST(Sheets, NamesOfLoadCasesDoNotTurnTheWriting) {
   input::Source source = input::load_source(kLesson, {});
   source.overrides = {"load_cases[0].name=\u202Eevil"};
   EXPECT_EQ(report_parts(source, {}).threads["cases"][0], "\uFFFDevil");
-  EXPECT_THAT(make_report(source).html, AllOf(Not(HasSubstr("\u202E")), HasSubstr("\\u202e")));
+  const test::TemporaryDirectory parts;
+  test::write_live_parts(parts.path());
+  EXPECT_THAT(make_report(source, {.live_parts = parts.path()}).html,
+              AllOf(Not(HasSubstr("\u202E")), HasSubstr("\\u202e")));
 }
 
 TEST(ReportUnits, AreOfOneKind) {

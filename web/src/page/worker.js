@@ -1,6 +1,6 @@
 // The engine in a worker. The first message is the module, compiled or as it stands in the page, in
 // base 85: then the compiled one is posted, for further workers. Each further message is a question,
-// whose answer is posted, both as objects. `loadEngine` stands in prs/engine/engine.js.
+// whose answer is posted, both as objects. `loadEngine` stands in prs/page/live/engine.js.
 import { bytesOf } from './packed.js';
 
 async function start(source) {
