@@ -40,7 +40,7 @@ FetchContent_MakeAvailable(yaml-cpp libcsv)
 set(YAML_CPP_LIBRARIES yaml-cpp)
 add_library(csv STATIC ${libcsv_SOURCE_DIR}/libcsv.c)
 target_include_directories(csv PUBLIC ${libcsv_SOURCE_DIR})
-add_library(csv::csv ALIAS csv)
+set(CSV_LIBRARY csv)
 
 add_compile_definitions(
   EIGEN_DONT_VECTORIZE                       # The kernels of contacts and chains are.

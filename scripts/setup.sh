@@ -4,36 +4,24 @@
 # of live pages. Without arguments: full.
 set -euo pipefail
 
-core=(cmake ninja-build g++ pkg-config libeigen3-dev libsuitesparse-dev libyaml-cpp-dev libboost-dev libcli11-dev
-  libfmt-dev nlohmann-json3-dev libcsv-dev nettle-dev libxsimd-dev zlib1g-dev)
-full=("${core[@]}" libspectra-dev libtbb-dev libnetcdf-dev librsvg2-dev libopenmpi-dev openmpi-bin libpagmo-dev
-  libceres-dev libsundials-dev)
-web=(emscripten libfast-float-dev nodejs npm xz-utils)
-test=("${full[@]}" "${web[@]}" python3-dev python3-venv libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
-  strace chromium chromium-driver)
-
+core="cmake ninja-build g++ pkg-config libeigen3-dev libsuitesparse-dev libyaml-cpp-dev libboost-dev libcli11-dev
+  libfmt-dev nlohmann-json3-dev libcsv-dev nettle-dev libxsimd-dev zlib1g-dev"
+full="$core libspectra-dev libtbb-dev libnetcdf-dev librsvg2-dev libopenmpi-dev openmpi-bin libpagmo-dev libceres-dev
+  libsundials-dev"
+web="emscripten libfast-float-dev xz-utils $(command -v npm >/dev/null || echo nodejs npm)"
+test="$full $web python3-dev python3-venv libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema strace
+  chromium chromium-driver"
 packages=()
 for word in "${@:-full}"; do
   case $word in
-    core | full | test | web) declare -n group=$word; packages+=("${group[@]}") ;;
+    core | full | test | web) packages+=(${!word}) ;;
     *) packages+=("$word") ;;
   esac
 done
-if ! command -v dpkg-query >/dev/null; then
-  echo "setup: this is not a Debian system; install the equivalents of: ${packages[*]}" >&2
-  exit 1
-fi
-missing=()
-for package in "${packages[@]}"; do
-  [[ $(dpkg-query -W -f='${Status}' "$package" 2>/dev/null) == "install ok installed" ]] || missing+=("$package")
-done
-((${#missing[@]})) || exit 0
-
-as_root=()
-if ((EUID != 0)); then
-  command -v sudo >/dev/null || { echo "setup: ask an administrator for: apt-get install ${missing[*]}" >&2; exit 1; }
-  as_root=(sudo)
-fi
-echo "setup: installing ${missing[*]}"
-"${as_root[@]}" apt-get update -q
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+missing=$(comm -23 <(printf '%s\n' "${packages[@]}" | sort -u) \
+  <(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' | sed -n 's/^ii //p' | sort -u))
+[[ -n $missing ]] || exit 0
+as_root=$([[ $EUID == 0 ]] || echo sudo)
+echo "setup: installing" $missing
+$as_root apt-get update -q
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing

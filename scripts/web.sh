@@ -4,17 +4,13 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if grep -q 'web)' scripts/setup.sh; then
-  scripts/setup.sh web
-else
-  scripts/setup.sh emscripten libfast-float-dev xz-utils $(command -v npm >/dev/null || echo npm)
-fi
+scripts/setup.sh web
+cmake -D OUTPUT=build/source_id -P cmake/source_id.cmake
+cmp -s build/source_id build/web/source_id && exit  # Nothing has changed.
 rm -rf build/web
 mkdir -p build/web
-cmake -D OUTPUT=build/source_id -P cmake/source_id.cmake
 (cd web && npm ci --silent --ignore-scripts --no-audit --no-fund && node build.mjs ../build/web)
 cmake --preset wasm >/dev/null
 cmake --build --preset wasm
 xz --format=lzma --lzma1=preset=9e,dict=8MiB,pb=0,lc=4 -c build/wasm/wasm/engine.wasm >build/web/engine.wasm.lzma
 mv build/source_id build/web/source_id  # Last: without it the others are not taken.
-ls -l build/web

@@ -1,3 +1,4 @@
+#include "modules/module.h"
 #include "validation/extensions.h"
 
 namespace prs {

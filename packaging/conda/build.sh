@@ -1,10 +1,7 @@
 #!/usr/bin/env bash
-# What the recipe runs in a copy of the sources: PREFIX is where the libraries are and the program goes. By
-# hand, with the libraries of a Debian system: PREFIX=/tmp/prefix packaging/conda/build.sh, in a copy that has
-# libcsv/ and spectra/ as the recipe has them.
+# What the recipe runs in a copy of the sources with libcsv/ and spectra/: PREFIX is where the libraries are
+# and the program goes.
 set -euo pipefail
-: "${PREFIX:?the folder to install into}"
-
 own=$PWD/build/conda/own  # Of the build alone.
 mkdir -p "$own/include" "$own/lib"
 "${CC:-cc}" -O2 -fPIC -c libcsv/libcsv.c -I libcsv -o "$own/libcsv.o"
@@ -13,7 +10,7 @@ cp libcsv/csv.h "$own/include"
 cmake -S spectra -B build/conda/spectra -G Ninja -DCMAKE_INSTALL_PREFIX="$own" -DCMAKE_PREFIX_PATH="$PREFIX" >/dev/null
 cmake --install build/conda/spectra >/dev/null
 
-cmake -S . -B build/conda/prs -G Ninja -DCMAKE_BUILD_TYPE=Release -DPRS_BUILD_TESTS=OFF -DPRS_EVERY_PROCESSOR=ON \
+cmake -S . -B build/conda/prs -G Ninja -DCMAKE_BUILD_TYPE=Release -DPRS_BUILD_TESTS=OFF -DCMAKE_UNITY_BUILD=ON \
   -DCMAKE_PREFIX_PATH="$own;$PREFIX" -DCMAKE_INSTALL_PREFIX="$PREFIX" -DCMAKE_INSTALL_LIBDIR=lib
 cmake --build build/conda/prs --target prs prs-validate
 cmake --install build/conda/prs --component program --strip

@@ -1,35 +1,3 @@
-#include "prs/cli/command_line.h"
-#include "prs/cli/command_table.h"
-#include "prs/cli/package.h"
-#include "prs/cli/program.h"
+#include "prs/cli/run_prs.h"
 
-namespace {
-
-constexpr std::string_view kValidate = "validate";
-
-using namespace prs::cli;
-
-int run_command(int argc, char** argv) {
-  if (argc > 1 && argv[1] == kValidate) become("prs-validate", argc, argv);
-
-  Program program;
-  add_commands(program);
-  if (argc < 2) {
-    // A script with an empty variable must not pass for one that has computed something.
-    say(overview(describe(program.app)));
-    return kWrongInput;
-  }
-  if (const std::optional<int> status = parse(program.app, argc, argv)) return *status;
-  const Options& options = program.options;
-  try {
-    return run_recorded([&] { return program.run(options); }, options,
-                        program.app.get_subcommands().front()->get_name(),
-                        options.file == kStandardInput ? "" : options.file, options.overrides);
-  } catch (const UsageError& error) {
-    return report_usage(program.app, error.what());
-  }
-}
-
-}  // namespace
-
-int main(int argc, char** argv) { return prs::cli::run_program(run_command, argc, argv); }
+int main(int argc, char** argv) { return prs::cli::run_prs(argc, argv); }

@@ -1,5 +1,6 @@
 #include "validation/reference_fe/extension.h"
 
+#include "modules/module.h"
 #include "validation/extensions.h"
 
 namespace prs::reference_fe {

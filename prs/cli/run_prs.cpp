@@ -1,0 +1,38 @@
+#include "prs/cli/run_prs.h"
+
+#include "prs/cli/command_line.h"
+#include "prs/cli/command_table.h"
+#include "prs/cli/package.h"
+#include "prs/cli/program.h"
+
+namespace prs::cli {
+namespace {
+
+constexpr std::string_view kValidate = "validate";
+
+int run_command(int argc, char** argv) {
+  if (argc > 1 && argv[1] == kValidate) become("prs-validate", argc, argv);
+
+  Program program;
+  add_commands(program);
+  if (argc < 2) {
+    // A script with an empty variable must not pass for one that has computed something.
+    say(overview(describe(program.app)));
+    return kWrongInput;
+  }
+  if (const std::optional<int> status = parse(program.app, argc, argv)) return *status;
+  const Options& options = program.options;
+  try {
+    return run_recorded([&] { return program.run(options); }, options,
+                        program.app.get_subcommands().front()->get_name(),
+                        options.file == kStandardInput ? "" : options.file, options.overrides);
+  } catch (const UsageError& error) {
+    return report_usage(program.app, error.what());
+  }
+}
+
+}  // namespace
+
+int run_prs(int argc, char** argv) { return run_program(run_command, argc, argv); }
+
+}  // namespace prs::cli
