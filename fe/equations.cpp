@@ -1,9 +1,7 @@
 #include "fe/equations.h"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
-
 #include "fe/cholesky.h"
+#include "fe/quad.h"
 
 namespace fe {
 namespace {
@@ -359,8 +357,7 @@ std::vector<double> Equations::nodal_forces_by(const State& q) const {
 std::vector<double> Equations::nodal_forces(const State& q) const {
   const bool has_short_beam =
       std::ranges::any_of(beams_, [](const NumberedBeam& b) { return b.beam.length < kShortBeam; });
-  return has_short_beam ? nodal_forces_by<boost::multiprecision::cpp_bin_float_quad>(q)
-                        : nodal_forces_by<long double>(q);
+  return has_short_beam ? nodal_forces_by<Quad>(q) : nodal_forces_by<long double>(q);
 }
 
 double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {

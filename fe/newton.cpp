@@ -1,13 +1,11 @@
 #include "fe/newton.h"
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <optional>
 
 #include "fe/cholesky.h"
 #include "fe/newton_method.h"
+#include "fe/quad.h"
 
 namespace fe {
 namespace {
@@ -131,7 +129,7 @@ class DoubleNumbers : public DoubleTangent {
   std::unique_ptr<Cholesky> start_;
 };
 
-using Wide = boost::multiprecision::cpp_bin_float_quad;
+using Wide = Quad;
 using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
 
 /// Pivots below this share of the largest leave no digit in the solution.
@@ -245,49 +243,94 @@ struct DoubleSteps : WideNumbers {
   Eigen::VectorXd step;
 };
 
+/// L D L' of a symmetric matrix in wide numbers, L row by row.
+class WideCholesky {
+ public:
+  /// `pattern`: of the matrix, in the order of elimination; has to outlive this.
+  explicit WideCholesky(const SparseSymmetric& pattern)
+      : pattern_(pattern), columns_(size()), below_(size()), diagonal_(size()) {
+    std::vector<int> parent(size(), -1), seen_by(size(), -1);
+    for (int k = 0; k < pattern.size(); ++k) {
+      at(seen_by, k) = k;
+      for (int p = at(pattern.column_start, k); p < at(pattern.column_start, k + 1); ++p)
+        for (int i = at(pattern.row, p); std::exchange(at(seen_by, i), k) != k; i = at(parent, i)) {
+          if (at(parent, i) < 0) at(parent, i) = k;
+          at(columns_, k).push_back(i);
+        }
+      std::ranges::sort(at(columns_, k));
+    }
+  }
+
+  /// `value`: of the entries of the pattern.
+  FactorizationStatus factorize(const std::vector<Wide>& value) {
+    for (auto& entries : below_) entries.clear();
+    std::vector<Wide> y(size(), Wide(0.0));
+    for (int k = 0; k < pattern_.size(); ++k) {
+      for (int p = at(pattern_.column_start, k); p < at(pattern_.column_start, k + 1); ++p)
+        at(y, at(pattern_.row, p)) += at(value, p);
+      Wide pivot = std::exchange(at(y, k), Wide(0.0));
+      for (const int i : at(columns_, k)) {
+        const Wide left = std::exchange(at(y, i), Wide(0.0)), entry = left / diagonal_[i];
+        for (const auto& [row, above] : at(below_, i)) at(y, row) -= above * left;
+        pivot -= entry * left;
+        at(below_, i).emplace_back(k, entry);
+      }
+      if (pivot == Wide(0.0)) return FactorizationStatus::not_positive_definite;
+      diagonal_[k] = pivot;
+    }
+    for (const Wide& pivot : diagonal_)
+      if (!(pivot > kSmallestWidePivotRatio * diagonal_.maxCoeff())) return FactorizationStatus::not_positive_definite;
+    return FactorizationStatus::ok;
+  }
+
+  void solve(const WideVector& b, WideVector& x) const {
+    x = b;
+    for (int i = 0; i < pattern_.size(); ++i)
+      for (const auto& [row, entry] : at(below_, i)) x[row] -= entry * x[i];
+    for (int i = pattern_.size() - 1; i >= 0; --i) {
+      x[i] /= diagonal_[i];
+      for (const auto& [row, entry] : at(below_, i)) x[i] -= entry * x[row];
+    }
+  }
+
+ private:
+  std::size_t size() const { return static_cast<std::size_t>(pattern_.size()); }
+
+  const SparseSymmetric& pattern_;
+  std::vector<std::vector<int>> columns_;                 ///< Columns of the entries of each row of L.
+  std::vector<std::vector<std::pair<int, Wide>>> below_;  ///< Rows and values of the entries of each column of L.
+  WideVector diagonal_;
+};
+
 /// Steps in wide numbers.
 struct WideSteps : WideNumbers {
   static constexpr int kMostStalls = std::numeric_limits<int>::max();
   static constexpr double kNoGain = 0.0;
-  using Matrix = Eigen::SparseMatrix<Wide>;
 
-  explicit WideSteps(const Equations& e) : WideNumbers(e), linear(e.linear_values<Wide>()) {
-    const SparseSymmetric& pattern = e.linear_stiffness();
-    matrix = Eigen::Map<const Matrix>(e.size(), e.size(), static_cast<Eigen::Index>(linear.size()),
-                                      pattern.column_start.data(), pattern.row.data(), linear.data());
-    factor.analyzePattern(matrix);
-  }
+  explicit WideSteps(const Equations& e)
+      : WideNumbers(e), linear(e.linear_values<Wide>()), value(linear), factor(e.linear_stiffness()) {}
 
   void tangent(const State& q, double least) {
-    std::copy(linear.begin(), linear.end(), matrix.valuePtr());
+    value = linear;
     for (const Equations::Spring& s : equations.springs())
       s.for_each_tangent(Wide(std::max(response(s, q).tangent, least)),
-                         [&](int slot, const Wide& k) { matrix.valuePtr()[slot] += k; });
+                         [&](int slot, const Wide& k) { at(value, slot) += k; });
   }
 
   void shift_by(double change) {
     for (int j = 0; j < equations.size(); ++j) {
-      const int diagonal = matrix.outerIndexPtr()[j + 1] - 1;
-      matrix.valuePtr()[diagonal] += change * at(linear, diagonal);
+      const int diagonal = at(equations.linear_stiffness().column_start, j + 1) - 1;
+      at(value, diagonal) += change * at(linear, diagonal);
     }
   }
 
-  FactorizationStatus factorize() {
-    factor.factorize(matrix);
-    if (factor.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
-    const Vector pivots = factor.vectorD();
-    for (const Wide& pivot : pivots)
-      if (!(pivot > kSmallestWidePivotRatio * pivots.maxCoeff())) return FactorizationStatus::not_positive_definite;
-    return FactorizationStatus::ok;
-  }
-
-  void solve(const Vector& b, Vector& x) const { x = factor.solve(b); }
+  FactorizationStatus factorize() { return factor.factorize(value); }
+  void solve(const Vector& b, Vector& x) const { factor.solve(b, x); }
   static bool factorized_within(double) { return false; }
   bool solved(const Vector&, const Vector&) const { return true; }
 
-  std::vector<Wide> linear;
-  Matrix matrix;  ///< Upper triangle of the tangent.
-  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
+  std::vector<Wide> linear, value;  ///< Entries of the linear part and of the tangent.
+  WideCholesky factor;
 };
 
 /// The tangent less what the load grows by: K + (B - P)' t B.

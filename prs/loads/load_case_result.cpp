@@ -4,6 +4,21 @@
 #include "prs/loads/analyze.h"
 
 namespace prs {
+
+LoadCaseResult::LoadCaseResult() = default;
+LoadCaseResult::LoadCaseResult(const LoadCaseResult&) = default;
+LoadCaseResult::LoadCaseResult(LoadCaseResult&&) noexcept = default;
+LoadCaseResult& LoadCaseResult::operator=(const LoadCaseResult&) = default;
+LoadCaseResult& LoadCaseResult::operator=(LoadCaseResult&&) noexcept = default;
+LoadCaseResult::~LoadCaseResult() = default;
+
+Result::Result() = default;
+Result::Result(const Result&) = default;
+Result::Result(Result&&) noexcept = default;
+Result& Result::operator=(const Result&) = default;
+Result& Result::operator=(Result&&) noexcept = default;
+Result::~Result() = default;
+
 namespace {
 
 void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact, simd::InstructionSet set,

@@ -18,7 +18,7 @@ std::optional<std::string> factorization(const LoadCaseResult& r) {
     return eigen.substr(0, eigen.find(',')) + ", dense LU";
   }
   std::string name(fe::Cholesky::name());
-  if (r.solve->wide) name += "; then " + fe::eigen_factorization_name() + " of 113 binary digits";
+  if (r.solve->wide) name += "; then LDL' of 113 binary digits";
   return name;
 }
 

@@ -65,6 +65,14 @@ struct OtherFlank {
 /// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
 /// stiffness are absent.
 struct LoadCaseResult {
+  // Compiled once, as those of Conditions.
+  LoadCaseResult();
+  LoadCaseResult(const LoadCaseResult&);
+  LoadCaseResult(LoadCaseResult&&) noexcept;
+  LoadCaseResult& operator=(const LoadCaseResult&);
+  LoadCaseResult& operator=(LoadCaseResult&&) noexcept;
+  ~LoadCaseResult();
+
   LoadCase load_case;
   ModelOptions::Loads loads = ModelOptions::Loads::at_rest;
   std::optional<fe::NewtonSummary> solve;
@@ -84,6 +92,13 @@ struct LoadCaseResult {
 
 /// Everything that `analyze` computes from a case.
 struct Result {
+  Result();
+  Result(const Result&);
+  Result(Result&&) noexcept;
+  Result& operator=(const Result&);
+  Result& operator=(Result&&) noexcept;
+  ~Result();
+
   Contacts contacts;
   ModelOptions model;
   std::vector<LoadCaseResult> load_cases;

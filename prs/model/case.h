@@ -20,6 +20,14 @@ struct ContactOverrides {
 /// that the file leaves out are empty. What computes on contacts takes these conditions and the
 /// mechanism of the contacts, which is complete; that of the file is out of its reach.
 struct Conditions {
+  // Compiled once, in case.cpp: inline copies of so many members cost time and size in all sources that hold a case.
+  Conditions();
+  Conditions(const Conditions&);
+  Conditions(Conditions&&) noexcept;
+  Conditions& operator=(const Conditions&);
+  Conditions& operator=(Conditions&&) noexcept;
+  ~Conditions();
+
   std::optional<Structure> structure;
   std::optional<Materials> materials;
   Deviations deviations;

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cfloat>
+
+namespace fe {
+
+/// A number of 113 binary digits (IEEE 754 binary128), by the compiler's own arithmetic: `long double` of
+/// ARM and WebAssembly; x86, whose `long double` is shorter, has a type of its own.
+#if LDBL_MANT_DIG == 113
+using Quad = long double;
+#else
+__extension__ using Quad = __float128;
+#endif
+
+}  // namespace fe
