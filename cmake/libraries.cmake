@@ -10,11 +10,11 @@ if(PRS_FULL)
   list(APPEND PRS_LIBRARIES spectra=1.0.1)
 endif()
 foreach(library IN LISTS PRS_LIBRARIES)
-  string(REPLACE "=" ";" library ${library})
-  list(POP_FRONT library name oldest)
-  find_package(${name} REQUIRED)  # Some refuse to be asked for a version older than their own.
-  if(${name}_VERSION AND ${name}_VERSION VERSION_LESS oldest)
-    message(FATAL_ERROR "${name}: found version ${${name}_VERSION}; install ${oldest} or later")
+  string(REGEX MATCH "(.*)=(.*)" _ ${library})
+  find_package(${CMAKE_MATCH_1} REQUIRED)  # Some refuse to be asked for a version older than their own.
+  string(REGEX MATCH "(.*)=(.*)" _ ${library})
+  if(${CMAKE_MATCH_1}_VERSION AND ${CMAKE_MATCH_1}_VERSION VERSION_LESS CMAKE_MATCH_2)
+    message(FATAL_ERROR "${CMAKE_MATCH_1}: found version ${${CMAKE_MATCH_1}_VERSION}; install ${CMAKE_MATCH_2} or later")
   endif()
 endforeach()
 find_package(PkgConfig REQUIRED)
@@ -38,10 +38,8 @@ find_library(SUNDIALS_LIBRARY sundials_cvode)  # With its vectors and solvers.
 find_library(SUNDIALS_CORE sundials_core)      # Since version 7, which Debian builds with MPI.
 if(SUNDIALS_LIBRARY)
   add_library(SUNDIALS::cvode INTERFACE IMPORTED)
-  target_link_libraries(SUNDIALS::cvode INTERFACE ${SUNDIALS_LIBRARY})
-  if(SUNDIALS_CORE)
-    target_link_libraries(SUNDIALS::cvode INTERFACE ${SUNDIALS_CORE} $<TARGET_NAME_IF_EXISTS:MPI::MPI_C>)
-  endif()
+  target_link_libraries(SUNDIALS::cvode INTERFACE ${SUNDIALS_LIBRARY} $<$<BOOL:${SUNDIALS_CORE}>:${SUNDIALS_CORE}>
+    $<$<BOOL:${SUNDIALS_CORE}>:$<TARGET_NAME_IF_EXISTS:MPI::MPI_C>>)
 endif()
 
 # add_module(NAME LIBRARY PACKAGE SOURCE..): the module prs_NAME.so, where there is a target LIBRARY.

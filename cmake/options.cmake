@@ -1,12 +1,11 @@
-# What all sources of the project are compiled with: `prs_options`; kernels, which are unrolled
-# arithmetic, with its first part alone, since sanitizers would compile them in minutes.
+# What all sources are compiled with: `prs_options`; kernels with `prs_warnings` alone, since sanitizers would compile
+# unrolled arithmetic in minutes.
 add_library(prs_warnings INTERFACE)
 add_library(prs_options INTERFACE)
 target_link_libraries(prs_options INTERFACE prs_warnings)
 target_compile_options(prs_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # False alarms of GCC 12: on "literal" + std::string (bug 105651), on types of anonymous namespaces in
-  # batches of sources, and in its own headers for AVX-512 (bug 105593).
+  # False alarms of GCC 12: on "literal" + std::string (bug 105651), on types of anonymous namespaces in batches.
   target_compile_options(prs_warnings INTERFACE -Wno-restrict $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
   # Where there is memory, GCC need not look for what it could use again: a sixth of its time.
   cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)  # MiB
@@ -15,11 +14,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   if(memory GREATER 3000)
     add_compile_options(--param=ggc-min-heapsize=2000000)  # KiB
   endif()
-else()
-  # As GCC has them: conversions without signs, shadows without fields of enclosing classes, unused
-  # functions without those that another branch of `if constexpr` uses.
-  target_compile_options(prs_warnings INTERFACE
-    -Wno-sign-conversion -Wno-shadow -Wno-unneeded-internal-declaration)
+else()  # As GCC has them.
+  target_compile_options(prs_warnings INTERFACE -Wno-sign-conversion -Wno-shadow -Wno-unneeded-internal-declaration)
 endif()
 
 if(PRS_SANITIZE)
@@ -33,14 +29,27 @@ if(PRS_SANITIZE)
   # As in libraries that were compiled without sanitizers and hand Eigen's matrices over: pagmo.
   target_compile_definitions(prs_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   if(PRS_SANITIZE STREQUAL "fuzzer")
-    target_compile_options(prs_options INTERFACE
-      -fsanitize=fuzzer-no-link -fprofile-instr-generate -fcoverage-mapping)
-    target_link_options(prs_options INTERFACE -fprofile-instr-generate)
+    target_compile_options(prs_options INTERFACE -fsanitize=fuzzer-no-link)
   endif()
 elseif(NOT EMSCRIPTEN AND CMAKE_BUILD_TYPE MATCHES "Rel")
-  # Guards against hostile files: sizes of what library functions write, returns of functions, tables
-  # of addresses that are written once.
+  # Guards against hostile files: sizes that library functions write, returns, tables of addresses.
   target_compile_options(prs_options INTERFACE -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3 -fstack-protector-strong
     $<$<STREQUAL:${CMAKE_SYSTEM_PROCESSOR},x86_64>:-fcf-protection>)
   target_link_options(prs_options INTERFACE -Wl,-z,relro,-z,now)
 endif()
+
+# batch_by_folder(TARGET..): unity builds in batches of at most 12 sources of one folder, in which names of anonymous
+# namespaces differ (scripts/check_rooms.py).
+function(batch_by_folder)
+  foreach(target IN LISTS ARGN)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      cmake_path(GET source PARENT_PATH folder)
+      math(EXPR batch "0${count_${folder}} / 12")
+      math(EXPR count_${folder} "0${count_${folder}} + 1")
+      string(MAKE_C_IDENTIFIER "${folder}_${batch}" batch)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${batch})
+    endforeach()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  endforeach()
+endfunction()

@@ -1,16 +1,12 @@
-# Writes OUTPUT: the hash of all sources that live pages are made of, of their names and contents. The program
-# and the engine of pages that scripts/web.sh builds both have it: a page takes an engine of the same sources
-# alone. `cmake -D OUTPUT=FILE -P cmake/source_id.cmake`; an unchanged file is not touched.
+# Writes OUTPUT: the hash of all sources that live pages are made of, of their names and contents. The program and
+# the engine that scripts/web.sh builds both have it: a page takes an engine of the same sources alone.
 cmake_minimum_required(VERSION 3.25)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
 foreach(folder IN ITEMS contact fe modules prs simd validation/standard_screws wasm web/src)
-  foreach(kind IN ITEMS h c cpp css csv html in js jsx txt xml yaml)
-    list(APPEND patterns ${root}/${folder}/*.${kind})
-  endforeach()
+  file(GLOB_RECURSE files RELATIVE ${root} ${root}/${folder}/*.*)
+  list(APPEND sources ${files})
 endforeach()
-file(GLOB_RECURSE sources RELATIVE ${root} ${patterns})
-list(FILTER sources EXCLUDE REGEX "^prs/cli/")  # Words of the terminal, which no page has.
-set(content "")
+list(FILTER sources EXCLUDE REGEX "^prs/cli/|\\.md$|CMakeLists")  # Words of the terminal, which no page has.
 foreach(source IN LISTS sources ITEMS cmake/webassembly.cmake web/build.mjs web/package-lock.json)
   file(SHA256 ${root}/${source} hash)
   string(APPEND content "${hash} ${source}\n")

@@ -12,8 +12,7 @@ foreach(library eigen3/Eigen eigen3/unsupported boost fast_float fmt nlohmann xs
   file(CREATE_LINK ${found_${library}}/${library} ${headers}/${name} SYMBOLIC)
 endforeach()
 include_directories(SYSTEM ${headers})
-foreach(target Eigen3::Eigen Boost::headers fmt::fmt nlohmann_json::nlohmann_json PkgConfig::NETTLE
-        CLI11::CLI11 ZLIB::ZLIB)
+foreach(target Eigen3::Eigen Boost::headers fmt::fmt nlohmann_json::nlohmann_json PkgConfig::NETTLE CLI11::CLI11 ZLIB::ZLIB)
   add_library(${target} INTERFACE IMPORTED GLOBAL)
 endforeach()
 target_include_directories(PkgConfig::NETTLE INTERFACE ${PROJECT_SOURCE_DIR}/wasm/include)
@@ -26,10 +25,9 @@ add_link_options(-fwasm-exceptions)
 set(debian deb.debian.org/debian/pool/main archive.debian.org/debian/pool/main)
 list(TRANSFORM debian PREPEND http:// )
 set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)
-set(YAML_CPP_BUILD_CONTRIB OFF)
-set(YAML_CPP_BUILD_TOOLS OFF)
-set(YAML_CPP_BUILD_TESTS OFF)
-set(YAML_CPP_INSTALL OFF)
+foreach(part IN ITEMS BUILD_CONTRIB BUILD_TOOLS BUILD_TESTS INSTALL)
+  set(YAML_CPP_${part} OFF)
+endforeach()
 list(TRANSFORM debian APPEND /y/yaml-cpp/yaml-cpp_0.7.0+dfsg.orig.tar.xz OUTPUT_VARIABLE urls)
 FetchContent_Declare(yaml-cpp URL ${urls}
   URL_HASH SHA256=dc63708605404e0b963e0ca3a9619d1c8270eda2839603e6fa0384e5e51e5312)
@@ -42,9 +40,7 @@ add_library(csv STATIC ${libcsv_SOURCE_DIR}/libcsv.c)
 target_include_directories(csv PUBLIC ${libcsv_SOURCE_DIR})
 set(CSV_LIBRARY csv)
 
-add_compile_definitions(
-  EIGEN_DONT_VECTORIZE                       # The kernels of contacts and chains are.
-  BOOST_MATH_PROMOTE_DOUBLE_POLICY=false     # A long double is emulated.
-  FMT_HEADER_ONLY)
+# Kernels of contacts and chains are vectorized; a long double is emulated.
+add_compile_definitions(EIGEN_DONT_VECTORIZE BOOST_MATH_PROMOTE_DOUBLE_POLICY=false FMT_HEADER_ONLY)
 add_compile_options(
   $<$<COMPILE_LANGUAGE:CXX>:-include> $<$<COMPILE_LANGUAGE:CXX>:${PROJECT_SOURCE_DIR}/wasm/include/missing.h>)

@@ -11,7 +11,7 @@ cmake --build --preset fuzz
 seconds=${1:-600}
 targets=("${@:2}")
 ((${#targets[@]})) || targets=(documents force_history journals matrix_cache measured_curves overrides)
-export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 LLVM_PROFILE_FILE=/dev/null
+export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
 TMPDIR=$(mktemp -d -p /dev/shm)  # Journals are synced to the disk.
 export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT

@@ -59,7 +59,7 @@ def test_programs_find_their_data_wherever_they_are_moved(installed: Path, tmp_p
         "man/man1/prs.1.gz",
         "man/man1/prs-solve.1.gz",
         "bash-completion/completions/prs",
-        "zsh/site-functions/_prs",
+        "zsh/vendor-completions/_prs",
         "fish/vendor_completions.d/prs.fish",
     ],
 )
