@@ -17,7 +17,7 @@ foreach(target Eigen3::Eigen Boost::headers fmt::fmt nlohmann_json::nlohmann_jso
 endforeach()
 target_include_directories(PkgConfig::NETTLE INTERFACE ${PROJECT_SOURCE_DIR}/wasm/include)
 
-# The same in every folder and on every machine: the module's bytes follow from its sources.
+# Names of files in the module do not say where this folder lies.
 add_compile_options(-fwasm-exceptions -msimd128 -msse2 -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.
   -ffile-prefix-map=${PROJECT_BINARY_DIR}=.)
 add_link_options(-fwasm-exceptions)
