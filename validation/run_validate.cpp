@@ -60,7 +60,7 @@ int validate(const Options& options) {
   return exit_status(true);
 }
 
-int run(int argc, char** argv) {
+int run_command(int argc, char** argv) {
   CLI::App app{"Compare with the published sources", "prs validate"};
   app.set_help_flag("-h,--help", "Print this help");
   Options options;
@@ -74,4 +74,4 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int prs::run_validate(int argc, char** argv) { return run_program(run, argc, argv); }
+int prs::run_validate(int argc, char** argv) { return run_program(run_command, argc, argv); }

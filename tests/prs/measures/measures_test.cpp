@@ -39,7 +39,8 @@ Case abevi(const std::vector<std::string>& overrides = {}) {
   c.measures = MeasureOptions{.loaded_width = 2e-3,
                               .friction_coefficient = 0.01,
                               .yield_strength = 800e6,
-                              .shaft = MeasureOptions::Shaft{.length = 0.6}};
+                              .shaft = MeasureOptions::Shaft{.length = 0.6},
+                              .system = {}};
   return c;
 }
 

@@ -348,7 +348,7 @@ TEST(Motion, RigidPartsWithOneEccentricityHaveAClosedForm) {
   Case c = screw(Mechanism::Type::inverted);
   make_rigid(c);
   c.structure->roller.rings = {Rings::Carrier::housing, kRigid};
-  c.structure->screw.bearings = {{.position = 5e-3, .tilt = kRigid}};
+  c.structure->screw.bearings = {{.position = 5e-3, .tilt = kRigid, .offset = {}, .angle = {}}};
   c.structure->screw.free_length = 40e-3;
   const TurningError error{8e-6, 0.3};
   c.deviations.turning.thread.screw.eccentricity = error;
@@ -457,7 +457,7 @@ double loaded_section(const Case& c) { return *c.load_cases[0].position - c.stru
 TEST(Motion, AHeavyMassSwingsOnTheTangentStiffness) {
   for (const Mechanism::Type type : kTypes) {
     Case c = vibrating(type);
-    c.structure->screw.bearings = {{.position = loaded_section(c), .tilt = kRigid}};
+    c.structure->screw.bearings = {{.position = loaded_section(c), .tilt = kRigid, .offset = {}, .angle = {}}};
     c.structure->masses = {heavy(ExtraMass::Carrier::screw, loaded_section(c))};
     const LoadCaseResult r = first_result(c);
     const double wanted = std::sqrt(*r.tangent_stiffness / 1e6) / (2.0 * pi);
@@ -500,7 +500,7 @@ TEST(Motion, HeavyRollersTurnWithTheDrive) {
     Case c = vibrating(type);
     make_light(c);
     c.materials->roller.density = 7.8e3;
-    c.structure->screw.bearings = {{.position = loaded_section(c), .tilt = kRigid}};
+    c.structure->screw.bearings = {{.position = loaded_section(c), .tilt = kRigid, .offset = {}, .angle = {}}};
     Drive drive;
     drive.position = loaded_section(c);
     drive.inertia = 1e-6;
@@ -546,7 +546,7 @@ TEST(Motion, MassesStandStillWhileTheCarrierTurns) {
 TEST(Motion, ContactsAloneHaveFrequenciesLikeTheSixthRootOfTheForce) {
   Case c = vibrating(Mechanism::Type::inverted);
   make_rigid(c);
-  c.structure->screw.bearings = {{.position = loaded_section(c), .tilt = kRigid}};
+  c.structure->screw.bearings = {{.position = loaded_section(c), .tilt = kRigid, .offset = {}, .angle = {}}};
   const double before = modes_of(c).modes[0].frequency;
   c.load_cases[0].axial_force *= 64.0;
   EXPECT_NEAR(modes_of(c).modes[0].frequency, 2.0 * before, 1e-4 * before);
@@ -579,7 +579,8 @@ Case long_screw(double length) {
   c.structure->screw.free_length = length;
   c.structure->screw.far_length = 5e-3;
   const double first = *c.load_cases[0].position;
-  c.structure->screw.bearings = {{.position = first - length}, {.position = first}};
+  c.structure->screw.bearings = {{.position = first - length, .offset = {}, .angle = {}},
+                                 {.position = first, .offset = {}, .angle = {}}};
   for (const Interface i : kInterfaces) c.contact.hertz_constant[i] = 1e4;  // [N/m^1.5]
   c.load_cases[0].modes->count = 4;
   return c;
@@ -642,7 +643,7 @@ TEST(Motion, AFreeScrewIsAFreeBarAndBeam) {
 TEST(Motion, NodesThatLieCloseAreExact) {
   for (const double distance : {1.1e-4, 1e-5}) {
     Case c = vibrating(Mechanism::Type::standard);
-    c.structure->screw.bearings = {{.position = *c.load_cases[0].position + distance, .lateral = 1e7, .tilt = 1e4}};
+    c.structure->screw.bearings = {{.position = *c.load_cases[0].position + distance, .lateral = 1e7, .tilt = 1e4, .offset = {}, .angle = {}}};
     const Contacts contacts = find_contacts(c.mechanism, c.materials);
     const FullModel f = full_model(contacts.mechanism, *c.structure, *c.materials, c.model, contact_laws(c, contacts),
                                    c.load_cases[0], c.deviations);

@@ -8,7 +8,7 @@
 namespace prs {
 namespace {
 
-StudySummary study_of(const std::vector<std::string>& overrides) {
+StudySummary studied(const std::vector<std::string>& overrides) {
   const input::StudyInput in = input::read_study_input(
       input::load_source(PRS_SOURCE_DIR "/validation/fu_2022/data/position_errors.yaml", overrides));
   const DesignEngine engine(in);
@@ -19,7 +19,7 @@ StudySummary study_of(const std::vector<std::string>& overrides) {
 
 // Fu et al. 2022, abstract: sensitive to positions of screw and nut, hardly to those of rollers.
 TEST(PositionErrors, OfScrewAndNutMoveTheLoadSharingThoseOfRollersHardly) {
-  const StudySummary study = study_of({});
+  const StudySummary study = studied({});
   const std::vector<FactorIndices>& factors = study.indices.at(0).factors;
   ASSERT_EQ(factors.size(), 3u);
   EXPECT_GT(factors[0].total.value, 0.5);
@@ -30,7 +30,7 @@ TEST(PositionErrors, OfScrewAndNutMoveTheLoadSharingThoseOfRollersHardly) {
 // A screw that nothing holds centres itself: the assumption behind that order.
 TEST(PositionErrors, OfAFreeScrewMoveHardlyAnything) {
   const auto deviation = [](const std::vector<std::string>& overrides) {
-    return *study_of(overrides).statistics.at(0).standard_deviation;
+    return *studied(overrides).statistics.at(0).standard_deviation;
   };
   EXPECT_LT(deviation({"structure.screw.bearings=[]"}), 0.05 * deviation({}));
 }
