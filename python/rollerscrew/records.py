@@ -182,11 +182,13 @@ class Verdict(Record):
 
     state: the worst: green | amber | red | no_limit
     criteria: each with its worst value
+    not_built: commands that the case is ready for and this program leaves out; scripts/install.sh builds all
     """
 
     __slots__ = ()
     state: str
     criteria: list[Criterion]
+    not_built: list[str] | None
 
 
 class Model(Record):

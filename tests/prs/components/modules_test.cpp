@@ -42,13 +42,12 @@ TEST_F(WithoutModules, CasesAreSolved) {
   EXPECT_EQ(run("solve configs/01_config_1_to_3.yaml").out, test::run_prs("solve configs/01_config_1_to_3.yaml").out);
 }
 
-/// CHOLMOD factorizes where it is there; documents say which library it was.
-TEST_F(WithoutModules, SparseMatricesAreEigens) {
+/// CHOLMOD is part of the program; documents say so.
+TEST_F(WithoutModules, SparseMatricesAreCholmods) {
   for (const std::string lesson : {"01_config_1_to_3", "26_unequal_rollers"}) {
-    const std::string command = "solve configs/" + lesson + ".yaml --json --quiet";
-    EXPECT_THAT(run(command).out, HasSubstr("\"factorization\": \"Eigen 3."));
-    EXPECT_THAT(test::run_prs(command).out,
-                testing::ContainsRegex("\"factorization\": \"CHOLMOD [0-9.]+, simplicial LDL'\""));
+    const std::string written = run("solve configs/" + lesson + ".yaml --json --quiet").out;
+    EXPECT_THAT(written.substr(std::min(written.size(), written.find("\"factorization\"")), 70),
+                testing::ContainsRegex("^\"factorization\": \"CHOLMOD [0-9.]+, simplicial LDL'\""));
   }
 }
 
