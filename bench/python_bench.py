@@ -1,8 +1,8 @@
 """What Python adds to the engine, against the same work in prs_bench, in turns.
 
-    python bench/python_bench.py [build/bench/bench/prs_bench]
+    python bench/python_bench.py [build/release/bench/prs_bench]
 
-From the top of the repository, with rollerscrew installed and the bench preset built.
+From the top of the repository, with rollerscrew installed and prs_bench built.
 """
 
 import json
@@ -120,7 +120,7 @@ def designs_call() -> Callable[[], object]:
 
 
 def main() -> None:
-    program = sys.argv[1] if len(sys.argv) > 1 else "build/bench/bench/prs_bench"
+    program = sys.argv[1] if len(sys.argv) > 1 else "build/release/bench/prs_bench"
     contact = rs.Case.from_yaml("configs/08_design_by_backlash.yaml")
     solve = rs.Case.from_yaml("configs/05_standard_screw.yaml")
     evaluate = designs_call()

@@ -3,7 +3,6 @@
 include(CMakePackageConfigHelpers)
 get_property(modules GLOBAL PROPERTY PRS_MODULES)
 install(TARGETS prs RUNTIME DESTINATION bin COMPONENT program)
-install(TARGETS prs-validate RUNTIME DESTINATION libexec/prs COMPONENT program)
 install(TARGETS ${modules} LIBRARY DESTINATION lib/prs COMPONENT program)
 install(DIRECTORY configs/ DESTINATION share/prs/lessons COMPONENT program FILES_MATCHING PATTERN *.yaml PATTERN *.csv)
 install(DIRECTORY validation/ DESTINATION share/prs/validation COMPONENT program
@@ -40,6 +39,9 @@ write_basic_package_version_file(prsConfigVersion.cmake COMPATIBILITY SameMinorV
 install(FILES ${PROJECT_BINARY_DIR}/prsConfig.cmake ${PROJECT_BINARY_DIR}/prsConfigVersion.cmake
   DESTINATION lib/cmake/prs COMPONENT development)
 
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
 # `cpack -G DEB`: a package for the release of Debian that it is made on.
 set(CPACK_PACKAGE_CONTACT "the prs authors <prs-authors@prs.invalid>" CACHE STRING "Who answers for the packages")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -52,9 +54,9 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Computes loads, stiffness, slip, losses, life and designs of planetary roller
-screws, of which a YAML file tells. Every number can be traced to an equation of a published source. It links CHOLMOD
+screws, described by a YAML file. Every number can be traced to an equation of a published source. It links CHOLMOD
 with its supernodal part: as a whole it is under the GPL, version 2 or later.")
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/debian_dependencies.cmake)
-set(CPACK_PRS_PROGRAMS ${PROJECT_BINARY_DIR}/prs/cli/prs ${PROJECT_BINARY_DIR}/prs/cli/prs-validate)
+set(CPACK_PRS_PROGRAMS ${PROJECT_BINARY_DIR}/prs/cli/prs)
 set(CPACK_PRS_MODULES ${PROJECT_BINARY_DIR}/lib/prs)
 include(CPack)

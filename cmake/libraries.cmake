@@ -1,4 +1,4 @@
-# Libraries of at least those versions that were tried, Debian 12's. What few runs need becomes a module,
+# Libraries with the oldest versions that were tried, those of Debian 12. What few runs need becomes a module,
 # prs_NAME.so, which the program loads when it is asked for it (modules/module.h).
 if(EMSCRIPTEN)
   include(${CMAKE_CURRENT_LIST_DIR}/webassembly.cmake)

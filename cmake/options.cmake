@@ -1,20 +1,21 @@
 # What all sources are compiled with: `prs_options`; kernels with `prs_warnings` alone, since sanitizers would compile
 # unrolled arithmetic in minutes.
 add_library(prs_warnings INTERFACE)
+target_include_directories(prs_warnings INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
 add_library(prs_options INTERFACE)
 target_link_libraries(prs_options INTERFACE prs_warnings)
 target_compile_options(prs_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False alarms of GCC 12: on "literal" + std::string (bug 105651), on types of anonymous namespaces in batches.
   target_compile_options(prs_warnings INTERFACE -Wno-restrict $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
-  # Where there is memory, GCC need not look for what it could use again: a sixth of its time.
+  # Where there is memory, GCC need not look for memory to reuse: a sixth of its time.
   cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)  # MiB
   cmake_host_system_information(RESULT processors QUERY NUMBER_OF_LOGICAL_CORES)
   math(EXPR memory "${memory} / ${processors}")
   if(memory GREATER 3000)
     add_compile_options(--param=ggc-min-heapsize=2000000)  # KiB
   endif()
-else()  # As GCC has them.
+else()  # What GCC means by these warnings.
   target_compile_options(prs_warnings INTERFACE -Wno-sign-conversion -Wno-shadow -Wno-unneeded-internal-declaration)
 endif()
 

@@ -1,17 +1,36 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "fe/sparse_factorization.h"
+#include "fe/sparse_symmetric.h"
 
 namespace fe {
 
+/// A symmetric matrix as a product of sparse triangles. The pattern is fixed and its order is kept.
+/// All of it throws std::bad_alloc where memory does not suffice.
+class SparseFactorization {
+ public:
+  SparseFactorization() = default;
+  virtual ~SparseFactorization() = default;
+  SparseFactorization(const SparseFactorization&) = delete;
+  SparseFactorization& operator=(const SparseFactorization&) = delete;
+
+  /// Not positive definite: also where a pivot is below `smallest_pivot_ratio` times the largest.
+  virtual FactorizationStatus factorize(const SparseSymmetric& matrix,
+                                        double smallest_pivot_ratio = kSmallestPivotRatio) = 0;
+
+  /// Solves A x = b for the columns of b with the last factorization, which must have been `ok`; x
+  /// has the size of b.
+  virtual void solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x) const = 0;
+};
+
 /// Sparse LDL' for a fixed pattern of the size of a sector, by CHOLMOD. The symbolic analysis happens
-/// once, at birth; `factorize` takes new values for the same pattern. The matrix is factorized in the order given: number the equations by
-/// `fill_reducing_order` first.
+/// once, at birth; `factorize` takes new values for the same pattern. The matrix is factorized in the order given:
+/// number the equations by `fill_reducing_order` first.
 class Cholesky {
  public:
   explicit Cholesky(const SparseSymmetric& pattern);

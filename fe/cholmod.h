@@ -1,10 +1,6 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "fe/sparse_factorization.h"
+#include "fe/cholesky.h"
 
 /// CHOLMOD of SuiteSparse. The engine of pages is built without it (PRS_CHOLMOD), and has Eigen's
 /// factorization behind the same functions. All of them throw std::bad_alloc.

@@ -4,7 +4,6 @@ against their order, circles of folders, sources of no room, too many lines or l
 one room declares and another defines: functions, members and types. So each room links alone."""
 
 import argparse
-import os
 import re
 import sys
 import tomllib
@@ -26,7 +25,7 @@ MOST_LINES = [
 ]
 
 
-# Sources of a room with SHOWN that show its results, in a library of their own (shown in scripts/rooms.toml).
+# Sources that show the results of a room with `shown`.
 SHOWN = re.compile(
     r"_(record|json|table|csv|netcdf|columns|files|figures|pictures|parts|case|analysis)$"
 )

@@ -18,9 +18,9 @@ trap 'rm -rf "$TMPDIR"' EXIT
 for target in "${targets[@]}"; do
   mkdir -p build/fuzz/{corpus,findings}/"$target"
   end=$((SECONDS + seconds))
-  while ((SECONDS < end)); do  # Also after a finding. Without the entropy of all features, which takes long.
+  while ((left = end - SECONDS, left > 0)); do  # Also after a finding. Without the entropy of all features, which takes long.
     build/fuzz/tests/fuzz/fuzz_"$target" -timeout=60 -rss_limit_mb=2048 -max_len=16000 -entropic=0 -print_funcs=0 \
-      -max_total_time=$((end - SECONDS)) -print_final_stats=1 -artifact_prefix=build/fuzz/findings/"$target"/ \
+      -max_total_time="$left" -print_final_stats=1 -artifact_prefix=build/fuzz/findings/"$target"/ \
       build/fuzz/corpus/"$target" tests/fuzz/corpus/"$target" 2>&1 | tee -a build/fuzz/"$target".log || true
   done
 done

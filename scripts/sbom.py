@@ -32,7 +32,7 @@ def headers(build: Path) -> set[str]:
 
 def shared_libraries(build: Path) -> set[str]:
     """All libraries that the programs and their modules load."""
-    programs = [build / "prs/cli/prs", build / "prs/cli/prs-validate"]
+    programs = [build / "prs/cli/prs"]
     found: set[str] = set()
     for file in [*programs, *sorted((build / "lib/prs").glob("*.so"))]:
         if file.exists():

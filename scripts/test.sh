@@ -16,12 +16,12 @@ case ${1:-} in
   --threads)
     cmake --preset tsan
     cmake --build --preset tsan --target prs_tests
-    TSAN_OPTIONS="suppressions=$PWD/tests/support/thread_sanitizer.supp second_deadlock_stack=1" \
+    TSAN_OPTIONS="suppressions=tests/support/thread_sanitizer.supp second_deadlock_stack=1" \
       build/tsan/tests/prs_tests --gtest_filter='EngineThreads.*'
     ;;
   "")
     scripts/web.sh
-    cmake --workflow --preset test
+    CTEST_PARALLEL_LEVEL=$(nproc) cmake --workflow --preset test
     scripts/test_python.sh
     ;;
   *)

@@ -20,7 +20,7 @@ for part in (read["build-system"]["requires"], read["project"]["dependencies"],
 
 # By the same CMake as the rest: another one, which packages bring, would compile everything again.
 CMAKE_EXECUTABLE=$(command -v cmake) "${pip[@]}" --no-deps --no-build-isolation -C build-dir=build/release \
-  -C cmake.define.PRS_BUILD_TESTS=ON .
+  -C cmake.define.PRS_FULL=ON -C cmake.define.PRS_BUILD_TESTS=ON .
 unset PYTHONDONTWRITEBYTECODE  # Hundreds of processes load the same modules.
 export PYTHONPYCACHEPREFIX=$PWD/build/pycache PRS_EXECUTABLE=$PWD/build/release/prs/cli/prs PRS_CACHE_DIR= MPLBACKEND=Agg
 "$venv/bin/mypy"

@@ -19,6 +19,10 @@ from auditwheel.wheeltools import InWheelCtx
 #: Licence by source package, without the version that some have in their name.
 LIBRARIES = {
     "boost": "BSL-1.0",
+    "gcc-": "GPL-3.0-or-later WITH GCC-exception-3.1",
+    "lapack": "BSD-3-Clause",
+    "metis": "Apache-2.0",
+    "suitesparse": "(LGPL-2.1-or-later AND GPL-2.0-or-later)",
     "fmtlib": "MIT",
     "libcsv": "LGPL-2.1-or-later",
     "nettle": "(LGPL-3.0-or-later OR GPL-2.0-or-later)",

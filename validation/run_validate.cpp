@@ -1,6 +1,4 @@
-// The program behind `prs validate`: what the shipped engine computes against what sources print.
-
-#include "validation/run_validate.h"
+#include "prs/cli/run_prs.h"
 
 #include <fmt/ranges.h>
 
@@ -40,8 +38,7 @@ int validate(const Options& options) {
   const auto progress = [&](const std::string& source, std::size_t done, std::size_t all) {
     line.tell(fmt::format("{} of {} sources done; {}", done, all, source));
   };
-  const std::vector<prs::SourceReport> reports =
-      prs::validate(options.file, prs::extensions(), progress);
+  const std::vector<prs::SourceReport> reports = prs::validate(options.file, prs::extensions(), progress);
   line.clear();
   if (reports.empty())
     return wrong_input(fmt::format(
@@ -68,10 +65,10 @@ int run_command(int argc, char** argv) {
   if (const std::optional<int> status = parse(app, argc, argv)) return *status;
 
   if (!options.recipe && options.file.empty()) options.file = data_folder("validation").string();
-  return run_recorded([&] { return options.recipe ? prs::run_recipe(options) : validate(options); }, options, "validate", "",
-                      {});
+  return run_recorded([&] { return options.recipe ? prs::run_recipe(options) : validate(options); }, options,
+                      "validate", "", {});
 }
 
 }  // namespace
 
-int prs::run_validate(int argc, char** argv) { return run_program(run_command, argc, argv); }
+int prs::cli::run_validate(int argc, char** argv) { return run_program(run_command, argc, argv); }

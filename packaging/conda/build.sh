@@ -12,5 +12,5 @@ cmake --install build/conda/spectra >/dev/null
 
 cmake -S . -B build/conda/prs -G Ninja -DCMAKE_BUILD_TYPE=Release -DPRS_BUILD_TESTS=OFF -DCMAKE_UNITY_BUILD=ON \
   -DCMAKE_PREFIX_PATH="$own;$PREFIX" -DCMAKE_INSTALL_PREFIX="$PREFIX" -DCMAKE_INSTALL_LIBDIR=lib
-cmake --build build/conda/prs --target prs prs-validate
+cmake --build build/conda/prs --target prs
 cmake --install build/conda/prs --component program --strip

@@ -219,7 +219,7 @@ void add_schema_options(CLI::App& command, Options& options) {
 }
 
 void add_validate(CLI::App& command, Options&) {
-  static ValidateOptions unused;  // It is read by `prs-validate`.
+  static ValidateOptions unused;  // `run_validate` reads its own.
   add_validate_options(command, unused);
 }
 

@@ -8,7 +8,6 @@
 #include "prs/measures/measures_analysis.h"
 #include "prs/run/document_schema.h"
 #include "prs/run/lists.h"
-#include "prs/run/response_lists.h"
 #include "prs/size/requirement.h"
 #include "prs/text.h"
 
@@ -34,7 +33,7 @@ std::vector<Item> command_items(const Options& options) {
     in = input::read_case_input(source, Command::check);
   }
   for (const AnyAnalysis& row : analyses())
-    if (!in || input::missing(*in, row.command).empty()) add(row);
+    if (!in || (row.is_built && input::missing(*in, row.command).empty())) add(row);
   return items;
 }
 

@@ -26,11 +26,6 @@ fs::path told(const char* variable) {
 
 fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
-std::vector<fs::path> program_folders() {
-  if (const fs::path folder = told("PRS_LIBEXEC"); !folder.empty()) return {folder};
-  return {own_folder(), own_folder().parent_path() / "libexec" / "prs"};
-}
-
 std::vector<fs::path> shared_folders() {
   if (const fs::path folder = told("PRS_SHARE"); !folder.empty()) return {folder};
   const fs::path above = own_folder().parent_path();
@@ -46,23 +41,6 @@ fs::path shared_folder(const std::string& name) {
 }
 
 }  // namespace
-
-void become(const std::string& program, int argc, char** argv) {
-  std::string own_name = fmt::format("{} {}", argv[0], argv[1]);
-  std::vector<char*> arguments{own_name.data()};
-  arguments.insert(arguments.end(), argv + 2, argv + argc + 1);  // With the null at the end.
-  std::vector<std::string> searched;
-  for (const fs::path& folder : program_folders()) {
-    searched.push_back(folder.string());
-    const fs::path file = folder / program;
-    if (!fs::exists(file)) continue;
-    ::execv(file.c_str(), arguments.data());
-    throw std::system_error(errno, std::generic_category(), fmt::format("cannot run '{}'", file.string()));
-  }
-  throw std::runtime_error(
-      fmt::format("{0} is missing in {1}; install or build `{0}`, or name its folder in PRS_LIBEXEC", program,
-                  fmt::join(searched, " and ")));
-}
 
 fs::path data_folder(const std::string& name) {
   if (const fs::path folder = shared_folder(name); !folder.empty()) return folder;

@@ -8,7 +8,6 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
-#include "prs/components/components.h"
 #include "simd/instruction_set.h"
 
 namespace prs::cli {
@@ -110,7 +109,7 @@ void add_csv_options(CLI::App& command, CsvStyle& style) {
 int run_recorded(const std::function<int()>& run, const OutputOptions& options, const std::string& command,
                  const std::string& case_file, const std::vector<std::string>& overrides) {
   open_matrix_cache(options.quiet);
-  if (options.png) modules::loaded<PictureModule>();  // Says early that it is missing.
+  if (options.png) require_png();
   std::optional<RunFiles> files;
   if (options.output) require_folder(*options.output);
   if (options.output) files.emplace(*options.output, command, case_file, overrides);

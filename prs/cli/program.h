@@ -43,12 +43,14 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options, 
 void open_matrix_cache(bool quiet);
 /// Why they could not be kept; empty where they were.
 std::string matrix_cache_refusal();
+/// Says early that what draws PNG files is missing. Throws modules::Missing.
+void require_png();
 
 /// The main function of a program: makes the streams safe to write to, and exit statuses and lines
 /// on standard error of what `run` throws.
 int run_program(int (*run)(int argc, char** argv), int argc, char** argv);
 
-/// Arguments of `prs validate`, which the program `prs-validate` reads.
+/// Arguments of `prs validate`.
 struct ValidateOptions : OutputOptions {
   std::string file;                    ///< Folder of the sources, or the diameters of a recipe.
   std::optional<std::string> recipe;   ///< A source's formulas for given diameters.

@@ -8,11 +8,7 @@
 namespace prs::cli {
 namespace {
 
-constexpr std::string_view kValidate = "validate";
-
 int run_command(int argc, char** argv) {
-  if (argc > 1 && argv[1] == kValidate) become("prs-validate", argc, argv);
-
   Program program;
   add_commands(program);
   if (argc < 2) {

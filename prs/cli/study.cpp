@@ -288,8 +288,8 @@ int optimize(const Options& options) {
   {
     ProgressLine line(options.quiet);
     const Interruption interruption(patience_for(options.output.has_value()));
-    result = run_optimization(in, threads, open,
-                              {Interruption::asked, [&](const StudyProgress& now) { show(line, now); }});
+    result =
+        run_optimization(in, threads, open, {Interruption::asked, [&](const StudyProgress& now) { show(line, now); }});
   }
   if (!result) return report_interruption(options);
   const int status = deliver(delivery_of(*result, source), document_info(source, Command::optimize), options);

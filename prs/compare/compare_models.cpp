@@ -1,8 +1,8 @@
 #include "prs/compare/compare_models.h"
 
+#include "modules/module.h"
 #include "prs/loads/analyze.h"
 #include "prs/model/check_case.h"
-#include "modules/module.h"
 #include "prs/sector/influence/influence_solver.h"
 
 namespace prs {
@@ -79,8 +79,7 @@ ModelComparison compare_bodies(const Case& c) {
                                        fmt::format("without `bodies: {}`: {}", name(bodies), error.what())});
     } catch (const modules::NotBuilt& error) {
       if (stated) throw;
-      comparison.warnings.push_back(
-          {"model.bodies", fmt::format("without_{}", name(bodies)), std::string("without ") + error.what()});
+      comparison.warnings.push_back({"", fmt::format("without_{}", name(bodies)), error.what()});
     }
   }
   return comparison;

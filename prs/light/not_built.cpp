@@ -4,22 +4,22 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/program.h"
 #include "prs/compare/compare_analysis.h"
+#include "prs/configurations/configurations_files.h"
 #include "prs/heat/analyze_heat.h"
 #include "prs/life/life_record.h"
 #include "prs/loads/full_result.h"
-#include "prs/losses/solve_analysis.h"
 #include "prs/losses/slip_analysis.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"
 #include "prs/run/compare_cases.h"
-#include "prs/run/response_lists.h"
+#include "prs/run/lists.h"
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/size/requirement.h"
 
-/// What the light program calls of the rooms that it leaves out (PRS_FULL): each says by name that it
-/// is not built.
+/// Functions of rooms that the light program leaves out (PRS_FULL): each says by name that it is not built.
 namespace prs {
 namespace {
 
@@ -33,8 +33,7 @@ AnyAnalysis left_out(Command command, std::string_view help) {
           .is_built = false};
 }
 
-int refused(const char* command) { throw NotBuilt(fmt::format("prs {}", command)); }
-
+[[noreturn]] int refused(const char* command) { throw NotBuilt(fmt::format("prs {}", command)); }
 }  // namespace
 
 std::span<const AnyAnalysis> analyses() {
@@ -55,8 +54,28 @@ std::span<const AnyAnalysis> analyses() {
   return all;
 }
 
-std::span<const OtherFile> other_files() { return {}; }
-std::span<const DocumentForm> document_forms() { return {}; }
+std::span<const OtherFile> other_files() {
+  constexpr auto refuse = [](const input::Source&) -> Delivery { throw NotBuilt("prs size"); };
+  static const OtherFile all[] = {{.command = Command::size,
+                                   .help = "A screw and a motor for a motion, a life and a stroke",
+                                   .name = "requirement",
+                                   .key = "motion",
+                                   .run = refuse,
+                                   .check = refuse,
+                                   .schema = []() -> Json { throw NotBuilt("prs size"); }}};
+  return all;
+}
+
+std::span<const DocumentForm> document_forms() {
+  static const DocumentForm all[] = {{"configurations", describe<Configurations>}};
+  return all;
+}
+
+std::string_view left_out(const Case& c) {
+  if (c.model.mechanism == ModelOptions::Mechanism::full) return "model.mechanism: full";
+  if (c.model.bodies == ModelOptions::Bodies::influence) return "model.bodies: influence";
+  return c.heat ? "heat" : "";
+}
 
 // Bodies and mechanisms.
 FullSolver::FullSolver(FullStart) {}
@@ -67,9 +86,8 @@ LoadCaseResult full_result(const LoadCase&, const Conditions&, const Contacts&, 
                            FullSolver&, Detail, const std::vector<RollerPush>&) {
   throw NotBuilt("model.mechanism: full");
 }
-FullDistribution full_distribution(const LoadCase&, const Conditions&, const Contacts&,
-                                   const PerInterface<ContactLaw>&, FullSolver&, Detail,
-                                   const std::vector<RollerPush>&) {
+FullDistribution full_distribution(const LoadCase&, const Conditions&, const Contacts&, const PerInterface<ContactLaw>&,
+                                   FullSolver&, Detail, const std::vector<RollerPush>&) {
   throw NotBuilt("model.mechanism: full");
 }
 Orbit full_orbit(const LoadCase&, const Conditions&, const Contacts&, const PerInterface<ContactLaw>&,
@@ -128,6 +146,7 @@ std::optional<Shard> parse_shard(std::string_view) { return Shard{}; }
 namespace cli {
 void open_matrix_cache(bool) {}
 std::string matrix_cache_refusal() { return ""; }
+void require_png() { throw NotBuilt("--png"); }
 int study(const Options&) { return refused("study"); }
 int merge_study(const Options&) { return refused("study merge"); }
 int fit(const Options&) { return refused("fit"); }

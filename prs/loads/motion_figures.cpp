@@ -1,5 +1,5 @@
-#include "prs/loads/load_analysis.h"
 #include "prs/loads/full_result.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 

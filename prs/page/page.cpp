@@ -13,7 +13,6 @@
 #include "prs/report/findings.h"
 #include "prs/run/commands.h"
 #include "prs/run/lists.h"
-#include "prs/run/response_lists.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
 #include "prs/version.h"

@@ -1,12 +1,12 @@
 #include "modules/fit/fit_analysis.h"
 #include "modules/response/response_analysis.h"
 #include "prs/compare/compare_analysis.h"
+#include "prs/configurations/configurations_files.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/preload_analysis.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
-#include "prs/configurations/configurations_files.h"
 #include "prs/optimize/optimize_files.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"
@@ -40,6 +40,8 @@ std::span<const OtherFile> other_files() {
   static const OtherFile all[] = {size_file()};
   return all;
 }
+
+std::string_view left_out(const Case&) { return {}; }
 
 std::span<const DocumentForm> document_forms() {
   static const DocumentForm all[] = {

@@ -11,13 +11,13 @@
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/losses/life_analysis.h"
-#include "prs/threads/motion_orders.h"
 #include "prs/model/check_case.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/run/commands.h"
 #include "prs/slip/slip.h"
 #include "prs/text.h"
 #include "prs/threads/geometry_warnings.h"
+#include "prs/threads/motion_orders.h"
 
 namespace prs {
 namespace {
@@ -35,7 +35,8 @@ std::vector<const Problem*> problems_of(const CheckResult& result) {
   std::vector<const Problem*> all;
   for (const CommandNeeds& command : result.commands)
     for (const Problem& problem : command.unmet)
-      if (command.is_built && std::ranges::none_of(all, [&](const Problem* p) { return p->path == problem.path; })) all.push_back(&problem);
+      if (command.is_built && std::ranges::none_of(all, [&](const Problem* p) { return p->path == problem.path; }))
+        all.push_back(&problem);
   return all;
 }
 
@@ -129,7 +130,8 @@ constexpr auto unmet_paths = filled<[](const CommandNeeds& command) {
 
 constexpr Quantity<CommandNeeds> kNeeds[] = {
     {"ready", always<[](auto& command) { return command.is_built && command.unmet.empty(); }>},
-    {"not_built", filled<[](auto& command) { return std::string(command.is_built ? "" : "scripts/install.sh builds all"); }>,
+    {"not_built",
+     filled<[](auto& command) { return std::string(command.is_built ? "" : "scripts/install.sh builds all"); }>,
      "how to get a command that this program leaves out"},
     {"missing", unmet_paths<true>, "what to add"},
     {"wrong", unmet_paths<false>, "what to change"},
@@ -329,7 +331,9 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   CheckResult result{in.fields, input::assumptions(in.fields, source), {}, {}};
   for (const AnyAnalysis& analysis : analyses()) {
     CommandNeeds& needs = result.commands.emplace_back();
-    needs = {analysis.command, input::unmet(in, analysis.command), {}, analysis.is_built};
+    const bool takes_bodies = analysis.command != Command::check && analysis.command != Command::contact;
+    const bool is_built = analysis.is_built && !(takes_bodies && !left_out(c).empty());
+    needs = {analysis.command, input::unmet(in, analysis.command), {}, is_built};
     if (needs.unmet.empty()) needs.loads = thread_loads_of(c, needs.command);
   }
   Result& geometry = result.geometry;
@@ -351,6 +355,11 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
   const bool takes_long = in.values.model.bodies == ModelOptions::Bodies::influence;
   const auto attempt = [&](Command command) {
     if (!input::unmet(in, command).empty()) return false;
+    const std::string_view lacking = left_out(in.values);
+    if (!lacking.empty()) {
+      attempts.push_back({command, nullptr, modules::NotBuilt(std::string(lacking)).what(), true});
+      return true;
+    }
     if (takes_long) {
       attempts.push_back({command, nullptr, "`influence` takes long: see `prs report`"});
       return true;
@@ -471,8 +480,9 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
   for (const Command command : {Command::solve, Command::slip, Command::life, Command::measures})
     if (const std::vector<std::string> paths = input::missing(in, command); !paths.empty())
       facts.lacking[command] = fmt::format("add {}", fmt::join(paths, ", "));
+  if (const std::string_view what = left_out(in.values); !what.empty()) facts.not_built.emplace_back(what);
   for (const Attempt& attempt : attempts) {
-    if (attempt.is_not_built) facts.not_built.emplace_back(name(attempt.command));
+    if (attempt.is_not_built && left_out(in.values).empty()) facts.not_built.emplace_back(name(attempt.command));
     if (!attempt.delivery)
       facts.lacking[attempt.command] = attempt.failure;
     else

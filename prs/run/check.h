@@ -100,7 +100,7 @@ struct CommandNeeds {
   Command command = Command::check;
   std::vector<Problem> unmet;
   std::optional<ModelOptions::Loads> loads;  ///< Loads that a command with loads of threads takes.
-  bool is_built = true;                      ///< False where the program leaves the command out (PRS_FULL).
+  bool is_built = true;  ///< False where the program leaves out the command, or what the case asks for (PRS_FULL).
 };
 
 /// The resolved case, what follows from it, what is unusual, and what it is ready for.

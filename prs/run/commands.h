@@ -23,6 +23,10 @@ struct DocumentForm {
 };
 std::span<const DocumentForm> document_forms();
 
+/// What a case asks for and this program leaves out (PRS_FULL): `model.bodies: influence`; empty in a
+/// whole program.
+std::string_view left_out(const Case& c);
+
 /// `solve` by other means than those of its row, on a case that has all for it.
 Delivery run_solve(const input::Source& source, const input::CaseInput& in, const AnalysisOptions& options);
 

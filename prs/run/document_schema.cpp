@@ -1,5 +1,6 @@
 #include "prs/run/document_schema.h"
 
+#include "modules/module.h"
 #include "prs/input/schema.h"
 #include "prs/record/schema_parts.h"
 #include "prs/run/check.h"
@@ -61,7 +62,8 @@ const std::vector<DocumentRecord>& all_records() {
     for (const AnyAnalysis& analysis : analyses())
       for (const Place& place : analysis.places)
         if (std::ranges::find(places, place.path, &Place::path) == places.end()) places.push_back(place);
-    for (const OtherFile& file : other_files()) places.push_back({name(file.command), file.record});
+    for (const OtherFile& file : other_files())
+      if (file.record) places.push_back({name(file.command), file.record});
     return records_at(places);
   }();
   return all;
@@ -255,7 +257,9 @@ Json document_schema(std::string_view command) {
     forms.push_back(whole(std::move(parts), command));
   };
   for (const AnyAnalysis& analysis : analyses())
-    if (name(analysis.command) == command && !analysis.places.empty()) {
+    if (name(analysis.command) == command && !analysis.is_built)
+      throw modules::NotBuilt(fmt::format("prs {}", command));
+    else if (name(analysis.command) == command && !analysis.places.empty()) {
       documents::Parts parts;
       for (const DocumentForm& more : documents::kMore)
         if (more.command == command) parts.put(more.record());
@@ -265,10 +269,10 @@ Json document_schema(std::string_view command) {
   Json input = input::schema();
   for (const OtherFile& file : other_files())
     if (name(file.command) == command) {
+      input = file.schema();
       documents::Parts parts;
       parts.put(file.record());
       add_form(std::move(parts));
-      input = file.schema();
     }
   for (const DocumentForm& form : document_forms())
     if (form.command == command) {

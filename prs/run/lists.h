@@ -13,4 +13,16 @@ Json lubricants_json();
 std::string units_table();
 Json units_json();
 
+/// Responses that a study may record, with unit and title.
+std::string responses_table(const std::vector<std::string>& paths);
+Json responses_json(const std::vector<std::string>& paths);
+
+/// Every path that a study may record, from the table of quantities; of a series thread by thread
+/// `.max` only.
+std::vector<std::string> known_responses();
+
+/// Those that the first load case and the document of a case have: for the command of its study,
+/// or, without one, for every command of studies that it has all for. Throws InputError.
+std::vector<std::string> responses_of(const input::Source& source);
+
 }  // namespace prs

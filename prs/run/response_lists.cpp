@@ -1,4 +1,4 @@
-#include "prs/run/response_lists.h"
+#include "prs/run/lists.h"
 
 #include "prs/run/commands.h"
 #include "prs/study/response.h"

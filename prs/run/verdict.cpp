@@ -564,7 +564,7 @@ std::string summary(const CaseVerdict& verdict) {
   tell("Not met", of(Standing::red));
   tell("Short of what is recommended", of(Standing::amber));
   tell("Not computed, so not met", titles(verdict, is_unknown));
-  tell("Not built, so not judged by it", fmt::format("{}", fmt::join(verdict.not_built, ", ")));
+  tell("Not judged, because not built", fmt::format("{}", fmt::join(verdict.not_built, ", ")));
   if (!verdict.is_complete)
     text += text.empty() ? "Other criteria follow." : " Other criteria follow.";
   else if (text.empty())

@@ -198,7 +198,7 @@ std::string validation_text(const std::vector<SourceReport>& reports) {
     for (const ValidationTable& table : report.tables) text += table_text(table);
     for (const ComparedStatement& s : report.statements) text += statement_text(s);
     if (!report.not_built.empty())
-      text += wrapped(fmt::format("Not built, so not computed: {}; scripts/install.sh builds all.",
+      text += wrapped(fmt::format("Not computed, because not built: {}; scripts/install.sh builds all.",
                                   fmt::join(report.not_built, ", ")),
                       "  ", 110);
     text += '\n';

@@ -194,7 +194,7 @@ struct Comparison {
   std::string case_name;  ///< Case file without its ending; or name of the formulas.
   PrintedValue reference;
   std::optional<double> computed;  ///< Absent where the result does not hold the quantity.
-  bool is_built = true;  ///< False where the program leaves out what computes it (PRS_FULL).
+  bool is_built = true;            ///< False where the program leaves out what computes it (PRS_FULL).
 
   Outcome outcome() const;
   bool unexpected() const { return outcome() == Outcome::unexpected || outcome() == Outcome::missing; }

@@ -20,7 +20,6 @@
 #include "prs/record/table_units.h"
 #include "prs/run/document_schema.h"
 #include "prs/run/lists.h"
-#include "prs/run/response_lists.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/version.h"
 #include "python/engine/case.h"

@@ -1,4 +1,4 @@
-"""Each lesson with every command for which its file has all that it needs, files and report included."""
+"""Each lesson with every command for which its file has all that it needs, files and report too."""
 
 from __future__ import annotations
 

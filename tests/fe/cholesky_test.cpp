@@ -44,7 +44,8 @@ class CholeskyKinds : public testing::TestWithParam<std::unique_ptr<SparseFactor
     return x;
   }
 };
-INSTANTIATE_TEST_SUITE_P(All, CholeskyKinds, testing::Values(simplicial_factorization, supernodal_factorization, eigen_factorization));
+INSTANTIATE_TEST_SUITE_P(All, CholeskyKinds,
+                         testing::Values(simplicial_factorization, supernodal_factorization, eigen_factorization));
 
 TEST_P(CholeskyKinds, SolvesAsDenseFactorization) {
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -103,8 +104,7 @@ TEST(Cholesky, IsCholmodsOrEigensAsItsNameSays) {
 
 TEST(FillReducingOrder, IsAPermutation) {
   const RandomSymmetric a(80, 0.05, 80.0, 3);
-  for (std::vector<int> order :
-       {fill_reducing_order(a.sparse), minimum_degree_order(a.sparse)}) {
+  for (std::vector<int> order : {fill_reducing_order(a.sparse), minimum_degree_order(a.sparse)}) {
     std::sort(order.begin(), order.end());
     for (int i = 0; i < 80; ++i) EXPECT_EQ(order[static_cast<std::size_t>(i)], i);
   }

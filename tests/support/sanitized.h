@@ -4,7 +4,7 @@ extern "C" __attribute__((weak)) void __asan_init();
 
 namespace test {
 
-/// Whether the program under test, or a part of it, is built with the address sanitizer; tests are compiled without.
+/// Whether the program under test is built with the address sanitizer.
 inline bool sanitized() { return __asan_init != nullptr; }
 
 }  // namespace test

@@ -209,13 +209,6 @@ TEST_F(CommandLine, ListsTheCommandsThatACaseHasAllFor) {
   EXPECT_EQ(prs("list commands /nonexistent.yaml").status, 2);
 }
 
-TEST_F(CommandLine, ValidateIsAProgramOfItsOwn) {
-  const Outcome run = test::run_prs("validate", PRS_SOURCE_DIR, "PRS_LIBEXEC=" + folder.string());
-  EXPECT_EQ(run.status, 1);
-  EXPECT_EQ(run.out, "");
-  EXPECT_NE(run.err.find("prs-validate is missing in " + folder.string()), std::string::npos);
-}
-
 TEST_F(CommandLine, HelpAndVersionAreStatus0) {
   for (const char* arguments : {"--help", "--version", "solve --help"}) {
     const Outcome run = prs(arguments);

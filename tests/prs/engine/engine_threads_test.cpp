@@ -20,7 +20,7 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 
-// What runs side by side, in one process: `scripts/threads.sh` runs these under the thread
+// What runs side by side, in one process: `scripts/test.sh --threads` runs these under the thread
 // sanitizer.
 namespace prs {
 namespace {
@@ -45,7 +45,7 @@ Json tables() {
 }
 
 TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
-  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
+  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/test.sh --threads).
   const Json histories = tables();
   for (const auto& [command, lesson] :
        std::vector<std::pair<const char*, const char*>>{{"check", "11_real_parts"},
@@ -86,7 +86,7 @@ std::vector<std::uint64_t> studied(const input::StudyInput& in, std::size_t thre
 }
 
 TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
-  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
+  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/test.sh --threads).
   for (const char* overrides :
        {"study.command=solve", "study.command=slip", "model={bodies: refined}", "model={mechanism: full}"}) {
     const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/10_parametric_study.yaml");
@@ -103,7 +103,7 @@ TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
 }
 
 TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
-  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
+  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/test.sh --threads).
   const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/22_yao_optimum.yaml");
   const input::OptimizeInput in = input::read_optimize_input(
       input::source_of_text("case.yaml", text, {"optimize.generations=3", "optimize.population=12"}));
@@ -119,7 +119,7 @@ TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
 }
 
 TEST(EngineThreads, TwoThatShareACacheOfMatricesComputeTheSame) {
-  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
+  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/test.sh --threads).
   const Case c = input::read_case_text(
       input::kAbevi, "case.yaml", {"mechanism.contacts_per_roller=2", "model={bodies: influence}"}, Command::solve);
   const Contacts contacts = find_contacts(c.mechanism, c.materials);

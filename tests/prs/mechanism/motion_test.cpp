@@ -12,8 +12,8 @@
 #include "prs/input/reader.h"
 #include "prs/input/source.h"
 #include "prs/loads/analyze.h"
-#include "prs/loads/load_analysis.h"
 #include "prs/loads/full_result.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/mechanism/linearised.h"
 #include "prs/mechanism/modes.h"
 #include "support/count.h"
@@ -643,7 +643,8 @@ TEST(Motion, AFreeScrewIsAFreeBarAndBeam) {
 TEST(Motion, NodesThatLieCloseAreExact) {
   for (const double distance : {1.1e-4, 1e-5}) {
     Case c = vibrating(Mechanism::Type::standard);
-    c.structure->screw.bearings = {{.position = *c.load_cases[0].position + distance, .lateral = 1e7, .tilt = 1e4, .offset = {}, .angle = {}}};
+    c.structure->screw.bearings = {
+        {.position = *c.load_cases[0].position + distance, .lateral = 1e7, .tilt = 1e4, .offset = {}, .angle = {}}};
     const Contacts contacts = find_contacts(c.mechanism, c.materials);
     const FullModel f = full_model(contacts.mechanism, *c.structure, *c.materials, c.model, contact_laws(c, contacts),
                                    c.load_cases[0], c.deviations);

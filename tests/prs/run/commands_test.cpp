@@ -7,7 +7,6 @@
 #include <set>
 
 #include "prs/run/lists.h"
-#include "prs/run/response_lists.h"
 
 namespace prs {
 namespace {

@@ -1,6 +1,7 @@
 #include "prs/sector/influence/matrix_cache.h"
 
 #include "prs/cli/program.h"
+#include "prs/components/components.h"
 
 namespace prs::cli {
 
@@ -13,6 +14,8 @@ void open_matrix_cache(bool quiet) {
       line->clear();
   });
 }
+
+void require_png() { modules::loaded<PictureModule>(); }
 
 std::string matrix_cache_refusal() { return shared_matrix_cache().refusal(); }
 
