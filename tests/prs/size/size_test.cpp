@@ -405,7 +405,7 @@ TEST(Size, ManySamplesAreClasses) {
 }
 
 TEST(Size, DesignsAreSeriesOfIso3) {
-  DesignValues r20{.span = DesignValues::Span{20e-3, 63e-3, {}, DesignValues::Series::R20}};
+  DesignValues r20{.list = {}, .span = DesignValues::Span{20e-3, 63e-3, {}, DesignValues::Series::R20}};
   std::vector<double> millimetres;
   for (const double value : r20.values()) millimetres.push_back(1e3 * value);
   EXPECT_THAT(millimetres, ElementsAre(20, 22.4, 25, 28, 31.5, 35.5, 40, 45, 50, 56, 63));

@@ -98,7 +98,9 @@ TEST(BothFlanks, RunningLoadsAreThoseAtRestWithoutFriction) {
         change = std::max(
             {change, std::abs((*r.threads)[i].normal_load[k] - (*rest.threads)[i].normal_load[k]),
              std::abs(r.other_flank->threads[i].normal_load[k] - rest.other_flank->threads[i].normal_load[k])});
-    if (before > 0.0) EXPECT_NEAR(change / before / 1e3, 1.0, 0.01);
+    if (before > 0.0) {
+      EXPECT_NEAR(change / before / 1e3, 1.0, 0.01);
+    }
     before = change;
   }
   EXPECT_LT(before, 1.0);

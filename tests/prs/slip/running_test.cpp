@@ -87,8 +87,9 @@ TEST_P(SolvedCase, Agrees) {
     const double rest = expected["static"][std::string(name(i))]["largest_normal_load_N"];
     EXPECT_NEAR(r.running->at_rest.largest_normal_load[i], rest, 1e-8 * rest);
   }
-  if (expected.contains("axial_displacement_um"))
+  if (expected.contains("axial_displacement_um")) {
     EXPECT_NEAR(*r.axial_displacement * 1e6, expected["axial_displacement_um"], 1e-7);
+  }
   const json& slip = expected["slip"];
   const SlipResult& s = *r.slip;
   const auto near = [](double value, const json& e, double tolerance = 1e-6) {
@@ -116,8 +117,8 @@ TEST_P(SolvedCase, Agrees) {
 INSTANTIATE_TEST_SUITE_P(Running, SolvedCase,
                          testing::Values("lesson-tension", "lesson-load-drives", "lesson-inverted-heads",
                                          "lesson-full"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& solved) {
+                           std::string name = solved.param;
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });

@@ -1,6 +1,7 @@
 #include "prs/sector/influence/matrix_cache.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -25,7 +26,7 @@ class CacheFolderTest : public testing::Test {
   ~CacheFolderTest() override { ::umask(umask_); }
 
   static std::string digest(char digit) { return std::string(64, digit); }
-  fs::path file(char digit) const { return path / (digest(digit) + ".matrices"); }
+  fs::path file(char digit) const { return path / fmt::format("{}.matrices", digest(digit)); }
   static void write(const fs::path& to, const std::string& text) { std::ofstream(to, std::ios::binary) << text; }
 
   const test::TemporaryDirectory temporary;
