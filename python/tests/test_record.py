@@ -24,6 +24,7 @@ RESULTS: list[type[rs.Record]] = [getattr(rs, name) for name in results.__all__]
 #: `contact`, which are equal shares, were solved.
 NEVER_MET = {
     ("Life", "status"),
+    ("Verdict", "not_built"),  # Of the light program.
     ("WeakestThread", "roller"),
     ("Model", "accuracy"),
     ("ContactResult", "model"),
