@@ -53,7 +53,7 @@ function(add_module name library package)
   set_target_properties(prs_module_${name} PROPERTIES
     PREFIX "" OUTPUT_NAME prs_${name} LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/prs
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  target_link_libraries(prs_module_${name} PRIVATE prs_options ${library} fmt::fmt Eigen3::Eigen)
+  target_link_libraries(prs_module_${name} PRIVATE prs_options prs_guards ${library} fmt::fmt Eigen3::Eigen)
   target_compile_definitions(prs_module_${name} PRIVATE PRS_VERSION="${PROJECT_VERSION}")
   add_dependencies(prs_modules prs_module_${name})  # Whatever may load it finds it built.
   set_property(GLOBAL APPEND PROPERTY PRS_MODULES prs_module_${name})
