@@ -5,7 +5,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/setup.sh core
-cmake --workflow --preset demo
+cmake --preset release -DPRS_FULL=OFF -DPRS_BUILD_TESTS=OFF
+cmake --build --preset release --target prs
 prs=build/release/prs/cli/prs
 echo
 "$prs" solve configs/03_load_sweep.yaml --quiet --output out/03_load_sweep
