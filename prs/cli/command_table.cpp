@@ -437,7 +437,8 @@ input::Source case_source(const Options& options) {
 int run_case(const AnyAnalysis& row, const Options& options) {
   if (options.explain) return explain(options);
   const input::Source source = case_source(options);
-  return deliver(run(row, source), document_info(source, row.command), options);
+  const Delivery delivery = run(row, source);
+  return deliver(delivery, document_info(source, row.command), options);
 }
 
 int compare(const Options& options) {
@@ -447,7 +448,8 @@ int compare(const Options& options) {
   const input::Source source = case_source(options);
   Options second = options;
   second.file = options.other;
-  return deliver(compare_cases(source, case_source(second)), document_info(source, Command::compare), options);
+  const Delivery delivery = compare_cases(source, case_source(second));
+  return deliver(delivery, document_info(source, Command::compare), options);
 }
 
 int schema(const Options& options) {

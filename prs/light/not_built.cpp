@@ -33,6 +33,16 @@ AnyAnalysis left_out(Command command, std::string_view help) {
           .is_built = false};
 }
 
+/// Any function of a requirement, in place of one that is left out.
+template <class Result, class... Arguments>
+using Function = Result (*)(Arguments...);
+constexpr struct {
+  template <class Result, class... Arguments>
+  constexpr operator Function<Result, Arguments...>() const {
+    return [](Arguments...) -> Result { throw NotBuilt("prs size"); };
+  }
+} kRefusesSize;
+
 [[noreturn]] int refused(const char* command) { throw NotBuilt(fmt::format("prs {}", command)); }
 }  // namespace
 
@@ -55,14 +65,16 @@ std::span<const AnyAnalysis> analyses() {
 }
 
 std::span<const OtherFile> other_files() {
-  constexpr auto refuse = [](const input::Source&) -> Delivery { throw NotBuilt("prs size"); };
   static const OtherFile all[] = {{.command = Command::size,
                                    .help = "A screw and a motor for a motion, a life and a stroke",
                                    .name = "requirement",
                                    .key = "motion",
-                                   .run = refuse,
-                                   .check = refuse,
-                                   .schema = []() -> Json { throw NotBuilt("prs size"); }}};
+                                   .run = kRefusesSize,
+                                   .check = kRefusesSize,
+                                   .schema = kRefusesSize,
+                                   .resolved_input = kRefusesSize,
+                                   .files = kRefusesSize,
+                                   .record = kRefusesSize}};
   return all;
 }
 
