@@ -346,7 +346,8 @@ void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCur
       const auto largest = [&](const std::vector<double>& loads) {
         return std::ranges::max(std::span(loads).subspan(rated.flank(d) + rated.body(i), rated.threads));
       };
-      const double over = largest(runs) / largest(rests);
+      const double rest = largest(rests);
+      const double over = rest > 0.0 ? largest(runs) / rest : 1.0;
       if (std::abs(over - 1.0) > std::abs(s.over_static[i] - 1.0)) s.over_static[i] = over;
     }
   }
@@ -401,22 +402,17 @@ std::string failure_at(const LifeModel& p, double force, Direction d) {
 }
 
 void find_static_loads(const LifeModel& p, const LargestSolver& solve, FlankLife& flank) {
-  PerInterface<std::optional<double>> pressure, deformation, edge;
-  bool deforms_first = false;
+  PerInterface<std::optional<double>> pressure, edge;
   for (const Interface i : kInterfaces) {
     const StaticLimits limits = static_limits(p.contacts, i);
     pressure[i] = limits.pressure;
-    deformation[i] = limits.deformation;
     edge[i] = limits.flank_edge;
-    deforms_first = deforms_first || (limits.deformation && *limits.deformation < *limits.pressure);
   }
-  StaticLimits forces;
   if (has_pressures(p.contacts)) {
-    forces.pressure = flank.static_capacity = force_at(p, solve, flank.largest_force, pressure);
-    forces.flank_edge = flank.flank_edge_load = force_at(p, solve, flank.largest_force, edge);
-    if (deforms_first) forces.deformation = force_at(p, solve, flank.largest_force, deformation);
+    flank.static_capacity = force_at(p, solve, flank.largest_force, pressure);
+    flank.flank_edge_load = force_at(p, solve, flank.largest_force, edge);
   }
-  flank.static_rating = static_rating(forces, p.c.life->static_capacity);
+  flank.static_rating = static_rating(flank.static_capacity, p.c.life->static_capacity);
 }
 
 void find_equal_shares_static_loads(const LifeModel& p, LifeResult& r) {
@@ -687,8 +683,8 @@ std::optional<StaticLimit> LifeResult::static_safety_limit() const {
   return flank ? std::optional(flank->static_rating->limit) : std::nullopt;
 }
 
-std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts, Direction direction,
-                                                 double position, double force) {
+StaticForces solved_static_forces(const Conditions& c, const Contacts& contacts, Direction direction, double position,
+                                  double force) {
   Conditions own = c;
   if (!own.life) own.life.emplace();
   own.life->share = LoadCase::Share::solved;
@@ -699,7 +695,7 @@ std::optional<StaticRating> solved_static_rating(const Conditions& c, const Cont
   FlankLife flank;
   flank.largest_force = force;
   find_static_loads(p, largest_solver(p, direction, contact_solvers(p, wanted)[direction], {}), flank);
-  return flank.static_rating;
+  return {flank.static_rating, flank.flank_edge_load};
 }
 
 LifeResult analyze_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history,

@@ -47,6 +47,10 @@ struct FlankLife {
   std::optional<double> static_capacity;
   /// Force at which the ellipse of the most loaded thread reaches a crest or root [N].
   std::optional<double> flank_edge_load;
+  /// That force over the largest force.
+  std::optional<double> flank_edge_margin() const {
+    return flank_edge_load && largest_force > 0.0 ? std::optional(*flank_edge_load / largest_force) : std::nullopt;
+  }
   /// Limit that static safety refers to, see prs/life/static_limits.h.
   std::optional<StaticRating> static_rating;
   /// The rating over the largest force.
@@ -126,12 +130,17 @@ struct LifeResult {
   const FlankLife* statically_weakest() const;
 };
 
-/// Static rating under forces of one sense, with the thread loads that are solved at the limit:
+/// Absent where the geometry gives no Hertz contact, or no equilibrium is found.
+struct StaticForces {
+  std::optional<StaticRating> rating;
+  std::optional<double> flank_edge_load;  ///< See `FlankLife`.
+};
+
+/// Static limits under forces of one sense, with the thread loads that are solved at the limit:
 /// what `analyze_life` has of a spectrum with such forces, with the preload of the conditions. Not of
-/// a full mechanism, whose load cases have side loads of their own. `force`: where the search begins
-/// [N]. Absent where the geometry gives no Hertz contact, or no equilibrium is found.
-std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts, Direction direction,
-                                                 double position, double force);
+/// a full mechanism, whose load cases have side loads of their own. `force`: where the search begins [N].
+StaticForces solved_static_forces(const Conditions& c, const Contacts& contacts, Direction direction, double position,
+                                  double force);
 
 /// Contacts -> capacity -> load distribution over the loads of the spectrum -> lives. Reads
 /// nothing, prints nothing. The case must have passed `check_case` and the requirements of `life`;

@@ -142,13 +142,15 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
     {"flank_edge_load_N", of_flank<&FlankLife::flank_edge_load>,
      "force at which the first ellipse reaches a crest or root", source::kHertz,
      "load at the edge of a flank, real thread loads"},
+    {"flank_edge_margin", of_flank<&FlankLife::flank_edge_margin>, "that force over the largest force",
+     source::kHertz, "margin of the flank's edge"},
     {"static_safety", of_flank<&FlankLife::static_safety>,
-     "force at which the first thread reaches a limit over the largest force", "ISO 76"},
+     "stated static capacity, else force at which the first thread has 4.0 GPa, over the largest force", "ISO 76"},
     {"static_safety_limit", of<[](auto& d) {
        const auto& rating = d.flank->static_rating;
        return rating ? std::optional(rating->limit) : std::nullopt;
      }>,
-     "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
+     "pressure | given", "", "what limits the static safety"},
     {"equilibria", of_flank<&FlankLife::solves>, "that were solved", "", "loads at which the threads were solved"},
     {"interpolation_error", of_flank<&FlankLife::interpolation_error>,
      "of thread loads between the equilibria, relative", "", "error of thread loads between them"},
@@ -288,7 +290,7 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions", "ISO 76",
      "static safety under the loads of the life"},
     {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>,
-     "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
+     "pressure | given", "", "what limits the static safety"},
     {"weakest_thread", of<[](auto& r) { return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt; }, converged>,
      "that fails first"},
     {"tension", flank_of<Direction::tension>, "flanks that carry tension"},

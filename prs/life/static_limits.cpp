@@ -9,10 +9,6 @@ namespace {
 /// 1.3e-7 mm^4/N^2 in m^4/N^2.
 constexpr double kPalmgren = 1.3e-19;
 
-void keep_smaller(std::optional<StaticRating>& least, std::optional<double> force, StaticLimit limit) {
-  if (force && (!least || *force < least->force)) least = StaticRating{*force, limit};
-}
-
 }  // namespace
 
 double load_at_permanent_deformation(double diameter, double kappa_1, double kappa_2, double share) {
@@ -25,7 +21,7 @@ std::optional<double> flank_element_diameter(const contact::Thread& roller) {
 }
 
 const char* name(StaticLimit limit) {
-  constexpr const char* kNames[] = {"pressure", "deformation", "flank_edge", "given"};
+  constexpr const char* kNames[] = {"pressure", "given"};
   return kNames[static_cast<std::size_t>(limit)];
 }
 
@@ -47,16 +43,10 @@ StaticLimits static_limits(const Contacts& contacts, Interface i) {
   return limits;
 }
 
-std::optional<StaticRating> static_rating(const StaticLimits& limits, std::optional<double> given) {
-  std::optional<StaticRating> least;
-  if (given) {
-    least = StaticRating{*given, StaticLimit::given};
-  } else {
-    keep_smaller(least, limits.pressure, StaticLimit::pressure);
-    keep_smaller(least, limits.deformation, StaticLimit::deformation);
-  }
-  keep_smaller(least, limits.flank_edge, StaticLimit::flank_edge);
-  return least;
+std::optional<StaticRating> static_rating(std::optional<double> pressure, std::optional<double> given) {
+  if (given) return StaticRating{*given, StaticLimit::given};
+  if (pressure) return StaticRating{*pressure, StaticLimit::pressure};
+  return std::nullopt;
 }
 
 std::optional<StaticRating> smaller(const std::optional<StaticRating>& a, const std::optional<StaticRating>& b) {
@@ -66,7 +56,7 @@ std::optional<StaticRating> smaller(const std::optional<StaticRating>& a, const 
 
 std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_load, double static_capacity,
                                        double load) {
-  if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load && load <= edge_load)) return std::nullopt;
+  if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load)) return std::nullopt;
   return Warning{"", "flank_edge_near",
                  fmt::format("the load is {:.1f} % of the {{limit}} at which {} reaches the end of a "
                              "flank, which is below the static capacity of {:.4g} kN; expected at most "
@@ -105,10 +95,6 @@ std::string describe(StaticLimit limit) {
   switch (limit) {
     case StaticLimit::pressure:
       return fmt::format("contact pressure of {:.1f} GPa", kStaticPressureLimit * 1e-9);
-    case StaticLimit::deformation:
-      return "permanent deformation";
-    case StaticLimit::flank_edge:
-      return "ellipse at the edge of a flank";
     case StaticLimit::given:
       return "stated static capacity";
   }

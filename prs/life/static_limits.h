@@ -6,14 +6,14 @@ namespace prs {
 
 // What a mechanism may carry at rest.
 //
-// Static safety is the static rating F_0 over the force F, F_0 being the force at which the first
-// thread reaches a limit: the pressure of 4.0 GPa, Palmgren's permanent deformation (in place of
-// both, the static capacity of a catalogue where the case states it), or the end of its flank. That
+// Static safety is the static rating F_0 over the force F: the static capacity of a catalogue where
+// the case states it, else the force at which the first thread reaches the pressure of 4.0 GPa. That
 // is `static_safety` of `prs life`, which solves the thread loads at F_0. Two estimates of it stand
-// in `prs measures`: `static_safety` with equal thread loads (catalogues' C_0/F), the same as
-// life's with `share: equal`, and `thread_static_safety` with the shares solved under F: above
-// life's as a rule, by 7 % on lesson 18, since shares grow less even with the load; below it where
-// initial gaps close.
+// in `prs measures`: `static_safety` with equal thread loads, the same as life's with `share: equal`,
+// and `thread_static_safety` with the shares solved under F: above life's as a rule, by 7 % on
+// lesson 18, since shares grow less even with the load; below it where initial gaps close. An ellipse
+// that reaches the end of its flank is no failure but an edge stress: that force over F is the margin
+// of the flank's edge, beside the static safety.
 
 /// Total permanent deformation of rolling element and raceway over the diameter of the element that
 /// a bearing may have at its most loaded contact without harm to its running (ISO 76).
@@ -39,13 +39,11 @@ std::optional<double> flank_element_diameter(const contact::Thread& roller);
 
 /// What limits a static load.
 enum class StaticLimit {
-  pressure,     ///< Peak pressure of `kStaticPressureLimit`.
-  deformation,  ///< Permanent deformation, see `load_at_permanent_deformation`.
-  flank_edge,   ///< The contact ellipse reaches a crest or root.
-  given,        ///< Static capacity that the case states.
+  pressure,  ///< Peak pressure of `kStaticPressureLimit`.
+  given,     ///< Static capacity that the case states.
 };
 
-const char* name(StaticLimit limit);      ///< As documents have it: `flank_edge`.
+const char* name(StaticLimit limit);      ///< As documents have it: `given`.
 std::string describe(StaticLimit limit);  ///< In words, for messages.
 
 /// Loads at which the limits are reached: normal loads of one contact, or forces on the mechanism
@@ -69,9 +67,8 @@ struct StaticRating {
   StaticLimit limit = StaticLimit::pressure;
 };
 
-/// The smallest of the limits; a `given` static capacity [N] takes the place of pressure and
-/// deformation.
-std::optional<StaticRating> static_rating(const StaticLimits& limits, std::optional<double> given);
+/// The `given` static capacity [N], else the force at which a thread reaches the limit of pressure [N].
+std::optional<StaticRating> static_rating(std::optional<double> pressure, std::optional<double> given);
 
 std::optional<StaticRating> smaller(const std::optional<StaticRating>& a, const std::optional<StaticRating>& b);
 
@@ -79,8 +76,7 @@ std::optional<StaticRating> smaller(const std::optional<StaticRating>& a, const 
 inline constexpr double kUsualStaticSafety = 1.5;
 
 /// A warning where an ellipse reaches the end of a flank at a force [N] on the mechanism that is
-/// below its static capacity [N] and less than `kUsualStaticSafety` times the load [N], which is no
-/// greater. `ellipse`: which of them.
+/// below its static capacity [N] and less than `kUsualStaticSafety` times the load [N]. `ellipse`: which of them.
 std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_load, double static_capacity, double load);
 
 /// A warning where the dynamic capacity [N] exceeds the static one [N], which no maker's does.

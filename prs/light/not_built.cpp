@@ -139,7 +139,7 @@ FitInput read_fit_input(const input::Source&) { throw NotBuilt("prs fit"); }
 std::string describe(StaticLimit) { throw NotBuilt("prs life"); }
 LifeInUse in_use(const LifeResult&, double) { throw NotBuilt("prs life"); }
 std::optional<double> largest_speed(const LoadHistory&, double) { throw NotBuilt("prs life"); }
-std::optional<StaticRating> solved_static_rating(const Conditions&, const Contacts&, Direction, double, double) {
+StaticForces solved_static_forces(const Conditions&, const Contacts&, Direction, double, double) {
   throw NotBuilt("prs life");
 }
 

@@ -134,8 +134,7 @@ void find_static_capacity(const Conditions& c, const Contacts& contacts, Measure
 
 /// Static rating of one interface with equal shares.
 std::optional<StaticRating> interface_static_rating(const Conditions& c, const Measures& m, Interface i) {
-  return static_rating({m.pressure_capacity[i], m.deformation_capacity[i], m.interface_flank_edge_load[i]},
-                       stated_static_capacity(c));
+  return static_rating(m.pressure_capacity[i], stated_static_capacity(c));
 }
 
 /// Static rating of the mechanism with equal shares.
@@ -284,17 +283,18 @@ class StaticRatings {
     if (is_new) {
       Conditions plain = c_;
       plain.preload.reset();
-      known->second = solved_static_rating(plain, contacts_, *load.direction, *load.position, load.axial_force);
+      known->second = solved_static_forces(plain, contacts_, *load.direction, *load.position, load.axial_force);
     }
-    if (!known->second) return;
-    m.solved_static_safety = known->second->force / load.axial_force;
-    m.solved_static_safety_limit = known->second->limit;
+    m.flank_edge_margin = product(known->second.flank_edge_load, 1.0 / load.axial_force);
+    if (!known->second.rating) return;
+    m.solved_static_safety = known->second.rating->force / load.axial_force;
+    m.solved_static_safety_limit = known->second.rating->limit;
   }
 
  private:
   const Conditions& c_;
   const Contacts& contacts_;
-  std::map<std::pair<Direction, double>, std::optional<StaticRating>> ratings_;
+  std::map<std::pair<Direction, double>, StaticForces> ratings_;
 };
 
 }  // namespace
@@ -335,8 +335,8 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& 
   if (solved) {
     const StaticRating rating{*solved * force, *load_measures.solved_static_safety_limit};
     add(beyond_static_rating(force, rating));
-    if (rating.limit == StaticLimit::flank_edge && m.static_capacity)
-      add(flank_edge_near("an ellipse", rating.force, *m.static_capacity, force));
+    if (load_measures.flank_edge_margin && m.static_capacity)
+      add(flank_edge_near("an ellipse", *load_measures.flank_edge_margin * force, *m.static_capacity, force));
   } else if (const auto rating = equal_shares_static_rating(c, m)) {
     add(beyond_static_rating(force, *rating, "with equal shares, "));
   }

@@ -91,6 +91,9 @@ struct LoadMeasures {
   /// full mechanisms; Detail::complete.
   std::optional<double> solved_static_safety;
   std::optional<StaticLimit> solved_static_safety_limit;
+  /// Force at which the first ellipse reaches the edge of a flank, with the thread loads solved there, over this force;
+  /// Detail::complete.
+  std::optional<double> flank_edge_margin;
   /// Estimates of it, and what limits them.
   std::optional<double> static_safety;         ///< Estimate with equal shares.
   std::optional<double> thread_static_safety;  ///< Estimate with the shares under this load.

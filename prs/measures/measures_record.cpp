@@ -105,6 +105,7 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
     {"root_bending_stress_roller_MPa", of_side<&LoadMeasures::root_bending_stress, Part::roller>},
     {"root_bending_stress_nut_MPa", of_side<&LoadMeasures::root_bending_stress, Part::nut>},
     {.key = "solved_static_safety", .value = of<&LoadMeasures::solved_static_safety>, .delivery = Reach::complete},
+    {.key = "flank_edge_margin", .value = of<&LoadMeasures::flank_edge_margin>, .delivery = Reach::complete},
     {"static_safety", of<&LoadMeasures::static_safety>},
     {"thread_static_safety", of<&LoadMeasures::thread_static_safety>},
     {"buckling_safety", of<&LoadMeasures::buckling_safety>},

@@ -70,6 +70,10 @@ struct Slipping {
 
 double largest(const std::vector<double>& values) { return std::ranges::max(values); }
 
+std::optional<double> over_static(const InterfaceLoads& running, double largest_at_rest) {
+  return largest_at_rest > 0.0 ? std::optional(largest(running.normal_load) / largest_at_rest) : std::nullopt;
+}
+
 RunningStatus status_of(fe::NewtonStatus status) {
   return status == fe::NewtonStatus::mechanism ? RunningStatus::mechanism : RunningStatus::no_equilibrium;
 }
@@ -150,7 +154,7 @@ class FixedPoint {
       r.status = RunningStatus::converged;
       for (const Slipping& nut : nuts) set_axial_loads(nut);
       for (const Interface i : kInterfaces)
-        threads()[i].running_over_static = largest(threads()[i].normal_load) / r.at_rest.largest_normal_load[i];
+        threads()[i].running_over_static = over_static(threads()[i], r.at_rest.largest_normal_load[i]);
       return slip;
     }
     r.status = RunningStatus::iteration_limit;
@@ -228,7 +232,8 @@ class FixedPoint {
         change = std::max(change, std::abs(now[i][k] - before[i][k]));
         load = std::max(load, now[i][k]);
       }
-    return change / load;
+    if (load > 0.0) return change / load;
+    return change > 0.0 ? 1.0 : 0.0;
   }
 
   /// The models of slip on these loads. Where the file states the angle of a normal, F_i is that of
@@ -393,6 +398,19 @@ LoadCaseResult with_friction(LoadCaseResult loaded, LoadCaseResult slipped) {
   return loaded;
 }
 
+/// A loose screw: it turns without friction, and its loads are those at rest.
+LoadCaseResult running_without_contact(LoadCaseResult rest, const RunningLoads::AtRest& at_rest) {
+  rest.running->status = RunningStatus::converged;
+  rest.running->at_rest = at_rest;
+  rest.running->guide_force = rest.other_flank->guide_force;
+  for (const Interface i : kInterfaces) {
+    InterfaceLoads& loads = (*rest.threads)[i];
+    const std::vector<double> none(loads.normal_load.size(), 0.0);
+    loads.friction = FrictionForces{loads.threads_per_roller, none, none, none};
+  }
+  return rest;
+}
+
 void start(LoadCaseResult& rest) {
   rest.loads = ModelOptions::Loads::running;
   rest.running.emplace();
@@ -416,6 +434,10 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
   const RunningLoads::AtRest at_rest{{largest(rest.threads->screw.normal_load), largest(rest.threads->nut.normal_load)},
                                      rest.axial_displacement.value_or(0.0)};
   const std::size_t threads = rest.threads->screw.normal_load.size();
+  const auto carries = [&](Interface i) {
+    return at_rest.largest_normal_load[i] > 0.0 || largest(rest.other_flank->threads[i].normal_load) > 0.0;
+  };
+  if (std::ranges::none_of(kInterfaces, carries)) return running_without_contact(std::move(rest), at_rest);
   const bool two_nuts = rest.other_flank->of_second_roller;
   Answer answer{fe::NewtonStatus::converged, {}, rest.other_flank->guide_force};
   for (const Interface i : kInterfaces) {
@@ -475,7 +497,7 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
     cut(loads.load_rate);
     if (load_case.axial_force == 0.0) std::ranges::fill(loads.load_rate, kNoShare);
     for (auto* values : {&loads.friction->axial, &loads.friction->radial, &loads.friction->tangential}) cut(*values);
-    loads.running_over_static = largest(loads.normal_load) / at_rest.largest_normal_load[i];
+    loads.running_over_static = over_static(loads, at_rest.largest_normal_load[i]);
   }
   return with_friction(std::move(loaded), std::move(rest));
 }

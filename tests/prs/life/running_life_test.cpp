@@ -71,6 +71,47 @@ TEST(RunningLife, LargestLoadsAndPressuresAreThoseOfTheRunningScrew) {
   }
 }
 
+/// With play nothing touches without a load, and under one the other flanks stay open where guides hold the rollers: the
+/// life is that of the same screw without the block `preload`.
+TEST(RunningLife, WithPlayIsThatOfOneFlank) {
+  Case c = base();
+  c.structure->roller.guidance = {};
+  const double alone = analyze_life(c).system_life;
+  Preload& preload = c.preload.emplace();
+  preload.position = *c.life->position;
+  preload.load = {-20e3, 20e3, 2};
+  for (const double backlash : {10e-6, 200e-6}) {
+    preload.backlash = backlash;
+    const LifeResult r = analyze_life(c);
+    ASSERT_TRUE(r.converged()) << *r.failure;
+    EXPECT_NEAR(r.system_life / alone, 1.0, 1e-9) << backlash;
+  }
+}
+
+/// A preload that warm parts have lost: nothing touches, nothing rubs.
+TEST(RunningLife, ALoosePreloadedNutTurnsFreely) {
+  Case c = base();
+  c.life.reset();
+  c.materials->nut.thermal_expansion = c.materials->screw.thermal_expansion =
+      c.materials->roller.thermal_expansion = 11.5e-6;
+  c.deviations.temperature = PerPart<double>{293.15, 293.15, 353.15};
+  Preload& preload = c.preload.emplace();
+  preload.position = 12e-3;
+  preload.load = {-20e3, 20e3, 2};
+  preload.force = 500.0;
+  LoadCase rest;
+  rest.name = "rest";
+  rest.direction = Direction::tension;
+  rest.position = 12e-3;
+  c.load_cases = {rest};
+  const LoadCaseResult r = analyze_slip(c).load_cases.front();
+  ASSERT_TRUE(r.threads && r.slip);
+  EXPECT_TRUE(r.running->converged());
+  EXPECT_EQ(std::ranges::max(r.threads->screw.normal_load), 0.0);
+  EXPECT_FALSE(r.threads->screw.running_over_static);
+  EXPECT_EQ(r.slip->power.total(), 0.0);
+}
+
 /// Damage of both senses adds up: 2/L = 1/L_screw + 1/L_load, thread by thread before all of them.
 TEST(RunningLife, OfBothSensesLiesBetweenThem) {
   Case c = base();

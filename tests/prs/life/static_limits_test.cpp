@@ -50,15 +50,12 @@ TEST(PermanentDeformation, TheLimitIsAroundThePressureOfIso76ForBallBearings) {
   EXPECT_NEAR(pressure(0.3, 0.53), 4.2981e9, 0.5e5);
 }
 
-TEST(StaticRating, IsTheSmallestLimitAndSaysWhich) {
+TEST(StaticRating, IsTheMakersOrThatOfThePressure) {
   EXPECT_FALSE(static_rating({}, {}));
-  EXPECT_EQ(static_rating({3.0, 5.0, 4.0}, {})->limit, StaticLimit::pressure);
-  EXPECT_EQ(static_rating({5.0, 3.0, 4.0}, {})->limit, StaticLimit::deformation);
-  EXPECT_EQ(static_rating({5.0, 3.0, 2.0}, {})->limit, StaticLimit::flank_edge);
-  // A maker's capacity stands in place of the first two only.
-  EXPECT_EQ(static_rating({1.0, 1.0, 9.0}, 8.0)->limit, StaticLimit::given);
-  EXPECT_EQ(static_rating({1.0, 1.0, 7.0}, 8.0)->force, 7.0);
-  const auto screw = static_rating({3.0, {}, {}}, {}), nut = static_rating({2.0, {}, {}}, {});
+  EXPECT_EQ(static_rating(3.0, {})->limit, StaticLimit::pressure);
+  EXPECT_EQ(static_rating(3.0, 8.0)->limit, StaticLimit::given);
+  EXPECT_EQ(static_rating(3.0, 8.0)->force, 8.0);
+  const auto screw = static_rating(3.0, {}), nut = static_rating(2.0, {});
   EXPECT_EQ(smaller(screw, nut)->force, 2.0);
   EXPECT_EQ(smaller(screw, std::nullopt)->force, 3.0);
 }

@@ -84,13 +84,13 @@ TEST(WarningGroups, TheLoadNearestToItsLimitIsWorst) {
   const auto near = [](double load) { return *flank_edge_near("an ellipse", 42.84e3, 70e3, load); };
   EXPECT_EQ(group_of({in("high", near(40e3)), in("low", near(30e3))}).where(), "worst in high, and 1 other load case");
   const auto beyond = [](double load, double limit) {
-    return *beyond_static_rating(load, {limit, StaticLimit::flank_edge});
+    return *beyond_static_rating(load, {limit, StaticLimit::given});
   };
   const WarningGroup group = group_of({in("tension", beyond(200e3, 42.84e3)), in("compression", beyond(200e3, 38.8e3)),
                                        in("small", beyond(50e3, 40e3))});
   EXPECT_EQ(group.worst.load_case, "compression");
   EXPECT_EQ(group.text(),
-            "the load is 5.155 times the static limit (ellipse at the edge of a flank): 200 kN "
+            "the load is 5.155 times the static limit (stated static capacity): 200 kN "
             "above 38.8 kN; reduce it");
 }
 

@@ -216,7 +216,8 @@ TEST(Measures, StatedCapacityComesBeforeTheLeastOfTheOthers) {
   const Measures m = measures(c);
   EXPECT_EQ(*m.static_capacity, std::min({*m.deformation_capacity.screw, *m.deformation_capacity.nut,
                                           *m.pressure_capacity.screw, *m.pressure_capacity.nut}));
-  EXPECT_NEAR(*load_measures(c, 0).static_safety, *m.static_capacity / 45e3, 1e-12);
+  EXPECT_NEAR(*load_measures(c, 0).static_safety,
+              std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) / 45e3, 1e-12);
   c.life = Life{};
   c.life->static_capacity = 90e3;
   EXPECT_EQ(*measures(c).static_capacity, 90e3);
@@ -263,7 +264,7 @@ TEST(Measures, AtTheFlankEdgeLoadTheFirstEllipseReachesTheEndOfAFlank) {
   }
 }
 
-TEST(Measures, StaticSafetyStandsOnTheFlankWhereItEndsBeforeThePressureLimit) {
+TEST(Measures, TheEndOfAFlankIsWarnedOfAndLeavesTheStaticSafety) {
   const Case c = fine_pitch();
   const Contacts contacts = find_contacts(c.mechanism, c.materials);
   const Measures m = measures_of(c, contacts);
@@ -271,11 +272,11 @@ TEST(Measures, StaticSafetyStandsOnTheFlankWhereItEndsBeforeThePressureLimit) {
   EXPECT_LT(*m.flank_edge_load, *m.static_capacity);
   const LoadCaseResult result = equal_share_result(c.load_cases[0], contacts);
   const LoadMeasures pull = load_measures_of(c, contacts, m, result);
-  EXPECT_NEAR(*pull.static_safety, *m.flank_edge_load / 30e3, 1e-12 * *pull.static_safety);
-  EXPECT_EQ(pull.static_safety_limit, StaticLimit::flank_edge);
-  EXPECT_EQ(pull.thread_static_safety_limit, StaticLimit::flank_edge);
-  EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load), Contains(HasSubstr("ellipse at the edge of a flank")));
+  EXPECT_NEAR(*pull.static_safety, *m.static_capacity / 30e3, 1e-12 * *pull.static_safety);
+  EXPECT_EQ(pull.static_safety_limit, StaticLimit::pressure);
+  EXPECT_EQ(pull.thread_static_safety_limit, StaticLimit::pressure);
   const auto near = Contains(HasSubstr("ellipse reaches the end of a flank"));
+  EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load), near);
   EXPECT_THAT(load_warnings(c, 0.99 * *m.flank_edge_load), near);
   EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load / kUsualStaticSafety), near);
   EXPECT_THAT(load_warnings(c, 0.99 * *m.flank_edge_load / kUsualStaticSafety), Not(near));
@@ -312,6 +313,7 @@ TEST(Measures, StaticSafetyOfALoadCaseIsThatOfLifeUnderItsForce) {
     const LoadMeasures m = *analyze_measures(c).load_measures[k];
     EXPECT_NEAR(*m.solved_static_safety, 20.0 * *life.static_safety(), 1e-8 * *m.solved_static_safety);
     EXPECT_EQ(m.solved_static_safety_limit, life.static_safety_limit());
+    EXPECT_NEAR(*m.flank_edge_margin / (20.0 * *life.flanks[*load.direction]->flank_edge_margin()), 1.0, 1e-8);
     EXPECT_LT(*m.solved_static_safety, *m.static_safety);  // Threads share unevenly.
   }
 }
