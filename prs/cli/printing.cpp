@@ -124,7 +124,9 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
     const bool more_than_document = delivery.files || delivery.pictures;
     if (options.output && more_than_document) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  return exit_status(delivery.converged);
+  if (delivery.wrong_input.empty()) return exit_status(delivery.converged);
+  say(delivery.wrong_input + '\n');
+  return kWrongInput;
 }
 
 ProgressLine::ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1), next_(start_ + kPeriod) {}

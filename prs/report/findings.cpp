@@ -188,7 +188,7 @@ Findings findings_of(input::Source source, ReportOptions options, std::span<cons
       failures.push_back({command, nullptr, error.what()});
     } catch (const modules::Missing& error) {
       all.lacking.push_back(command);
-      failures.push_back({command, nullptr, error.what()});
+      failures.push_back({command, nullptr, error.what(), Attempt::Lacking::program});
       all.notes.push_back(fmt::format("{} was not computed: {}", name(command), error.what()));
     }
   }
@@ -201,6 +201,7 @@ Findings findings_of(input::Source source, ReportOptions options, std::span<cons
     }
   all.warnings = warnings_of(all);
   all.verdict = verdict_of(all, in, std::move(failures));
+  if (!all.verdict.impossible.empty()) throw input::InputError(all.verdict.impossible);
   return all;
 }
 

@@ -231,8 +231,8 @@ std::vector<Warning> solved_load_warnings(const input::Source& source, const inp
   return warnings;
 }
 
-/// What parts without errors of the pitch hide: a start of the screw that stands off, whichever way
-/// is worse for the largest load.
+/// Effect of a start of the screw that stands off, which perfect parts hide: on the largest load and on the life,
+/// each for the sense that is worse for it.
 std::optional<Warning> perfect_parts(const input::Source& source, const input::CaseInput& in, double largest) {
   constexpr double kOff = 3e-6;  ///< [m]
   const int starts = in.values.mechanism.starts.screw;
@@ -259,8 +259,9 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
   if (!(std::max(ahead, behind) > perfect) || perfect == 0.0) return std::nullopt;
   std::string life;
   if (analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty()) {
-    const double whole = life_of(source, in).system_life,
-                 left = life_of(source, with_start(ahead > behind ? kOff : -kOff)).system_life;
+    const double whole = life_of(source, in).system_life;
+    const double left =
+        std::min(life_of(source, with_start(kOff)).system_life, life_of(source, with_start(-kOff)).system_life);
     if (left > 0.0 && left < whole) life = fmt::format(" and takes {:.0f} % of the life", 100.0 * (1.0 - left / whole));
   }
   return Warning{"deviations.pitch_error", "perfect_parts",
@@ -357,11 +358,11 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
     if (!input::unmet(in, command).empty()) return false;
     const std::string_view lacking = left_out(in.values);
     if (!lacking.empty()) {
-      attempts.push_back({command, nullptr, modules::NotBuilt(std::string(lacking)).what(), true});
+      attempts.push_back({command, nullptr, modules::NotBuilt(std::string(lacking)).what(), Attempt::Lacking::program});
       return true;
     }
     if (takes_long) {
-      attempts.push_back({command, nullptr, "`influence` takes long: see `prs report`"});
+      attempts.push_back({command, nullptr, "`influence` takes long: see `prs report`", Attempt::Lacking::time});
       return true;
     }
     try {
@@ -370,9 +371,9 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
     } catch (const input::InputError& error) {
       attempts.push_back({command, nullptr, error.what()});
     } catch (const modules::NotBuilt& error) {
-      attempts.push_back({command, nullptr, error.what(), true});
+      attempts.push_back({command, nullptr, error.what(), Attempt::Lacking::program});
     } catch (const modules::Missing& error) {
-      attempts.push_back({command, nullptr, error.what()});
+      attempts.push_back({command, nullptr, error.what(), Attempt::Lacking::program});
     }
     return attempts.back().delivery != nullptr;
   };
@@ -403,6 +404,25 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
   }
 }
 
+/// The measures of load cases at the temperatures that their losses lead to, those of a duty cycle being its mean.
+/// Nothing where the parts are cold, or the temperatures are not known.
+std::optional<MeasuresResult> warm_measures(const input::CaseInput& in, const VerdictFacts& facts) {
+  if (!in.values.heat || !facts.slip || !facts.measures) return std::nullopt;
+  const std::optional<HeatCycle>& cycle = facts.slip->heat_cycle;
+  MeasuresResult warm = *facts.measures;
+  for (std::size_t k = 0; k < warm.load_measures.size(); ++k) {
+    const auto& heat = facts.slip->load_cases[k].heat;
+    if (cycle ? !cycle->converged() : !heat || !heat->converged()) return std::nullopt;
+    Conditions c = in.values;
+    c.deviations.temperature = cycle ? cycle->mean : heat->temperature;
+    c.load_cases = {c.load_cases[k]};
+    MeasuresResult one = analyze_measures(c, facts.measures->analysis.contacts);
+    warm.load_measures[k] = std::move(one.load_measures.front());
+    warm.analysis.load_cases[k] = std::move(one.analysis.load_cases.front());
+  }
+  return warm;
+}
+
 /// Load cases at rest under preload, and their static ratings.
 std::optional<Result> loads_under_preload(const input::CaseInput& in, VerdictFacts& facts) {
   const Case& c = in.values;
@@ -418,13 +438,13 @@ std::optional<Result> loads_under_preload(const input::CaseInput& in, VerdictFac
     for (const LoadCase& load : c.load_cases) {
       if (!has_both_flanks(c, load.share)) continue;
       result.load_cases.push_back(flanks.solve(load));
-      facts.preloaded_rating.push_back(
+      facts.preloaded_forces.push_back(
           load.axial_force > 0.0
-              ? solved_static_rating(c, result.contacts, *load.direction, *load.position, load.axial_force)
-              : std::nullopt);
+              ? solved_static_forces(c, result.contacts, *load.direction, *load.position, load.axial_force)
+              : StaticForces{});
     }
   } catch (const CaseError& error) {
-    facts.preloaded_rating.clear();
+    facts.preloaded_forces.clear();
     facts.lacking[Command::preload] = error.what();
     return std::nullopt;
   }
@@ -452,6 +472,7 @@ const Analysis<CheckResult>& check_analysis() {
             for (Picture& picture : pictures) picture.drawn = Picture::Drawn::by_name;
             return pictures;
           },
+      .wrong_input = [](const CheckResult& r) { return r.verdict ? r.verdict->impossible : std::string(); },
       .warnings = [](auto& r) -> decltype(auto) { return (r.geometry.warnings); }};
   return analysis;
 }
@@ -482,11 +503,20 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
       facts.lacking[command] = fmt::format("add {}", fmt::join(paths, ", "));
   if (const std::string_view what = left_out(in.values); !what.empty()) facts.not_built.emplace_back(what);
   for (const Attempt& attempt : attempts) {
-    if (attempt.is_not_built && left_out(in.values).empty()) facts.not_built.emplace_back(name(attempt.command));
-    if (!attempt.delivery)
+    if (attempt.lacking == Attempt::Lacking::program && left_out(in.values).empty())
+      facts.not_built.emplace_back(name(attempt.command));
+    if (!attempt.delivery && attempt.lacking == Attempt::Lacking::input) {
+      facts.wrong[attempt.command] = attempt.failure;
+      facts.lacking[attempt.command] = fmt::format("`{}` found an error", name(attempt.command));
+    } else if (!attempt.delivery) {
       facts.lacking[attempt.command] = attempt.failure;
-    else
+    } else
       put_facts(*attempt.delivery, attempt.command, facts);
+  }
+  const std::optional<MeasuresResult> warm = warm_measures(in, facts);
+  if (warm) {
+    facts.measures = &*warm;
+    facts.loads = &warm->analysis;
   }
   const std::optional<Result> preloaded = loads_under_preload(in, facts);
   if (preloaded) facts.preloaded = &*preloaded;

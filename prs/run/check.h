@@ -20,6 +20,8 @@ namespace prs {
 inline constexpr double kRecommendedStaticSafety = 1.5;
 inline constexpr double kRecommendedBucklingSafety = 2.0;
 inline constexpr double kRecommendedCriticalSpeedShare = 0.8;
+inline constexpr int kRecommendedContacts = 8;            ///< Of a roller; catalogues have 20 and more.
+inline constexpr double kRecommendedTemperature = 120.0;  ///< Grease and seals do not last above [degC].
 
 enum class Sense { least, greatest };
 std::string_view name(Sense sense);
@@ -49,9 +51,13 @@ struct CaseVerdict {
   bool is_complete = true;  ///< All commands were asked that the case is ready for.
   /// Commands that the case is ready for and the program leaves out (PRS_FULL).
   std::vector<std::string> not_built = {};
+  /// Commands that the case is ready for and that found something wrong with it.
+  std::vector<std::string> failed = {};
+  /// Why no screw can be like this, as `solve` and `measures` say it; empty of a possible one.
+  std::string impossible = {};
 
-  /// The worst: red, amber, green; amber where a stated limit has no value or a command is not
-  /// built. `no_limit` where nothing is held against a limit.
+  /// The worst: red, amber, green; red of an impossible screw, amber where a stated limit has no value, or a command
+  /// failed or is not built. `no_limit` where nothing is held against a limit.
   Standing standing() const;
 };
 
@@ -62,16 +68,17 @@ struct VerdictFacts {
   const Contacts* contacts = nullptr;
   const Result* loads = nullptr;
   const Result* slip = nullptr;
-  /// Load cases at rest under preload, which `loads` lack, and the static rating of each.
+  /// Load cases at rest under preload, which `loads` lack, and the static limits of each.
   const Result* preloaded = nullptr;
-  std::vector<std::optional<StaticRating>> preloaded_rating = {};
+  std::vector<StaticForces> preloaded_forces = {};
   const LifeResult* life = nullptr;
   const MeasuresResult* measures = nullptr;
   const ResponseResult* response = nullptr;
   /// Why commands were not run: what to add, or what they found wrong. One that is neither here nor
   /// above was not asked; what it would have given is left out.
   std::map<Command, std::string> lacking = {};
-  std::vector<std::string> not_built = {};  ///< See CaseVerdict.
+  std::map<Command, std::string> wrong = {};  ///< What commands found wrong with the case.
+  std::vector<std::string> not_built = {};    ///< See CaseVerdict.
 };
 
 CaseVerdict verdict_of(const VerdictFacts& facts);
@@ -132,7 +139,7 @@ struct Attempt {
   Command command = Command::check;
   const Delivery* delivery = nullptr;
   std::string failure = {};
-  bool is_not_built = false;  ///< The program leaves it out (PRS_FULL).
+  enum class Lacking { input, program, time } lacking = Lacking::input;  ///< `program`: left out (PRS_FULL).
 };
 
 /// The verdict on a case by what was run of it.

@@ -107,8 +107,8 @@ Found static_safety(const VerdictFacts& f) {
       if (const auto& flank = f.life->flanks[d]; flank && flank->static_safety())
         found.take(*flank->static_safety(), loads_of(*f.life),
                    fmt::format("{} in {}", describe(flank->static_rating->limit), name(d)));
-  for (std::size_t k = 0; f.preloaded && k < f.preloaded_rating.size(); ++k)
-    if (const auto& rating = f.preloaded_rating[k]) {
+  for (std::size_t k = 0; f.preloaded && k < f.preloaded_forces.size(); ++k)
+    if (const auto& rating = f.preloaded_forces[k].rating) {
       const LoadCase& load = f.preloaded->load_cases[k].load_case;
       found.take(rating->force / load.axial_force, load.name, describe(rating->limit) + ", under preload");
     }
@@ -125,6 +125,49 @@ Found static_safety(const VerdictFacts& f) {
                      "{}, {}{}",
                      load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load",
                      describe(*m->thread_static_safety_limit), without_preload(f)));
+  }
+  if (!found.value) found.why = "no load whose thread loads are known";
+  return found;
+}
+
+/// The margin of the flank's edge with the shares of threads as they are under a load case.
+std::optional<double> flank_edge_estimate(const MeasuresResult& r, std::size_t k) {
+  const auto& threads = r.analysis.load_cases[k].threads;
+  std::optional<double> margin;
+  for (const Interface i : kInterfaces) {
+    const std::optional<double>& edge = r.measures.interface_flank_edge_load[i];
+    const double largest = threads ? std::ranges::max((*threads)[i].axial_load) : 0.0;
+    if (!edge || !(largest > 0.0)) return std::nullopt;
+    const Mechanism& mechanism = r.analysis.contacts.mechanism;
+    const double own = *edge / (mechanism.rollers * mechanism.contacts_per_roller * largest);
+    margin = std::min(own, margin.value_or(own));
+  }
+  return margin;
+}
+
+/// Force at which the first ellipse reaches the edge of a flank over the largest force.
+Found flank_edge(const VerdictFacts& f) {
+  if (!f.measures && !f.life) return without(f, Command::measures, Sense::least);
+  if (auto none = without_fit(f, Sense::least)) return *std::move(none);
+  Found found;
+  if (f.life && f.life->converged())
+    for (const Direction d : kDirections)
+      if (const auto& flank = f.life->flanks[d]; flank)
+        found.take(flank->flank_edge_margin(), loads_of(*f.life), fmt::format("in {}", name(d)));
+  for (std::size_t k = 0; f.preloaded && k < f.preloaded_forces.size(); ++k)
+    if (const auto& edge = f.preloaded_forces[k].flank_edge_load) {
+      const LoadCase& load = f.preloaded->load_cases[k].load_case;
+      found.take(*edge / load.axial_force, load.name, "under preload");
+    }
+  for (std::size_t k = 0; f.measures && k < f.measures->load_measures.size(); ++k) {
+    const auto& m = f.measures->load_measures[k];
+    const LoadCase& load = f.measures->analysis.load_cases[k].load_case;
+    if (!m || is_preloaded(f, load)) continue;
+    if (m->flank_edge_margin)
+      found.take(m->flank_edge_margin, load.name, without_preload(f).empty() ? "" : "without the preload");
+    else
+      found.take(flank_edge_estimate(*f.measures, k), load.name,
+                 load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load");
   }
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;
@@ -147,7 +190,9 @@ Found peak_pressure(const VerdictFacts& f) {
   if (auto none = without_fit(f, Sense::greatest)) return *std::move(none);
   Found found{Sense::greatest};
   const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
-  for (const Result* result : {f.loads, f.preloaded, f.slip})  // Slip has the loads of warm parts.
+  // Slip has running loads of warm parts, but in a duty cycle at steady temperatures that it never reaches.
+  const bool has_cycle = f.slip && f.slip->heat_cycle;
+  for (const Result* result : {f.loads, f.preloaded, has_cycle ? nullptr : f.slip})
     for (std::size_t k = 0; result && k < result->load_cases.size(); ++k) {
       const LoadCaseResult& r = result->load_cases[k];
       const bool plain = result == f.loads;
@@ -269,38 +314,42 @@ Found weight(const VerdictFacts& f) {
   return found;
 }
 
+/// Stiffness under the largest force.
 Found stiffness(const VerdictFacts& f) {
   if (!f.loads) return without(f, Command::solve, Sense::least);
   Found found;
-  // The shaft counts where a limit stands, which is that of the drive.
-  double shaft = 0.0;  // Its compliance [m/N].
-  std::string_view note;
-  if (f.limits.stiffness) {
-    note = "without the shaft: measures.shaft is missing";
-    if (f.measures && f.measures->measures.shaft_stiffness) {
-      shaft = 1.0 / *f.measures->measures.shaft_stiffness;
-      note = "with the shaft";
-      found.title = "Stiffness with the shaft";
-    }
-  }
-  for (const LoadCaseResult& r : f.loads->load_cases) {
-    const auto take = [&](const std::optional<double>& own, std::string_view kind) {
-      if (!own) return;
-      std::vector<std::string_view> notes;
-      if (!note.empty()) notes.push_back(note);
-      if (!without_preload(f).empty()) notes.push_back(without_preload(f).substr(2));
-      if (!kind.empty()) notes.push_back(kind);
-      found.take(per_si::newton_per_micrometre / (1.0 / *own + shaft), r.load_case.name,
-                 fmt::format("{}", fmt::join(notes, ", ")));
+  found.why = "no load case has one";
+  const auto& loads = f.loads->load_cases;
+  double largest = 0.0;
+  for (const LoadCaseResult& r : loads) largest = std::max(largest, std::abs(r.load_case.axial_force));
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const LoadCaseResult& r = loads[k];
+    if (std::abs(r.load_case.axial_force) < (1.0 - kRounding) * largest) continue;
+    const auto take = [&](std::optional<double> stiffness, std::string_view kind) {
+      if (!stiffness) return;
+      std::string note = fmt::format("largest force{}{}", without_preload(f), kind);
+      // A limit is that of the drive: what is in series with the screw counts too.
+      const auto* const measures = f.limits.stiffness && f.measures ? &*f.measures : nullptr;
+      const auto* const system =
+          measures && measures->load_measures[k] ? &measures->load_measures[k]->system_stiffness : nullptr;
+      if (system && *system) {
+        found.title = "Stiffness of the axis";
+        stiffness = (*system)->total;
+      } else if (measures && measures->measures.shaft_stiffness) {
+        found.title = "Stiffness with the shaft";
+        stiffness = 1.0 / (1.0 / *stiffness + 1.0 / *measures->measures.shaft_stiffness);
+      } else if (f.limits.stiffness) {
+        note += ", without the shaft: measures.shaft is missing";
+      }
+      found.take(*stiffness * per_si::newton_per_micrometre, r.load_case.name, note);
     };
     // What acts across the axis moves the screw too, and force over displacement may say nothing; a seat
     // that stands askew does so without any load.
     const SpatialLoad& spatial = r.load_case.spatial;
     const bool askew = spatial.nut_tilt != Lateral{} || spatial.nut_offset != Lateral{};
     if (!askew) take(r.axial_stiffness, "");
-    if (spatial.acts_across()) take(r.tangent_stiffness, "tangent, for something acts across the axis");
+    if (spatial.acts_across()) take(r.tangent_stiffness, ", tangent, for something acts across the axis");
   }
-  found.why = "no load case has one";
   return found;
 }
 
@@ -331,7 +380,8 @@ Found temperature(const VerdictFacts& f) {
   Found found{Sense::greatest};
   found.why = "add heat";
   if (!f.c.heat) return found;
-  if (!f.slip) return without(f, Command::slip, Sense::greatest);
+  const bool life_has_them = f.life && f.life->temperature && f.life->temperature_status == HeatStatus::converged;
+  if (!f.slip && !life_has_them) return without(f, Command::slip, Sense::greatest);
   found.why = "the temperatures did not converge";
   const auto take = [&](const PerPart<double>& kelvin, std::string_view where) {
     const PartNumbers t = celsius_of(kelvin);
@@ -339,6 +389,8 @@ Found temperature(const VerdictFacts& f) {
     found.take(t.rollers, where, "rollers");
     found.take(t.nut, where, "nut");
   };
+  if (life_has_them) take(*f.life->temperature, loads_of(*f.life));
+  if (!f.slip) return found;
   if (f.slip->heat_cycle) {
     if (f.slip->heat_cycle->converged()) take(f.slip->heat_cycle->peak, "heat.duty");
   } else {
@@ -350,11 +402,25 @@ Found temperature(const VerdictFacts& f) {
   return found;
 }
 
+/// Central film over roughness, the least of all threads.
+Found film(const VerdictFacts& f) {
+  if (!f.slip) return without(f, Command::slip, Sense::least);
+  Found found;
+  found.applies = f.c.lubricant.has_value();
+  found.why = found.applies ? "add roughness" : "no lubricant";
+  for (const LoadCaseResult& r : f.slip->load_cases)
+    if (r.slip && r.slip->converged())
+      for (const Interface i : kInterfaces)
+        for (const double ratio : r.slip->threads[i].film_ratio)
+          if (ratio > 0.0) found.take(ratio, r.load_case.name, fmt::format("roller-{}; life is that of full, clean films", name(i)));
+  return found;
+}
+
 /// A criterion, what it is held against, and whether it is told where there is nothing of both.
 struct Row {
   std::string_view name, title, unit;
   Found (*find)(const VerdictFacts&);
-  std::optional<double> Limits::*limit;  ///< None of the life, which has two.
+  std::optional<double> Limits::*limit = nullptr;  ///< None of the life, which has two, and of the flank's edge.
   double factor = 1.0;                   ///< From SI to the unit.
   bool is_plain = true;                  ///< Told without a limit too.
   double zero = 0.0;                     ///< Zero of the unit [K].
@@ -362,7 +428,7 @@ struct Row {
 
   std::optional<double> stated(const Limits& l) const {
     if (limit) return l.*limit ? std::optional(*(l.*limit) * factor - zero) : std::nullopt;
-    if (!l.life) return {};
+    if (name != "life" || !l.life) return {};
     return l.life->travel ? *l.life->travel * per_si::kilometre : *l.life->duration / 3600.0;
   }
 };
@@ -373,6 +439,7 @@ const Row kRows[] = {
     {"life", "Life", "h", life, nullptr},
     {"static_safety", "Static safety", "", static_safety, &Limits::static_safety, 1.0, true, 0.0, 1.0,
      kRecommendedStaticSafety},
+    {.name = "flank_edge", .title = "Flank's edge", .unit = "", .find = flank_edge, .recommended = 1.0},
     {"peak_pressure", "Peak pressure", "MPa", peak_pressure, &Limits::peak_pressure, per_si::megapascal, true, 0.0,
      kStaticPressureLimit* per_si::megapascal},
     {"buckling_safety", "Buckling safety", "", buckling_safety, &Limits::buckling_safety, 1.0, true, 0.0, 1.0,
@@ -387,7 +454,14 @@ const Row kRows[] = {
     {"weight", "Weight", "kg", weight, &Limits::weight, 1.0, false},
     {"stiffness", "Axial stiffness", "N/um", stiffness, &Limits::stiffness, per_si::newton_per_micrometre},
     {"efficiency", "Efficiency", "", efficiency, &Limits::efficiency},
-    {"temperature", "Temperature", "degC", temperature, &Limits::temperature, 1.0, true, 273.15},
+    {.name = "temperature",
+     .title = "Temperature",
+     .unit = "degC",
+     .find = temperature,
+     .limit = &Limits::temperature,
+     .zero = 273.15,
+     .recommended = kRecommendedTemperature},
+    {.name = "film", .title = "Film ratio", .unit = "", .find = film, .recommended = 1.0},
 };
 
 Criterion criterion(std::string_view name, std::string_view title, std::string_view unit) {
@@ -471,6 +545,35 @@ void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
   verdict.criteria.push_back(std::move(c));
 }
 
+/// A nut with so few threads is no screw that anybody makes.
+void add_contacts(const VerdictFacts& f, CaseVerdict& verdict) {
+  if (f.c.mechanism.contacts_per_roller >= kRecommendedContacts) return;
+  Criterion c = criterion("contacts_per_roller", "Contacts per roller", "");
+  c.value = f.c.mechanism.contacts_per_roller;
+  c.limit = kRecommendedContacts;
+  c.source = LimitSource::recommended;
+  c.standing = Standing::amber;
+  c.reason = "makers' nuts have more: check the length of the nut";
+  verdict.criteria.push_back(std::move(c));
+}
+
+/// What commands found wrong with the case: impossible where no thread loads can be had for it.
+void add_errors(const VerdictFacts& f, CaseVerdict& verdict) {
+  for (const auto& [command, what] : f.wrong) {
+    if (command != Command::solve && command != Command::measures) {
+      verdict.failed.emplace_back(name(command));
+      continue;
+    }
+    verdict.impossible = what;
+  }
+  if (verdict.impossible.empty()) return;
+  Criterion c = criterion("input", "Input", "");
+  c.source = LimitSource::physics;
+  c.standing = Standing::red;
+  c.reason = verdict.impossible;
+  verdict.criteria.push_back(std::move(c));
+}
+
 /// Threads that overlap before any load.
 void add_play(const VerdictFacts& f, CaseVerdict& verdict) {
   if (!f.contacts) return;
@@ -527,7 +630,7 @@ Standing CaseVerdict::standing() const {
   const auto any = [&](auto of) { return std::ranges::any_of(criteria, of); };
   const auto has = [&](Standing s) { return any([&](const Criterion& c) { return c.standing == s; }); };
   if (has(Standing::red)) return Standing::red;
-  if (has(Standing::amber) || any(is_unknown) || !not_built.empty()) return Standing::amber;
+  if (has(Standing::amber) || any(is_unknown) || !not_built.empty() || !failed.empty()) return Standing::amber;
   return has(Standing::green) ? Standing::green : Standing::no_limit;
 }
 
@@ -537,6 +640,8 @@ CaseVerdict verdict_of(const VerdictFacts& f) {
   for (const Row& row : kRows) add(row, f, verdict);
   add_play(f, verdict);
   add_convergence(f, verdict);
+  add_contacts(f, verdict);
+  add_errors(f, verdict);
   return verdict;
 }
 
@@ -564,6 +669,7 @@ std::string summary(const CaseVerdict& verdict) {
   tell("Not met", of(Standing::red));
   tell("Short of what is recommended", of(Standing::amber));
   tell("Not computed, so not met", titles(verdict, is_unknown));
+  tell("Not judged for an error of the input", fmt::format("{}", fmt::join(verdict.failed, ", ")));
   tell("Not judged, because not built", fmt::format("{}", fmt::join(verdict.not_built, ", ")));
   if (!verdict.is_complete)
     text += text.empty() ? "Other criteria follow." : " Other criteria follow.";
@@ -615,6 +721,8 @@ constexpr Quantity<CaseVerdict> kVerdict[] = {
     {"criteria", of<&CaseVerdict::criteria>, "each with its worst value"},
     {"not_built", filled<[](const CaseVerdict& v) { return v.not_built; }>,
      "commands that the case is ready for and this program leaves out; scripts/install.sh builds all"},
+    {"failed", filled<[](const CaseVerdict& v) { return v.failed; }>,
+     "commands that the case is ready for and that found something wrong with it"},
 };
 
 }  // namespace

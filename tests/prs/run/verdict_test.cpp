@@ -6,8 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "prs/page/page.h"
 #include "prs/run/commands.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {
@@ -249,6 +251,61 @@ TEST(Verdict, AmberIsShortOfWhatIsRecommended) {
   EXPECT_EQ(at(1.49)["limit"], 1.5);
   EXPECT_EQ(at(1.51)["state"], "green");
   EXPECT_EQ(at(1.51)["limit_source"], "recommended");
+}
+
+/// A screw of 19 rollers that overlap: said, judged red, and no page is made of it.
+TEST(Verdict, AnImpossibleScrewIsRedAndEndsAsWrongInput) {
+  const Overrides crowded{"mechanism.rollers=19"};
+  const Json v = verdict("31_running_screw.yaml", crowded);
+  EXPECT_EQ(v["state"], "red");
+  EXPECT_THAT(criterion(v, "input")["reason"].get<std::string>(), HasSubstr("mechanism.rollers"));
+  EXPECT_THAT(v["failed"].dump(), HasSubstr("slip"));
+  const input::Source source = input::load_source(PRS_SOURCE_DIR "/configs/31_running_screw.yaml", Overrides(crowded));
+  EXPECT_THAT(run(analysis_of(Command::check), source).wrong_input, HasSubstr("mechanism.rollers"));
+  EXPECT_THROW(make_report(source, {.live = false}), input::InputError);
+}
+
+TEST(Verdict, FewContactsAndThinFilmsAreAmber) {
+  const Overrides few{"mechanism.contacts_per_roller=4", "load_cases[0].axial_force=1 kN", "load_cases[1].axial_force=1 kN"};
+  const Json v = verdict("05_standard_screw.yaml", few);
+  EXPECT_EQ(criterion(v, "contacts_per_roller")["state"], "amber");
+  EXPECT_EQ(criterion(verdict("05_standard_screw.yaml"), "contacts_per_roller"), Json());
+}
+
+/// An ellipse over the edge of a flank is an edge stress: amber, and the static safety does not know of it.
+TEST(Verdict, TheFlanksEdgeIsACriterionOfItsOwn) {
+  const double margin = criterion(verdict(kMeasured), "flank_edge")["value"];
+  const Overrides over{fmt::format("load_cases[0].axial_force={:.12g} kN", 30.0 * 1.01 * margin),
+                       fmt::format("load_cases[1].axial_force={:.12g} kN", 30.0 * 1.01 * margin),
+                       "life={position: 11 mm, static_capacity: 900 kN, "
+                       "spectrum: [{force: 1 kN, direction: tension, share: 1}]}"};
+  const Json v = verdict(kMeasured, over);
+  EXPECT_NEAR(criterion(v, "flank_edge")["value"], 1.0 / 1.01, 1e-6);
+  EXPECT_EQ(criterion(v, "flank_edge")["state"], "amber");
+  EXPECT_NEAR(criterion(v, "static_safety")["value"], 900.0 / (30.0 * 1.01 * margin), 1e-9);
+}
+
+/// Temperature is the hottest of slip and life; what stands on loads is that of the parts as they run.
+TEST(Verdict, HeatCountsInEveryCriterion) {
+  const Json v = verdict(kDuty);
+  const Json cycle = document(Command::slip, kDuty)["heat_cycle"];
+  double hottest = 0.0;
+  for (const double t : cycle["peak_degC"]) hottest = std::max(hottest, t);
+  EXPECT_GE(criterion(v, "temperature")["value"].get<double>(), hottest);
+  Json mean = cycle["mean_degC"];
+  const std::string warm =
+      fmt::format("deviations.temperature={{screw: {:.15g} degC, roller: {:.15g} degC, nut: {:.15g} degC}}",
+                  mean["screw"].get<double>(), mean["rollers"].get<double>(), mean["nut"].get<double>());
+  std::string text = test::content_of(PRS_SOURCE_DIR "/configs/" + std::string(kDuty));
+  text.resize(text.find("\nheat:"));
+  const input::Source cold = input::source_of_text("cold.yaml", text, {warm, "lubricant.temperature=60 degC"});
+  const Json solved =
+      run(analysis_of(Command::solve), cold).document(document_info(cold, Command::solve))["load_cases"];
+  double largest = 0.0, stiffness = 0.0;
+  for (const Json& load_case : solved) largest = std::max(largest, std::abs(load_case["axial_force_N"].get<double>()));
+  for (const Json& load_case : solved)
+    if (load_case["axial_force_N"] == largest && stiffness == 0.0) stiffness = load_case["axial_stiffness_N_per_um"];
+  EXPECT_NEAR(criterion(v, "stiffness")["value"].get<double>() / stiffness, 1.0, 1e-9);
 }
 
 TEST(Verdict, ThreadsThatInterfereAndLoadsThatDoNotConvergeAreRed) {
