@@ -13,7 +13,7 @@ std::string_view kind_of(mode_t mode) {
     case S_IFLNK:
       return "a symbolic link";
     case S_IFDIR:
-      return "a folder";
+      return kFolder;
     case S_IFIFO:
       return "a pipe";
     case S_IFSOCK:
@@ -25,14 +25,19 @@ std::string_view kind_of(mode_t mode) {
 
 }  // namespace
 
+std::string_view obstacle_at(const char* path, int folder) {
+  struct stat status {};
+  const bool is_other = ::fstatat(folder, path, &status, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISREG(status.st_mode);
+  return is_other ? kind_of(status.st_mode) : std::string_view{};
+}
+
 RegularFile open_regular(const char* path, int flags, mode_t mode, int folder) {
   RegularFile opened;
   opened.file = FileDescriptor(::openat(folder, path, flags | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, mode));
   struct stat status {};
   if (!opened.file.is_open()) {
     opened.error = errno;
-    if (::fstatat(folder, path, &status, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISREG(status.st_mode))
-      opened.obstacle = kind_of(status.st_mode);
+    opened.obstacle = obstacle_at(path, folder);
     return opened;
   }
   if (::fstat(opened.file.get(), &status) != 0) {

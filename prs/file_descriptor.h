@@ -50,11 +50,17 @@ inline int write_all(int file, std::string_view bytes) {
 
 inline int write_all(const FileDescriptor& file, std::string_view bytes) { return write_all(file.get(), bytes); }
 
+inline constexpr std::string_view kFolder = "a folder";
+
+/// What stands at `path`, of `folder` where it is relative, in place of a regular file: "a symbolic link", "a pipe",
+/// `kFolder`; empty where there is a file or nothing.
+std::string_view obstacle_at(const char* path, int folder = AT_FDCWD);
+
 /// A regular file that was opened, or why there is none.
 struct RegularFile {
   FileDescriptor file;
   int error = 0;              ///< System's error number; 0 where the file is open.
-  std::string_view obstacle;  ///< What stands there in place of a file: "a symbolic link", "a pipe".
+  std::string_view obstacle;  ///< See `obstacle_at`.
 };
 
 /// Opens `path`, of `folder` where it is relative, as ::openat does, but nothing other than a

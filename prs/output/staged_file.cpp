@@ -183,6 +183,10 @@ void remove_unfinished() noexcept {
 }
 
 StagedFile::StagedFile(std::filesystem::path target) : target_(std::move(target)) {
+  if (const std::string_view other = obstacle_at(target_.c_str()); !other.empty() && other != kFolder)
+    throw std::runtime_error(
+        fmt::format("cannot write '{}': got {}; expected a regular file or none; give another name, or remove it",
+                    target_.string(), other));
   const SignalsHeld held;
   for (int attempt = 0; !file_.is_open(); ++attempt) {
     temporary_ = target_;

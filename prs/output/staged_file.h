@@ -44,8 +44,8 @@ void remove_unfinished() noexcept;
 
 /// A file under a temporary name in the folder of its target; gone again unless it is published,
 /// also where a signal ends the program, so that no reader meets half a file and a full disk leaves
-/// the earlier one as it was. What cannot be written throws std::system_error that names the
-/// target.
+/// the earlier one as it was. A link, pipe, socket or device is not replaced: std::runtime_error.
+/// Any other failure throws std::system_error that names the target.
 class StagedFile {
  public:
   explicit StagedFile(std::filesystem::path target);

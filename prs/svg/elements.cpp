@@ -224,15 +224,17 @@ std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_hori
   const std::size_t most =
       std::max<std::size_t>(2, static_cast<std::size_t>(pixels / (is_horizontal ? 48 : kTickHeight)));
   std::vector<double> ticks;
-  const double first = std::floor(std::log10(axis.from)), last = std::ceil(std::log10(axis.to));
+  const auto [least, greatest] = std::minmax(axis.from, axis.to);
+  if (!(least > 0.0 && std::isfinite(greatest))) return ticks;
+  const double first = std::floor(std::log10(least)), last = std::ceil(std::log10(greatest));
   for (const std::vector<double>& digits : {std::vector{1.0, 2.0, 5.0}, std::vector{1.0}})
-    for (double stride = 1.0; stride <= 16.0; stride *= 2.0) {
+    for (double stride = 1.0; stride <= 512.0; stride *= 2.0) {
       if (digits.size() > 1 && stride > 1.0) break;
       ticks.clear();
       for (double decade = first; decade <= last; decade += stride)
         for (const double digit : digits)
           if (const double tick = digit * std::pow(10.0, decade);
-              tick >= axis.from * (1.0 - 1e-9) && tick <= axis.to * (1.0 + 1e-9))
+              tick >= least * (1.0 - 1e-9) && tick <= greatest * (1.0 + 1e-9))
             ticks.push_back(tick);
       if (ticks.size() <= most) return ticks;
     }
@@ -254,16 +256,6 @@ double longest_tick(const Axis& axis, int pixels, bool is_horizontal) {
   return longest;
 }
 
-/// What ticks and label take beside a panel.
-int room_left(const Figure& figure, const Panel& panel, int height, bool labelled) {
-  const Axis& axis = y_axis(figure, panel);
-  if (axis.hidden || panel.surface) return 0;
-  const bool has_label = (labelled || panel.y) && !axis.label.empty();
-  const std::size_t lines = has_label ? fitted_lines(text_of(axis), height).size() : 0;
-  return static_cast<int>(longest_tick(axis, height, false)) + (has_label ? 28 : 14) +
-         kLineHeight * static_cast<int>(lines);
-}
-
 /// A little more about its middle where there is no range to see.
 Axis with_length(Axis axis) {
   constexpr double kLeast = 2e-6;  // Of the numbers, which are written with seven digits.
@@ -274,6 +266,16 @@ Axis with_length(Axis axis) {
   axis.from -= margin;
   axis.to += margin;
   return axis;
+}
+
+/// What ticks and label take beside a panel.
+int room_left(const Figure& figure, const Panel& panel, int height, bool labelled) {
+  const Axis axis = with_length(y_axis(figure, panel));
+  if (axis.hidden || panel.surface) return 0;
+  const bool has_label = (labelled || panel.y) && !axis.label.empty();
+  const std::size_t lines = has_label ? fitted_lines(text_of(axis), height).size() : 0;
+  return static_cast<int>(longest_tick(axis, height, false)) + (has_label ? 28 : 14) +
+         kLineHeight * static_cast<int>(lines);
 }
 
 /// Widens the range about its middle to that length.
@@ -312,10 +314,10 @@ std::vector<std::string> fitted_lines(std::string_view content, int pixels) {
 std::vector<double> ticks_of(const Axis& axis, int pixels, bool is_horizontal) {
   if (axis.logarithmic) return logarithmic_ticks(axis, pixels, is_horizontal);
   const double distance = tick_step(axis, pixels, is_horizontal);
+  const double first = std::ceil(std::min(axis.from, axis.to) / distance - 1e-9);
+  const double last = std::floor(std::max(axis.from, axis.to) / distance + 1e-9);
   std::vector<double> ticks;
-  const double least = std::min(axis.from, axis.to), most = std::max(axis.from, axis.to);
-  for (double k = std::ceil(least / distance - 1e-9); k * distance <= most + 1e-9 * distance; ++k)
-    ticks.push_back(k * distance);
+  for (int k = 0; k <= std::min(last - first, double{kMostTicks}); ++k) ticks.push_back((first + k) * distance);
   return ticks;
 }
 

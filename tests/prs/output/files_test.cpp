@@ -1,6 +1,7 @@
 #include "prs/output/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <system_error>
 
@@ -35,6 +36,25 @@ TEST(WriteFiles, CreatesDirectoriesAndReplacesFiles) {
   write_files(directory, {{"x.csv", "new"}, {"y.csv", ""}});
   EXPECT_EQ(content_of(directory / "x.csv"), "new");
   EXPECT_EQ(entries(directory), 2);
+}
+
+/// A device or a pipe would be gone, and a regular file stand in its place.
+TEST(WriteFiles, LinksPipesAndDevicesStay) {
+  const TemporaryDirectory temporary;
+  const fs::path pipe = temporary.path() / "pipe", link = temporary.path() / "link";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_symlink("/dev/null", link);
+  for (const fs::path& path : {pipe, link}) {
+    try {
+      write_files(temporary.path(), {{path.filename(), "new"}});
+      ADD_FAILURE() << path;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("expected a regular file"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(entries(temporary.path()), 2);
 }
 
 TEST(WriteFiles, ErrorNamesPathAndReason) {

@@ -205,7 +205,8 @@ TEST_F(RunFilesTest, DamagedOrPlantedListsAreReplacedAndNothingIsRemoved) {
   fs::remove(folder / kFileList);
   write(temporary.path() / "target", "precious");
   fs::create_symlink(temporary.path() / "target", folder / kFileList);
-  run("solve", one, {"b"});
+  EXPECT_THROW(run("solve", one, {"b"}), std::runtime_error);
+  EXPECT_TRUE(fs::is_symlink(folder / kFileList));
   EXPECT_EQ(content_of(temporary.path() / "target"), "precious");
 }
 
