@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <new>
+#include <regex>
 
 namespace prs::input {
 namespace {
@@ -28,6 +29,41 @@ char separator_of(std::string_view line) {
     if (!quoted && (c == ',' || c == ';' || c == '\t')) return c;
   }
   return ',';
+}
+
+constexpr std::size_t kLongestNumber = 64;  ///< Longer fields are none, and would take the stack of std::regex.
+
+/// The number of a field with a decimal comma: sign, groups of thousands, decimals.
+const std::regex& decimal_comma_number() {
+  static const std::regex number(
+      R"(\s*([+-]?(?:\d+|\d{1,3}(?:[. ']\d{3})+))(?:,(\d+(?:[eE][+-]?\d+)?))?\s*)", std::regex::optimize);
+  return number;
+}
+
+/// Whether numbers of a line have decimal commas. Between semicolons a comma is one; between tabs `1,500` may be
+/// fifteen hundred, and other numbers must show it.
+bool has_decimal_comma(std::string_view line, char separator) {
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find_first_of(std::string{separator, '"', '\r', '\n'}, begin), line.size());
+    const std::string_view field = line.substr(begin, end - begin);
+    begin = end + 1;
+    std::cmatch parts;
+    if (field.size() > kLongestNumber || field.find(',') == field.npos) continue;
+    if (!std::regex_match(field.data(), field.data() + field.size(), parts, decimal_comma_number())) continue;
+    if (separator == ';' || parts.length(2) != 3 || parts.str(1) == "0") return true;
+  }
+  return false;
+}
+
+/// Writes a number with a decimal comma or points between thousands as all others; false of other fields.
+bool write_with_point(std::string_view field, std::string& number) {
+  if (field.size() > kLongestNumber || field.find_first_of(",. '") == field.npos) return false;
+  std::cmatch parts;
+  if (!std::regex_match(field.data(), field.data() + field.size(), parts, decimal_comma_number())) return false;
+  number = parts.str(1);
+  std::erase_if(number, [](char c) { return c == '.' || c == ' ' || c == '\''; });
+  if (parts[2].matched) number += '.' + parts.str(2);
+  return true;
 }
 
 /// libcsv's parser, which is told bytes and tells fields and ends of rows.
@@ -105,6 +141,7 @@ struct CsvReader::Parts {
       : text(given),
         next(text.starts_with("\xEF\xBB\xBF") ? 3 : 0),
         separator(separator_of_first_row()),
+        decimal_commas(find_decimal_comma()),
         parser(separator) {}
 
   std::string_view line() const {
@@ -115,6 +152,13 @@ struct CsvReader::Parts {
   char separator_of_first_row() {
     skip_to_row();
     return separator_of(line());
+  }
+
+  bool find_decimal_comma() const {
+    if (separator == ',' || text.find(',') == text.npos) return false;
+    for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(line_length(rest)))
+      if (rest.front() != '#' && has_decimal_comma(rest.substr(0, line_length(rest)), separator)) return true;
+    return false;
   }
 
   /// Passes empty lines and comments.
@@ -152,8 +196,10 @@ struct CsvReader::Parts {
   std::size_t next;     ///< Offset of the line that comes next.
   std::size_t row = 0;  ///< Offset at which the row begins.
   char separator;
+  bool decimal_commas;
   FieldParser parser;
   std::vector<std::string_view> fields;
+  std::vector<std::string> numbers;  ///< Fields with decimal commas, as others write them.
 };
 
 CsvReader::CsvReader(std::string_view text) : parts_(std::make_unique<Parts>(text)) {}
@@ -165,6 +211,10 @@ bool CsvReader::next() {
   if (parts_->next == parts_->text.size()) return false;
   parts_->read_row();
   parts_->parser.get_fields(parts_->fields);
+  if (!parts_->decimal_commas) return true;
+  parts_->numbers.resize(parts_->fields.size());
+  for (std::size_t k = 0; k < parts_->fields.size(); ++k)
+    if (write_with_point(parts_->fields[k], parts_->numbers[k])) parts_->fields[k] = parts_->numbers[k];
   return true;
 }
 

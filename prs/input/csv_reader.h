@@ -23,8 +23,9 @@ class CsvError : public std::runtime_error {
 /// Rows of a text of comma-separated values after RFC 4180: fields in double quotes may hold
 /// separators, line ends and doubled quotes, lines end with LF or CR LF. Fields are separated by
 /// commas, semicolons or tabs, whichever the first row has first outside quotes. Blanks around
-/// fields, empty lines, lines that start with `#` and a byte order mark are skipped. Rows are read
-/// one at a time; none is longer than 1 MiB.
+/// fields, empty lines, lines that start with `#` and a byte order mark are skipped. Between semicolons
+/// or tabs numbers may have decimal commas and marks between thousands, as European spreadsheets write
+/// them: `fields` has them with a point. Rows are read one at a time; none is longer than 1 MiB.
 class CsvReader {
  public:
   /// The text must outlive the reader.

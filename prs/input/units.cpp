@@ -287,6 +287,14 @@ Head split_number(std::string_view text) {
   return {number, error == std::errc{}, rest};
 }
 
+/// One to three digits, a point and three zeros: where the point may stand between thousands.
+bool may_be_thousands(std::string_view number) {
+  if (!number.ends_with(".000")) return false;
+  number.remove_suffix(4);
+  if (number.starts_with('+') || number.starts_with('-')) number.remove_prefix(1);
+  return !number.empty() && number.size() <= 3 && number[0] != '0';
+}
+
 /// `nan`, `-inf`, `.Inf`, ..
 bool names_no_number(std::string_view text) {
   std::string word;
@@ -401,6 +409,11 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
     return {std::nullopt, fmt::format("`{}` is {}; {}", symbol.substr(0, 40),
                                       other ? fmt::format("the unit of {}", other->name) : "not a known unit",
                                       meant.empty() ? "use one of the units " + unit_list(dimension) : meant)};
+  }
+  const std::string_view number = text.substr(0, text.size() - head.rest.size());
+  if ((&dimension == &unit::force || &dimension == &unit::stiffness) && may_be_thousands(number)) {
+    const std::string_view whole = number.substr(0, number.find('.'));
+    return {std::nullopt, fmt::format("some read {0} {1}, others {0}000 {1}; write one of the two", whole, symbol)};
   }
   const std::optional<double> value = head.representable ? to_si(*head.number, *u) : std::nullopt;
   if (!value) return {std::nullopt, "its magnitude is beyond any machine; check number and unit"};

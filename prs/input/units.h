@@ -115,7 +115,8 @@ struct ParsedQuantity {
 
 /// `45 kN` -> 45000. The whole text must be a decimal number, of inches and feet also one with a
 /// fraction (`1 1/4 in`), and a unit of the dimension; NaN,
-/// infinities and magnitudes beyond 1e-30 .. 1e30 (SI) are refused. Independent of the locale.
+/// infinities and magnitudes beyond 1e-30 .. 1e30 (SI) are refused, and so are forces and stiffnesses of which a point
+/// may stand between thousands: `20.000 N`. Independent of the locale.
 ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension);
 
 /// The value [SI] in the canonical unit, with the fewest digits that read back to the same value.

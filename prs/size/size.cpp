@@ -172,6 +172,7 @@ class CatalogueReader {
   std::vector<CandidateData> read(std::vector<Warning>& warnings) {
     if (!next()) fail("has no heading; expected the names of the columns, then a screw per row");
     heading_.assign(reader_.fields().begin(), reader_.fields().end());
+    read_makers_headings(warnings);
     check_heading(warnings);
     std::vector<CandidateData> rows;
     while (next()) {
@@ -181,6 +182,7 @@ class CatalogueReader {
         fail(fmt::format("has more than {} rows; expected as many at most", kMostCandidates));
     }
     if (rows.empty()) fail("has no rows; expected a screw per row below the heading");
+    warn_of_capacities(rows, warnings);
     return rows;
   }
 
@@ -207,6 +209,26 @@ class CatalogueReader {
     }
   }
 
+  /// Headings as makers print them.
+  void read_makers_headings(std::vector<Warning>& warnings) {
+    constexpr std::pair<std::string_view, std::string_view> kHeadings[] = {{"d0", "screw_diameter_mm"},
+                                                                           {"Ph", "lead_mm"},
+                                                                           {"Gangzahl", "starts"},
+                                                                           {"C", "dynamic_capacity_kN"},
+                                                                           {"C0", "static_capacity_kN"}};
+    std::vector<std::string> read;
+    for (const auto& [printed, column] : kHeadings) {
+      const auto found = std::ranges::find(heading_, printed);
+      if (found == heading_.end() || std::ranges::count(heading_, column) > 0) continue;
+      *found = column;
+      read.push_back(fmt::format("{} as {}", printed, column));
+    }
+    if (!read.empty())
+      warnings.push_back({std::string(kCatalogueFile), "makers_headings",
+                          fmt::format("columns of {} are read by their usual meaning: {}", name_, fmt::join(read, ", ")),
+                          "compare a row with the maker's page"});
+  }
+
   void check_heading(std::vector<Warning>& warnings) const {
     for (const std::string_view needed : kNeededColumns)
       if (std::ranges::find(heading_, needed) == heading_.end())
@@ -219,6 +241,33 @@ class CatalogueReader {
                             fmt::format("the column {} of {} is not known, and not used", input::shown(column), name_),
                             "see docs/size.md for the columns"});
     }
+  }
+
+  /// Makers' static capacities are twice the dynamic ones: a smaller one is a slip of the columns.
+  void warn_of_capacities(const std::vector<CandidateData>& rows, std::vector<Warning>& warnings) const {
+    const auto is_smaller = [](const CandidateData& c) { return c.static_capacity < c.dynamic_capacity; };
+    const auto first = std::ranges::find_if(
+        rows, [&](const CandidateData& c) { return c.static_capacity && c.dynamic_capacity && is_smaller(c); });
+    if (first == rows.end()) return;
+    warnings.push_back(
+        Warning{std::string(kCatalogueFile), "static_below_dynamic_capacity",
+                fmt::format("row {} of {} has a static capacity of {{value}}, below its dynamic one of {{limit}}",
+                            first->number, name_),
+                "check the columns and their units"}
+            .with(*first->static_capacity, *first->dynamic_capacity, text_unit::kilonewton));
+  }
+
+  /// In kN, below what no screw of steel bears; a number of N is a thousand times as much.
+  std::optional<double> capacity(std::string_view column, double screw_diameter) const {
+    constexpr double kMostStress = 2e9;  ///< In the screw's section [Pa].
+    const std::optional<double> force = number(column, 1e-3);
+    const double most = kMostStress * disc_area(screw_diameter);
+    if (force && *force > most)
+      refuse(place_of(column),
+             fmt::format("at most {:.4g} kN, under which this screw's section has {:g} MPa", most * per_si::kilonewton,
+                         kMostStress * per_si::megapascal),
+             "write kN in place of N");
+    return force;
   }
 
   std::size_t place_of(std::string_view column) const {
@@ -268,8 +317,8 @@ class CatalogueReader {
     if (const auto rollers = number("rollers")) c.screw.rollers = static_cast<int>(*rollers);
     c.screw.nut_diameter = number("nut_diameter_mm", 1e3);
     c.screw.nut_length = number("nut_length_mm", 1e3);
-    c.dynamic_capacity = number("dynamic_capacity_kN", 1e-3);
-    c.static_capacity = number("static_capacity_kN", 1e-3);
+    c.dynamic_capacity = capacity("dynamic_capacity_kN", c.screw.screw_diameter);
+    c.static_capacity = capacity("static_capacity_kN", c.screw.screw_diameter);
     c.row_efficiency = number("efficiency");
     c.row_back_driving_efficiency = number("back_driving_efficiency");
     return c;
@@ -334,12 +383,15 @@ double shaft_length(const Requirement& r, const CompleteScrew& s) {
   return (s.data.type == Mechanism::Type::standard ? *r.stroke : 0.0) + nut + 2.0 * d;
 }
 
+/// To the digits that a written case has.
+double rounded(double value) { return std::stod(fmt::format("{:.12g}", value)); }
+
 /// `speed` along the axis; a case counts it > 0 with tension where the screw drives.
 LoadCase load_case(const SizeInput& in, const CompleteScrew& s, std::string_view name, double force, double speed) {
   const Direction direction = direction_of(in.values, force);
   const bool as_in_case = (force > 0.0) == (direction == Direction::tension);
   return {.name = std::string(name),
-          .axial_force = std::abs(force),
+          .axial_force = rounded(std::abs(force)),
           .direction = direction,
           .position = s.position,
           .speed = input::rotation(as_in_case ? speed : -speed, s.c.mechanism.lead)};
@@ -380,9 +432,9 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   for (const MotionSegment& segment : cycle.shown) {
     std::optional<std::size_t>& place = sized.load_case_of.emplace_back();
     if (segment.force == 0.0) continue;
-    life.spectrum.push_back({.force = std::abs(segment.force),
+    life.spectrum.push_back({.force = rounded(std::abs(segment.force)),
                              .direction = direction_of(r, segment.force),
-                             .distance = cycle.mean_load ? std::abs(segment.travel()) : kNoTravel,
+                             .distance = cycle.mean_load ? rounded(std::abs(segment.travel())) : kNoTravel,
                              .driven_by = segment.driven_by()});
     if (segment.sense() == 0) continue;
     place = c.load_cases.size();

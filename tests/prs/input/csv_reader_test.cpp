@@ -48,6 +48,23 @@ TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
   EXPECT_TRUE(rows_of("# nothing").empty());
 }
 
+/// As a German spreadsheet writes them.
+TEST(CsvReader, ReadsDecimalCommasBetweenSemicolonsAndTabs) {
+  EXPECT_EQ(rows_of("\xEF\xBB\xBFZeit;Kraft [kN]\r\n0,5;1.234,5\r\n-12.000;+3,25e-3\r\n"),
+            (Rows{{"Zeit", "Kraft [kN]"}, {"0.5", "1234.5"}, {"-12000", "+3.25e-3"}}));
+  EXPECT_EQ(rows_of("a\tb\n1,5\t1 234,25\n"), (Rows{{"a", "b"}, {"1.5", "1234.25"}}));
+  EXPECT_EQ(rows_of("a;b\n\"1,5\";x,y\n"), (Rows{{"a", "b"}, {"1.5", "x,y"}}));
+}
+
+TEST(CsvReader, LeavesNumbersWithPointsAsTheyAre) {
+  EXPECT_EQ(rows_of("a;b\n1.500;2\n"), (Rows{{"a", "b"}, {"1.500", "2"}}));
+  EXPECT_EQ(rows_of("# 1,5;2\na;b\n1.500;2\n"), (Rows{{"a", "b"}, {"1.500", "2"}}));
+  EXPECT_EQ(rows_of("a\tb\n1,500\t2.500\n"), (Rows{{"a", "b"}, {"1,500", "2.500"}}));
+  EXPECT_EQ(rows_of("a,b\n\"1,5\",1.500\n"), (Rows{{"a", "b"}, {"1,5", "1.500"}}));
+  const std::string digits(1000000, '1');
+  EXPECT_EQ(rows_of("a;b\n1,5;" + digits + "\n"), (Rows{{"a", "b"}, {"1.5", digits}}));
+}
+
 TEST(CsvReader, FieldsStandWhereTheyWereWritten) {
   const std::string text = "# x\na,\"b\nb\", c\n1,2,3";
   CsvReader reader(text);

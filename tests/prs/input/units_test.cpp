@@ -170,6 +170,22 @@ TEST(Units, WhatIsNoQuantityIsRefused) {
     EXPECT_FALSE(parse_quantity(text, unit::length).value) << text;
 }
 
+/// Twenty or twenty thousand; of lengths to the micrometre nobody thinks of thousands.
+TEST(Units, APointThatMayStandBetweenThousandsIsRefused) {
+  for (const char* text : {"20.000 N", "+1.000 kN", "-999.000 N"}) {
+    const ParsedQuantity parsed = parse_quantity(text, unit::force);
+    EXPECT_FALSE(parsed.value) << text;
+    EXPECT_NE(parsed.hint.find("write one of the two"), std::string::npos) << parsed.hint;
+  }
+  EXPECT_EQ(parse_quantity("20.000 N", unit::force).hint, "some read 20 N, others 20000 N; write one of the two");
+  EXPECT_FALSE(parse_quantity("20.000 N/um", unit::stiffness).value);
+  EXPECT_EQ(si("0.000 N", unit::force), 0.0);
+  EXPECT_EQ(si("2000.000 N", unit::force), 2000.0);
+  EXPECT_EQ(si("20.00 N", unit::force), 20.0);
+  EXPECT_EQ(si("20.500 N", unit::force), 20.5);
+  EXPECT_EQ(si("21.000 mm", unit::length), 0.021);
+}
+
 TEST(Units, HintsTellUnitAndDimension) {
   EXPECT_NE(parse_quantity("5", unit::length).hint.find("write the unit, for example `5 mm`"), std::string::npos);
   EXPECT_NE(parse_quantity("5 kN", unit::length).hint.find("`kN` is the unit of a force"), std::string::npos);
