@@ -30,16 +30,20 @@ int out_of_memory() noexcept {
                 kFailed);
 }
 
-/// A document asks for memory also while it is taken apart, where no exception may leave.
+/// Memory runs out also where no exception may leave: while a document is taken apart, and in threads of oneTBB that
+/// ask for more threads.
 [[noreturn]] void end_without_memory() {
+  int status = kFailed;
   try {
     if (std::current_exception()) throw;
+    std::abort();
   } catch (const std::bad_alloc&) {
-    remove_unfinished();
-    ::_exit(out_of_memory());
-  } catch (...) {
+    status = out_of_memory();
+  } catch (const std::exception& error) {
+    status = failed("prs: error: ", error.what(), kFailed);
   }
-  std::abort();
+  remove_unfinished();
+  ::_exit(status);
 }
 
 /// Says a wrong PRS_INSTRUCTION_SET here, before a kernel meets it on a thread of its own.
