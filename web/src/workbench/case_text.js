@@ -4,10 +4,14 @@ import { below, join, skeleton, steps } from './schema.js';
 
 const options = { keepSourceTokens: true, uniqueKeys: false, prettyErrors: false };
 
-/** The document of a text, the last one kept: whoever changes it parses anew. */
+/** Bounds of the program's reader (prs/input/document.cpp), which refuses what is beyond them. */
+const most = { bytes: 2 ** 20, values: 200000, levels: 64 };
+
+/** The document of a text, the last one kept: whoever changes it parses anew. Empty beyond the bounds. */
 const kept = { text: null, document: null };
 function parsed(text) {
-  if (kept.text !== text) Object.assign(kept, { text, document: parseDocument(text, options) });
+  if (kept.text === text) return kept.document;
+  Object.assign(kept, { text, document: parseDocument(text.length > most.bytes ? '' : text, options) });
   return kept.document;
 }
 
@@ -45,20 +49,22 @@ const isPlainList = (node) => isSeq(node) && node.flow && node.items.every(isSca
 export function statedInputs(text, schema) {
   const document = parsed(text);
   const found = [];
-  const walk = (node, path, of) => {
+  let values = 0;
+  const walk = (node, path, of, level = 0) => {
+    if (++values > most.values || level > most.levels) return;
     if (isAlias(node)) node = node.resolve(document);
     if (isMap(node)) {
       // A choice, `{convex: 5 mm}` where `straight` could stand, is an input as a whole, too.
       if (node.flow && of?.oneOf && path) found.push({ path, text: shown(text, node), isWhole: true });
-      for (const pair of node.items) walk(pair.value, join(path, keyOf(pair)), of && below(of, keyOf(pair)));
+      for (const pair of node.items) walk(pair.value, join(path, keyOf(pair)), of && below(of, keyOf(pair)), level + 1);
     } else if (isSeq(node) && !(isPlainList(node) && of?.oneOf)) {
-      node.items.forEach((item, k) => walk(item, join(path, k), of && below(of, k)));
+      node.items.forEach((item, k) => walk(item, join(path, k), of && below(of, k), level + 1));
     } else if (node) {
       found.push({ path, text: shown(text, node) });
     }
   };
   if (document.contents) walk(document.contents, '', schema);
-  return found;
+  return values > most.values ? [] : found;
 }
 
 /** The text of one input; undefined where it is not stated, or over several lines. */

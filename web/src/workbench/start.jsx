@@ -59,7 +59,7 @@ export async function takeFiles(list) {
   state.files = { ...state.files, ...tables };
   if (cases.length > 0) await open(cases[0].text, cases[0].name);
   else if (current()) await open(current().text, current().file);
-  const named = current() && [...current().text.matchAll(/file:\s*([^\s,}]+)/g)].map(([, name]) => name);
+  const named = current() && [...current().text.matchAll(/(?<!\w)file:\s*([^\s,}]+)/g)].map(([, name]) => name);
   const lacking = named?.filter((name) => !(name in filesOf(current().text)));
   state.note = lacking?.length ? t('missingFile', lacking.join(', ')) : '';
   changed();

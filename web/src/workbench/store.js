@@ -216,7 +216,7 @@ async function textWith(path, value) {
 /** A number alone has the unit of the value that stands there. */
 export function withUnit(path, typed) {
   const shown = current() ? valueAt(current().text, path) : undefined;
-  const [, unit] = shown?.match(/^[-+]?[\d.]+(?:e[-+]?\d+)?\s*([^\d\s.].*)$/i) ?? [];
+  const [, unit] = shown?.match(/^[-+]?[\d.,]+(?:e[-+]?\d+)?\s*([^\d\s.,].*)$/i) ?? [];
   return unit && /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(typed) ? `${typed} ${unit}` : typed;
 }
 
