@@ -77,15 +77,23 @@ struct Destination {
   std::string path(const OutputFile& file) const { return (folder / file.name).string(); }
 };
 
-Destination destination_of(const std::vector<const Form*>& forms, const SystemModel& model,
+SystemModel without_drive(SystemModel model) {
+  model.drive.reset();
+  model.case_with_drive.reset();
+  return model;
+}
+
+Destination destination_of(const std::vector<const Form*>& forms, const SystemModel& model, bool unit_is_static,
                            const std::optional<RobotConstants>& robot,
                            const std::optional<std::filesystem::path>& output) {
   Destination place;
   const bool is_file = output && forms.size() == 1 && is_file_of(*forms.front(), *output);
   if (output) place.folder = is_file ? output->parent_path() : *output;
-  for (const Form* form : forms)
-    place.files.push_back(
-        {is_file ? output->filename().string() : model.text.name + form->ending, form->make(model, robot)});
+  for (const Form* form : forms) {
+    const bool is_static = unit_is_static && form->is_asked_for == &ExportOptions::fmu;
+    place.files.push_back({is_file ? output->filename().string() : model.text.name + form->ending,
+                           form->make(is_static ? without_drive(model) : model, robot)});
+  }
   return place;
 }
 
@@ -128,7 +136,7 @@ int export_model(const Options& options) {
   if (for_robots)
     robot = input::compute_from(source,
                                 [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
-  const Destination place = destination_of(forms, model, robot, output);
+  const Destination place = destination_of(forms, model, o.is_static, robot, output);
   if (!place.files.empty()) write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
 
   for (const std::string& warning : sentences(model.curves.warnings)) note(options, "warning: " + warning);

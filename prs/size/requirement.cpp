@@ -435,6 +435,11 @@ std::vector<MotionSegment> history_segments(const Requirement::History& h, const
                                     {"force", &h.force, &unit::force, &f}};
   read_columns(named_file_text(h.file, kHistoryFile, source), name_in_messages(h.file, source), "motion.history",
                columns, source);
+  constexpr double kRounding = 1e-9;  // Of the largest speed: what a simulation leaves of zero.
+  double largest = 0.0;
+  for (const double speed : v) largest = std::max(largest, std::abs(speed));
+  for (double& speed : v)
+    if (std::abs(speed) < kRounding * largest) speed = 0.0;
   std::vector<MotionSegment> segments;
   for (std::size_t k = 1; k < t.size(); ++k)
     if (t[k] > t[k - 1])

@@ -172,6 +172,17 @@ def test_modelica_is_parsed(case: rs.Case, tmp_path: Path) -> None:
     assert {"Data", "Curves", "Screw"} <= set(tree.classes["screw"].classes)
 
 
+def test_static_unit_beside_a_robot_is_the_static_unit(
+    program: Run, tmp_path: Path, configs: Path
+) -> None:
+    file = configs / "36_servo_axis.yaml"
+    for folder, forms in (("alone", ["--fmu"]), ("both", ["--fmu", "--mjcf"])):
+        run = program("export", file, *forms, "--static", "--output", tmp_path / folder)
+        assert run.returncode == 0, run.stderr
+    (alone,) = (tmp_path / "alone").glob("*.fmu")
+    assert alone.read_bytes() == (tmp_path / "both" / alone.name).read_bytes()
+
+
 def test_wrong_arguments(case: rs.Case, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"expected a name that ends in \.fmu"):
         case.export_fmu(tmp_path / "screw.zip")
