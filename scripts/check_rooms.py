@@ -16,8 +16,8 @@ ROOT = Path(__file__).resolve().parent.parent
 ROOMS = ROOT / "scripts/rooms.toml"
 CONTRIBUTING = ROOT / "docs/CONTRIBUTING.md"
 MOST_LOOSE_FILES = 12
-# Tokens of C and C++, which line widths, comments and moved files leave as they are: what is new finds room by
-# shrinking what stands. 837,559 before the light program, 850,000 are the most until what stands twice is gone.
+# Tokens of C and C++, which line widths, comments and moved files leave as they are: what is new
+# finds room by shrinking what stands.
 CPP_FOLDERS = ("contact", "fe", "modules", "prs", "python/engine", "simd", "validation", "wasm")
 MOST_TOKENS = 850_000
 TOKEN = re.compile(
@@ -128,9 +128,10 @@ def faults(rooms: dict[str, Room]) -> Iterator[str]:
     )
     if tokens > MOST_TOKENS:
         yield f"{', '.join(CPP_FOLDERS)}: {tokens} tokens of {MOST_TOKENS}; shrink what stands twice"
-    plots = sum(f.read_text().count("\n") for f in (ROOT / "python/rollerscrew/plots").rglob("*.py"))
-    if plots > MOST_PLOT_LINES:
-        yield f"python/rollerscrew/plots: {plots} lines of {MOST_PLOT_LINES}; shrink what stands twice"
+    plots = "python/rollerscrew/plots"
+    lines = sum(file.read_text().count("\n") for file in (ROOT / plots).rglob("*.py"))
+    if lines > MOST_PLOT_LINES:
+        yield f"{plots}: {lines} lines of {MOST_PLOT_LINES}; shrink what stands twice"
     loose = [file for file in (ROOT / "prs").iterdir() if file.suffix in (".h", ".cpp")]
     if len(loose) > MOST_LOOSE_FILES:
         yield f"prs/: {len(loose)} loose files of {MOST_LOOSE_FILES}; move them into rooms"

@@ -411,6 +411,8 @@ void fields(const Fields& io, Material& m) {
   io("conductivity", m.conductivity, Quantity{unit::thermal_conductivity, positive, "45 W/(m K)"},
      "Of heat, for flash temperatures");
   io("specific_heat", m.specific_heat, Quantity{unit::specific_heat, positive}, "For flash temperatures");
+  io("static_pressure_limit", m.static_pressure_limit, Quantity{unit::pressure, positive, "1.5 GPa"},
+     "Peak pressure that a contact may have at rest; of steel 4 GPa (ISO 76), of others none is known");
 }
 
 void fields(const Fields& io, PitchWave& w) {
@@ -723,6 +725,16 @@ void fields(const Fields& io, Life& l) {
   io("position", l.position, Quantity{unit::length},
      required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`"),
      "Axial position of the first roller contact on the nut");
+  const bool counted = !l.history && std::ranges::all_of(l.spectrum, [](const SpectrumLoad& load) {
+    return load.revolutions || load.distance;
+  });
+  constexpr std::string_view of_counted = "of a spectrum of revolutions or distances";
+  io("period", l.period, Quantity{unit::duration, positive, "12 s"}, optional_only_if(counted, of_counted),
+     "Clock time of one pass of the spectrum, rests and ways without force included: for hours");
+  io("travel", l.travel, Quantity{unit::length, positive, "400 mm"}, optional_only_if(counted, of_counted),
+     "Travel of one pass in both senses, ways without force included: for kilometres");
+  io("stroke", l.stroke, Quantity{unit::length, positive, "150 mm"},
+     "Way between the extreme positions under load: makers ask for 1.5 lengths of the nut");
   const Quantity capacity{unit::force, positive};
   io("dynamic_capacity", l.dynamic_capacity, capacity, "Of a catalogue, in place of Lemor's formula");
   io("static_capacity", l.static_capacity, capacity, "Catalogue value, in addition to that by pressure");
@@ -743,6 +755,8 @@ void fields(const Fields& io, MeasureOptions::Shaft& s) {
   io("length", s.length, Quantity{unit::length, positive, "1 m"}, required,
      "Greatest distance between the supports of the screw");
   io("ends", s.ends, Choice{}, required, "How the screw is held at both ends of it");
+  io("stroke", s.stroke, Quantity{unit::length, positive, "200 mm"},
+     "Way of the nut along the screw, for which the shaft must be long enough");
 }
 
 void fields(const Fields& io, MeasureOptions::System::Shaft& s) {
@@ -846,6 +860,8 @@ void fields(const Fields& io, Operation& o) {
      "(left-handed: the other) the screw drives, else the load");
   io("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}, "0.05"},
      "Imposed in place of that of the roller's equilibrium");
+  io("largest_speed", o.largest_speed, Quantity{unit::rotational_speed, positive},
+     "Largest speed of the motion, for critical speed and n d, where load cases have mean speeds");
 }
 
 void alternatives(Choices& io, HeadFriction& f) {

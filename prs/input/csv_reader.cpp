@@ -35,8 +35,8 @@ constexpr std::size_t kLongestNumber = 64;  ///< Longer fields are none, and wou
 
 /// The number of a field with a decimal comma: sign, groups of thousands, decimals.
 const std::regex& decimal_comma_number() {
-  static const std::regex number(
-      R"(\s*([+-]?(?:\d+|\d{1,3}(?:[. ']\d{3})+))(?:,(\d+(?:[eE][+-]?\d+)?))?\s*)", std::regex::optimize);
+  static const std::regex number(R"(\s*([+-]?(?:\d+|\d{1,3}(?:[. ']\d{3})+))(?:,(\d+(?:[eE][+-]?\d+)?))?\s*)",
+                                 std::regex::optimize);
   return number;
 }
 

@@ -28,6 +28,7 @@ void fields(const Fields& io, Lubricant& lubricant);
 void fields(const Fields& io, Carrier& carrier);
 void fields(const Fields& io, Heat& heat);
 void fields(const Fields& io, Life& life);
+void fields(const Fields& io, Operation& operation);
 void fields(const Fields& io, MeasureOptions& measures);
 void fields(const Fields& io, Limits& limits);
 

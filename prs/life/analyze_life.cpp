@@ -34,6 +34,10 @@ void find_capacity(const LifeModel& p, LifeResult& r) {
     r.dynamic_capacity_range = {r.dynamic_capacity, r.dynamic_capacity};
     return;
   }
+  if (p.c.materials && !is_steel(*p.c.materials))
+    throw CaseError("materials",
+                    "got parts that are not of steel; expected a modulus of 190 to 230 GPa, for which Lemor's capacity "
+                    "is made; give a capacity from tests, for example `life: {dynamic_capacity: 60 kN, ..}`");
   r.lemor = lemor_capacity(g);
   if (!r.lemor)
     throw CaseError("mechanism.pitch_diameter.roller",
@@ -58,6 +62,7 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
     for (const SpectrumLoad& l : c.life->spectrum)
       seconds += l.duration.value_or(std::numeric_limits<double>::quiet_NaN());
     if (std::isfinite(seconds)) r.duration = seconds;
+    if (c.life->period) r.duration = c.life->period;
   }
   for (const LoadStep& s : r.steps) {
     r.revolutions += s.revolutions;
@@ -71,10 +76,8 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
                     "contacts live by revolutions under load; check position, speed and time");
   if (!(r.largest_force > 0.0) && !c.preload)
     throw CaseError(path, "got no load other than 0; expected loads; check the column of the force");
-  if (r.duration && *r.duration > 0.0)
-    r.revolution_rate = r.revolutions / *r.duration;
-  else if (speed && *speed > 0.0)
-    r.revolution_rate = *speed / (2.0 * std::numbers::pi);
+  if (speed && *speed > 0.0) r.moving_rate = *speed / (2.0 * std::numbers::pi);
+  r.revolution_rate = r.duration && *r.duration > 0.0 ? std::optional(r.revolutions / *r.duration) : r.moving_rate;
 }
 
 /// sum (load)^3 n of each contact, on equilibria alone: an interpolated cube is a sum over nodes,
@@ -404,7 +407,7 @@ std::string failure_at(const LifeModel& p, double force, Direction d) {
 void find_static_loads(const LifeModel& p, const LargestSolver& solve, FlankLife& flank) {
   PerInterface<std::optional<double>> pressure, edge;
   for (const Interface i : kInterfaces) {
-    const StaticLimits limits = static_limits(p.contacts, i);
+    const StaticLimits limits = static_limits(p.c.materials, p.contacts, i);
     pressure[i] = limits.pressure;
     edge[i] = limits.flank_edge;
   }
@@ -418,13 +421,15 @@ void find_static_loads(const LifeModel& p, const LargestSolver& solve, FlankLife
 void find_equal_shares_static_loads(const LifeModel& p, LifeResult& r) {
   if (!has_pressures(p.contacts)) return;
   double pressure = std::numeric_limits<double>::infinity(), edge = pressure;
+  bool is_known = true;
   for (const Interface i : kInterfaces) {
-    const StaticLimits limits = static_limits(p.contacts, i);
+    const StaticLimits limits = static_limits(p.c.materials, p.contacts, i);
     const double per_normal_load = std::cos(p.laws[i].normal_angle) / p.equal_share();
-    pressure = std::min(pressure, *limits.pressure * per_normal_load);
+    is_known = is_known && limits.pressure;
+    pressure = std::min(pressure, limits.pressure.value_or(0.0) * per_normal_load);
     edge = std::min(edge, *limits.flank_edge * per_normal_load);
   }
-  r.equal_shares_static_capacity = pressure;
+  if (is_known) r.equal_shares_static_capacity = pressure;
   r.equal_shares_flank_edge_load = edge;
 }
 

@@ -101,8 +101,9 @@ struct LifeResult {
   std::optional<LoadHistory> history;
   double revolutions = 0.0;               ///< Sum over all steps; 1 where they are shares.
   bool revolutions_known = true;          ///< False where the spectrum states shares.
-  std::optional<double> duration;         ///< Duration of one pass [s].
-  std::optional<double> revolution_rate;  ///< Mean, to turn lives into hours [1/s].
+  std::optional<double> duration;         ///< Duration of one pass, where the clock is known [s].
+  std::optional<double> revolution_rate;  ///< Mean, to turn lives into hours: by the clock, else in motion [1/s].
+  std::optional<double> moving_rate;      ///< At the operation's speed [1/s].
   double mean_load = 0.0;                 ///< Cubic mean over all loads [N].
   double largest_force = 0.0;             ///< [N]
 

@@ -80,8 +80,13 @@ constexpr Quantity<LifeInUse> kLifeInUse[] = {
      "life L10 in revolutions"},
     {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>, "by the range of the dynamic capacity",
      source::kLife, "life L10, by the range of C_a"},
-    {"l10_hours", of<&LifeInUse::hours, is_finite>, "needs a speed", source::kLife, "life L10 in hours"},
-    {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "revolutions times lead", source::kLife, "life L10 in travel"},
+    {"l10_hours", of<&LifeInUse::hours, is_finite>,
+     "by the clock where the file tells it (time, duration, period), else in motion at operation.speed", source::kLife,
+     "life L10 in hours"},
+    {"l10_moving_hours", of<&LifeInUse::moving_hours, is_finite>, "in motion at operation.speed", source::kLife,
+     "life L10 in hours of motion"},
+    {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "under load; with life.travel all travel", source::kLife,
+     "life L10 in travel"},
     {"l10_passes", of<&LifeInUse::passes, is_finite>, "of the history or the spectrum", source::kLife,
      "life L10 in passes"},
     {"rated_revolutions", rated_of<&LifeInUse::revolutions>, kRated, kReliability, "rated life in revolutions"},
@@ -92,6 +97,7 @@ constexpr Quantity<LifeInUse> kLifeInUse[] = {
         is_finite>,
      kRated, kReliability, "rated life, by the range of C_a"},
     {"rated_hours", rated_of<&LifeInUse::hours>, kRated, kReliability, "rated life in hours"},
+    {"rated_moving_hours", rated_of<&LifeInUse::moving_hours>, kRated, kReliability, "rated life in hours of motion"},
     {"rated_travel_km", rated_of<&LifeInUse::travel>, kRated, kReliability, "rated life in travel"},
     {"rated_passes", rated_of<&LifeInUse::passes>, kRated, kReliability, "rated life in passes"},
 };
@@ -142,8 +148,8 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
     {"flank_edge_load_N", of_flank<&FlankLife::flank_edge_load>,
      "force at which the first ellipse reaches a crest or root", source::kHertz,
      "load at the edge of a flank, real thread loads"},
-    {"flank_edge_margin", of_flank<&FlankLife::flank_edge_margin>, "that force over the largest force",
-     source::kHertz, "margin of the flank's edge"},
+    {"flank_edge_margin", of_flank<&FlankLife::flank_edge_margin>, "that force over the largest force", source::kHertz,
+     "margin of the flank's edge"},
     {"static_safety", of_flank<&FlankLife::static_safety>,
      "stated static capacity, else force at which the first thread has 4.0 GPa, over the largest force", "ISO 76"},
     {"static_safety_limit", of<[](auto& d) {
@@ -289,8 +295,8 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3", "", "life by the catalogue's formula"},
     {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions", "ISO 76",
      "static safety under the loads of the life"},
-    {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>,
-     "pressure | given", "", "what limits the static safety"},
+    {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>, "pressure | given", "",
+     "what limits the static safety"},
     {"weakest_thread", of<[](auto& r) { return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt; }, converged>,
      "that fails first"},
     {"tension", flank_of<Direction::tension>, "flanks that carry tension"},
@@ -304,12 +310,13 @@ LifeInUse in_use(const LifeResult& r, double revolutions) {
     return revolutions * std::pow(capacity / r.dynamic_capacity, kLifeExponent);
   };
   const Interval& range = r.dynamic_capacity_range;
-  LifeInUse life{revolutions,
-                 {scaled(range.least), scaled(range.greatest)},
-                 {},
-                 revolutions * std::abs(r.contacts.mechanism.lead),
-                 {}};
+  LifeInUse life;
+  life.revolutions = revolutions;
+  life.revolutions_range = {scaled(range.least), scaled(range.greatest)};
+  life.travel = revolutions * std::abs(r.contacts.mechanism.lead);
+  if (r.life.travel) life.travel = revolutions / r.revolutions * *r.life.travel;
   if (r.revolution_rate) life.hours = revolutions / *r.revolution_rate / 3600.0;
+  if (r.moving_rate) life.moving_hours = revolutions / *r.moving_rate / 3600.0;
   life.rated = r.rated_over_l10();
   if (r.revolutions_known) life.passes = revolutions / r.revolutions;
   return life;

@@ -9,10 +9,11 @@ namespace prs {
 struct LifeInUse {
   double revolutions = 0.0;
   std::array<double, 2> revolutions_range{};  ///< By the range of the capacity.
-  std::optional<double> hours;
-  double travel = 0.0;           ///< [m]
-  std::optional<double> passes;  ///< Passes through the history or the spectrum.
-  double rated = 1.0;            ///< The rated life over this one.
+  std::optional<double> hours;                ///< By the clock, where it is known; else in motion.
+  std::optional<double> moving_hours;         ///< In motion.
+  double travel = 0.0;                        ///< [m]
+  std::optional<double> passes;               ///< Passes through the history or the spectrum.
+  double rated = 1.0;                         ///< The rated life over this one.
 };
 
 LifeInUse in_use(const LifeResult& r, double revolutions);

@@ -46,6 +46,16 @@ std::optional<double> largest_speed(const LoadHistory& h, double lead) {
   return largest;
 }
 
+std::optional<double> loaded_stroke(const LoadHistory& h, double least) {
+  std::optional<std::pair<double, double>> ends;
+  for (std::size_t k = 0; k < h.position.size(); ++k) {
+    if (!(std::abs(h.force[k]) > least)) continue;
+    if (!ends) ends.emplace(h.position[k], h.position[k]);
+    ends = {std::min(ends->first, h.position[k]), std::max(ends->second, h.position[k])};
+  }
+  return ends ? std::optional(ends->second - ends->first) : std::nullopt;
+}
+
 std::vector<LoadStep> load_steps(const LoadHistory& h, double lead, std::optional<double> operation_speed,
                                  HistorySource::DrivenBy driven_by) {
   // > 0 where tension drives.

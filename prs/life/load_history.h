@@ -12,6 +12,9 @@ std::optional<double> duration(const LoadHistory& history);
 /// where the history has neither speeds, nor positions with a clock.
 std::optional<double> largest_speed(const LoadHistory& history, double lead);
 
+/// Way between the extreme positions under forces above `least` [N] of either sense [m]; absent without positions.
+std::optional<double> loaded_stroke(const LoadHistory& history, double least);
+
 /// The load of each sample and its revolutions, half of those of the steps to its neighbours
 /// (trapezoidal rule). A step turns the screw by |dx|/lead where the history has positions, else by
 /// the mean magnitude of the speed at its ends over its time: the history's or `operation_speed`

@@ -31,13 +31,16 @@ contact::FlankEdge nearest_flank_edge(const Contacts& contacts, Interface i) {
                                      c.hertz.semi_minor_per_cbrt_load);
 }
 
-StaticLimits static_limits(const Contacts& contacts, Interface i) {
+StaticLimits static_limits(const std::optional<Materials>& materials, const Contacts& contacts, Interface i) {
   StaticLimits limits;
   const InterfaceContact& c = contacts.interfaces[i];
   if (!c.has_hertz()) return limits;
-  limits.pressure = load_at_pressure(c.hertz, kStaticPressureLimit);
+  const std::optional<double> pressure = materials ? static_pressure_limit((*materials)[body_of(i)], materials->roller)
+                                                   : std::optional(kStaticPressureLimit);
+  if (pressure) limits.pressure = load_at_pressure(c.hertz, *pressure);
   limits.flank_edge = std::pow(nearest_flank_edge(contacts, i).scale, 3.0);
-  if (const auto diameter = flank_element_diameter(contacts.threads.roller))
+  const bool deforms_as_steel = !materials || is_steel(*materials);
+  if (const auto diameter = flank_element_diameter(contacts.threads.roller); diameter && deforms_as_steel)
     limits.deformation =
         load_at_permanent_deformation(*diameter, c.geometry.relative.first, c.geometry.relative.second);
   return limits;

@@ -55,8 +55,8 @@ struct StaticLimits {
 };
 
 /// Normal loads of one contact of an interface [N]. At the flank's edge N = scale^3 for semi-axes
-/// under 1 N, see `contact::nearest_flank_edge`.
-StaticLimits static_limits(const Contacts& contacts, Interface i);
+/// under 1 N, see `contact::nearest_flank_edge`. Without materials those of steel.
+StaticLimits static_limits(const std::optional<Materials>& materials, const Contacts& contacts, Interface i);
 
 /// The end of a flank that the ellipse of an interface reaches first; its Hertz contact must exist.
 contact::FlankEdge nearest_flank_edge(const Contacts& contacts, Interface i);

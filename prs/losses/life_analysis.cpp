@@ -54,7 +54,8 @@ std::string lives(const LifeResult& r, bool all) {
   const bool solved = r.life.share == LoadCase::Share::solved;
   const bool given = !r.lemor;
   const double headline = given ? r.catalogue_life : r.system_life;
-  std::vector<std::string> heads{"million rev.", "hours", with_table_unit("km")};
+  const bool by_the_clock = r.duration.has_value();
+  std::vector<std::string> heads{"million rev.", by_the_clock ? "hours" : "h of motion", with_table_unit("km")};
   if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
   std::string text = kLifeRows("  Life L10", heads);
   const std::string_view system = solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
@@ -106,8 +107,7 @@ std::string capacities(const LifeResult& r, bool all) {
   if (r.life.static_capacity)
     text += life_line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
   if (r.equal_shares_static_capacity) {
-    text += life_line("force that gives " + in_unit(kStaticPressureLimit, "GPa"),
-                      by_direction(r, &FlankLife::static_capacity));
+    text += life_line("force at the pressure limit, by threads", by_direction(r, &FlankLife::static_capacity));
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
     text += life_line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));

@@ -97,7 +97,7 @@ void find_stiffness(const Conditions& c, const Contacts& contacts, Measures& m) 
 void find_dynamic_capacity(const Conditions& c, const Contacts& contacts, Measures& m) {
   const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
   const std::optional<double> nut = normal_angle(c, contacts, Interface::nut);
-  if (screw && nut) {
+  if (screw && nut && (!c.materials || is_steel(*c.materials))) {
     const double angle = contact_angle({*screw, *nut});
     if (const auto lemor = lemor_capacity(lemor_geometry(contacts.mechanism, angle))) {
       m.geometry_factor = lemor->factor;
@@ -120,7 +120,7 @@ void find_static_capacity(const Conditions& c, const Contacts& contacts, Measure
     const std::optional<double> angle = normal_angle(c, contacts, i);
     if (!angle) continue;
     const double per_normal_load = std::cos(*angle) * contact_count(contacts.mechanism);
-    const StaticLimits limits = static_limits(contacts, i);
+    const StaticLimits limits = static_limits(c.materials, contacts, i);
     m.pressure_capacity[i] = product(limits.pressure, per_normal_load);
     m.deformation_capacity[i] = product(limits.deformation, per_normal_load);
     m.interface_flank_edge_load[i] = product(limits.flank_edge, per_normal_load);

@@ -22,7 +22,7 @@ std::vector<Problem> check_case(const Case& c) {
   if (c.lubricant) check_lubricant(*c.lubricant, c.heat, problems);
   check_carrier(c.carrier, problems);
   if (c.heat) check_heat(c, problems);
-  if (c.measures) check_measures(*c.measures, problems);
+  if (c.measures) check_measures(c, problems);
   if (c.response) check_response(c, problems);
   return std::move(problems).take();
 }

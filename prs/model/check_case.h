@@ -51,7 +51,7 @@ void check_carrier(const Carrier& carrier, Problems& problems);
 void check_preload(const Case& c, Problems& problems);
 void check_life(const Case& c, Problems& problems);
 void check_heat(const Case& c, Problems& problems);
-void check_measures(const MeasureOptions& m, Problems& problems);
+void check_measures(const Case& c, Problems& problems);
 /// Signals from files are left out until their points are known.
 void check_response(const Case& c, Problems& problems);
 

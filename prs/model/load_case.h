@@ -236,7 +236,11 @@ struct Life {
   std::vector<SpectrumLoad> spectrum;
   LoadCase::Share share = LoadCase::Share::solved;
   LifeTemperatures temperatures = LifeTemperatures::heat;
-  std::optional<double> position;          ///< First roller contact on the nut [m].
+  std::optional<double> position;  ///< First roller contact on the nut [m].
+  /// Clock time of one pass of the spectrum, rests and ways without force included [s].
+  std::optional<double> period;
+  std::optional<double> travel;            ///< Travel of one pass in both senses, ways without force included [m].
+  std::optional<double> stroke;            ///< Way between the extreme positions under load [m].
   std::optional<double> dynamic_capacity;  ///< C_a of a catalogue [N], in place of Lemor's.
   std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].
   double reliability = 0.90;               ///< Share that shall reach the rated life.

@@ -342,7 +342,14 @@ void need_life(const Case& c, Problems& problems) {
     require_preload(c, problems);
 }
 
-void check_measures(const MeasureOptions& m, Problems& problems) {
+void check_measures(const Case& c, Problems& problems) {
+  const MeasureOptions& m = *c.measures;
+  if (m.shaft && m.shaft->stroke && c.structure && c.mechanism.type == Mechanism::Type::standard)
+    if (const double least = *m.shaft->stroke + c.structure->nut.length; m.shaft->length < least)
+      problems.add("measures.shaft.length",
+                   "got {}; expected at least {}, the stroke of {} and the nut's length; lengthen the shaft or shorten "
+                   "the stroke",
+                   mm(m.shaft->length), mm(least), mm(*m.shaft->stroke));
   if (!m.system || !m.system->shaft) return;
   const MeasureOptions::System::Shaft& shaft = *m.system->shaft;
   if (shaft.from_bearing && *shaft.from_bearing >= shaft.length)

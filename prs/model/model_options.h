@@ -100,6 +100,7 @@ struct MeasureOptions {
   struct Shaft {
     double length = 0.0;  ///< Greatest distance between the supports of the screw [m].
     Ends ends = Ends::supported_supported;
+    std::optional<double> stroke = {};  ///< Way of the nut along the screw [m].
   };
 
   /// What stands in series with the mechanism between drive and load; what is left out is rigid.

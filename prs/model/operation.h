@@ -116,6 +116,8 @@ struct Wear {
 struct Operation {
   double speed = 0.0;                     ///< Screw against nut [rad/s].
   std::optional<double> slip_ratio = {};  ///< Imposed; else from the roller's equilibrium.
+  /// Largest speed of the motion, of which load cases have mean speeds [rad/s].
+  std::optional<double> largest_speed = {};
 };
 
 /// How the heads of the rollers rub in their bearings in the carrier.

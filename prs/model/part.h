@@ -76,6 +76,9 @@ struct Material {
   std::optional<double> conductivity = std::nullopt;   ///< [W/(m K)]; for flash temperatures.
   std::optional<double> specific_heat = std::nullopt;  ///< [J/(kg K)]; the same.
 
+  /// Peak pressure that a contact may have at rest [Pa]; absent: that of bearing steel, if it is one.
+  std::optional<double> static_pressure_limit = std::nullopt;
+
   operator contact::Elasticity() const { return {youngs_modulus, poisson_ratio}; }
 };
 
@@ -85,5 +88,20 @@ using Materials = PerPart<Material>;
 /// permanent deformation of 1e-4 of the element's diameter at 4.0 GPa (ISO 76:2006, roller
 /// bearings).
 inline constexpr double kStaticPressureLimit = 4.0e9;
+
+/// Whether rules that come from tests with bearing steel hold for a material: capacities, 4 GPa, permanent deformation.
+inline bool is_steel(const Material& m) { return m.youngs_modulus >= 190e9 && m.youngs_modulus <= 230e9; }
+inline bool is_steel(const Materials& m) { return is_steel(m.screw) && is_steel(m.roller) && is_steel(m.nut); }
+
+/// Peak pressure that contacts of two parts may have at rest: the smaller of what is stated and of
+/// `kStaticPressureLimit` for steel. Absent where neither is known of a part.
+inline std::optional<double> static_pressure_limit(const Material& a, const Material& b) {
+  std::optional<double> limit;
+  for (const Material* m : {&a, &b}) {
+    if (!m->static_pressure_limit && !is_steel(*m)) return std::nullopt;
+    limit = std::min(m->static_pressure_limit.value_or(kStaticPressureLimit), limit.value_or(HUGE_VAL));
+  }
+  return limit;
+}
 
 }  // namespace prs

@@ -20,7 +20,7 @@ namespace prs {
 inline constexpr double kRecommendedStaticSafety = 1.5;
 inline constexpr double kRecommendedBucklingSafety = 2.0;
 inline constexpr double kRecommendedCriticalSpeedShare = 0.8;
-inline constexpr int kRecommendedContacts = 8;            ///< Of a roller; catalogues have 20 and more.
+inline constexpr int kRecommendedContacts = 8;            ///< Contacts of a roller; catalogues have 20 and more.
 inline constexpr double kRecommendedTemperature = 120.0;  ///< Grease and seals do not last above [degC].
 
 enum class Sense { least, greatest };

@@ -17,7 +17,8 @@ struct Found {
   Sense sense = Sense::least;
   std::optional<double> value = {}, best = {};
   std::string where = {}, note = {}, why = {};
-  std::string_view title = {};  ///< Title if it is not that of the row.
+  std::string_view title = {};          ///< Title if it is not that of the row.
+  std::optional<double> physical = {};  ///< Physical limit, where the row has none.
   bool applies = true;
   bool asked = true;
 
@@ -189,6 +190,12 @@ Found peak_pressure(const VerdictFacts& f) {
   if (!f.loads && !f.life && !f.response) return without(f, Command::solve, Sense::greatest);
   if (auto none = without_fit(f, Sense::greatest)) return *std::move(none);
   Found found{Sense::greatest};
+  std::optional<double> limit = f.c.materials ? std::nullopt : std::optional(kStaticPressureLimit);
+  if (const auto& m = f.c.materials)
+    if (const auto screw = static_pressure_limit(m->screw, m->roller), nut = static_pressure_limit(m->nut, m->roller);
+        screw && nut)
+      limit = std::min(*screw, *nut);
+  if (limit) found.physical = *limit * per_si::megapascal;
   const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
   // Slip has running loads of warm parts, but in a duty cycle at steady temperatures that it never reaches.
   const bool has_cycle = f.slip && f.slip->heat_cycle;
@@ -260,6 +267,7 @@ Found largest_speed(const VerdictFacts& f) {
   for (const LoadCase& load : f.c.load_cases)
     if (load.speed) found.take(std::abs(*load.speed), load.name);
   if (f.c.operation) found.take(std::abs(f.c.operation->speed), "", "operation.speed");
+  if (f.c.operation) found.take(f.c.operation->largest_speed, "", "operation.largest_speed");
   if (f.life && f.life->history)
     if (const std::optional<double> speed = largest_speed(*f.life->history, f.c.mechanism.lead))
       found.take(*speed, "life.history");
@@ -353,7 +361,28 @@ Found stiffness(const VerdictFacts& f) {
   return found;
 }
 
-/// Efficiency of the load cases in which the screw drives, over the duty cycle if there is one.
+/// The efficiency over a spectrum of distances whose steps that the screw drives are load cases, each at its force:
+/// sum F s over sum F s/eta. Absent where a step is none.
+std::optional<double> efficiency_over_spectrum(const VerdictFacts& f) {
+  if (!f.c.life || f.c.life->history) return std::nullopt;
+  double out = 0.0, in = 0.0;
+  for (const SpectrumLoad& step : f.c.life->spectrum) {
+    if (!step.distance) return std::nullopt;
+    const double work = step.force * *step.distance;
+    if (step.driven_by == DrivenBy::load || work == 0.0) continue;
+    const auto found = std::ranges::find_if(f.slip->load_cases, [&](const LoadCaseResult& r) {
+      const double force = std::abs(r.load_case.axial_force);
+      return r.load_case.direction == step.direction && std::abs(force - step.force) <= kRounding * force &&
+             r.slip->driven_by == DrivenBy::screw && r.slip->efficiency;
+    });
+    if (found == f.slip->load_cases.end()) return std::nullopt;
+    out += work;
+    in += work / *found->slip->efficiency;
+  }
+  return in > 0.0 ? std::optional(out / in) : std::nullopt;
+}
+
+/// Efficiency of the load cases in which the screw drives, over the duty cycle or the spectrum if there is one.
 Found efficiency(const VerdictFacts& f) {
   if (!f.slip) return without(f, Command::slip, Sense::least);
   Found found;
@@ -372,6 +401,11 @@ Found efficiency(const VerdictFacts& f) {
       return failed;
     }
     if (drives(r)) found.take(r.slip->efficiency, r.load_case.name);
+  }
+  if (const std::optional<double> whole = efficiency_over_spectrum(f)) {
+    found.value = found.best = whole;
+    found.where = "life.spectrum";
+    found.note = "over its travel";
   }
   return found;
 }
@@ -402,6 +436,22 @@ Found temperature(const VerdictFacts& f) {
   return found;
 }
 
+/// Stroke under load over the length of the nut, or of the rollers' threads that travel in an inverted one.
+Found stroke(const VerdictFacts& f) {
+  Found found;
+  found.why = "add life.stroke";
+  if (!f.c.structure || !f.c.life) return found;
+  const Mechanism& m = f.c.mechanism;
+  const double length = m.type == Mechanism::Type::standard ? f.c.structure->nut.length
+                                                            : m.contacts_per_roller * std::abs(m.lead) / m.starts.screw;
+  if (f.c.life->stroke)
+    found.take(*f.c.life->stroke / length, "life.stroke", "life of shorter strokes needs a calculation of its own");
+  else if (f.life && f.life->history)
+    if (const auto way = loaded_stroke(*f.life->history, 0.5 * f.life->mean_load))
+      found.take(*way / length, "life.history", "positions under more than half of the mean load");
+  return found;
+}
+
 /// Central film over roughness, the least of all threads.
 Found film(const VerdictFacts& f) {
   if (!f.slip) return without(f, Command::slip, Sense::least);
@@ -412,7 +462,8 @@ Found film(const VerdictFacts& f) {
     if (r.slip && r.slip->converged())
       for (const Interface i : kInterfaces)
         for (const double ratio : r.slip->threads[i].film_ratio)
-          if (ratio > 0.0) found.take(ratio, r.load_case.name, fmt::format("roller-{}; life is that of full, clean films", name(i)));
+          if (ratio > 0.0)
+            found.take(ratio, r.load_case.name, fmt::format("roller-{}; life is that of full, clean films", name(i)));
   return found;
 }
 
@@ -421,9 +472,9 @@ struct Row {
   std::string_view name, title, unit;
   Found (*find)(const VerdictFacts&);
   std::optional<double> Limits::*limit = nullptr;  ///< None of the life, which has two, and of the flank's edge.
-  double factor = 1.0;                   ///< From SI to the unit.
-  bool is_plain = true;                  ///< Told without a limit too.
-  double zero = 0.0;                     ///< Zero of the unit [K].
+  double factor = 1.0;                             ///< From SI to the unit.
+  bool is_plain = true;                            ///< Told without a limit too.
+  double zero = 0.0;                               ///< Zero of the unit [K].
   std::optional<double> physical = {}, recommended = {};
 
   std::optional<double> stated(const Limits& l) const {
@@ -440,8 +491,7 @@ const Row kRows[] = {
     {"static_safety", "Static safety", "", static_safety, &Limits::static_safety, 1.0, true, 0.0, 1.0,
      kRecommendedStaticSafety},
     {.name = "flank_edge", .title = "Flank's edge", .unit = "", .find = flank_edge, .recommended = 1.0},
-    {"peak_pressure", "Peak pressure", "MPa", peak_pressure, &Limits::peak_pressure, per_si::megapascal, true, 0.0,
-     kStaticPressureLimit* per_si::megapascal},
+    {"peak_pressure", "Peak pressure", "MPa", peak_pressure, &Limits::peak_pressure, per_si::megapascal},
     {"buckling_safety", "Buckling safety", "", buckling_safety, &Limits::buckling_safety, 1.0, true, 0.0, 1.0,
      kRecommendedBucklingSafety},
     {"critical_speed_share", "Share of the critical speed", "", critical_speed_share, &Limits::critical_speed_share,
@@ -461,6 +511,7 @@ const Row kRows[] = {
      .limit = &Limits::temperature,
      .zero = 273.15,
      .recommended = kRecommendedTemperature},
+    {.name = "stroke", .title = "Stroke over the nut's length", .unit = "", .find = stroke, .recommended = 1.5},
     {.name = "film", .title = "Film ratio", .unit = "", .find = film, .recommended = 1.0},
 };
 
@@ -477,7 +528,7 @@ bool meets(double value, double limit, Sense sense) {
   return sense == Sense::least ? value >= limit - rounding : value <= limit + rounding;
 }
 
-void hold_against_limit(Criterion& c, const Row& row) {
+void hold_against_limit(Criterion& c, const Row& row, const std::optional<double>& physical) {
   const double value = *c.value;
   const auto set = [&](double limit, LimitSource source, Standing standing) {
     c.limit = limit;
@@ -486,13 +537,13 @@ void hold_against_limit(Criterion& c, const Row& row) {
   };
   if (c.limit)
     set(*c.limit, LimitSource::stated, meets(value, *c.limit, c.sense) ? Standing::green : Standing::red);
-  else if (row.physical && !meets(value, *row.physical, c.sense))
-    set(*row.physical, LimitSource::physics, Standing::red);
+  else if (physical && !meets(value, *physical, c.sense))
+    set(*physical, LimitSource::physics, Standing::red);
   else if (row.recommended)
     set(*row.recommended, LimitSource::recommended,
         meets(value, *row.recommended, c.sense) ? Standing::green : Standing::amber);
-  else if (row.physical)
-    set(*row.physical, LimitSource::physics, Standing::green);
+  else if (physical)
+    set(*physical, LimitSource::physics, Standing::green);
 }
 
 void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
@@ -510,7 +561,7 @@ void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
   if (c.value) {
     c.load_case = std::move(found.where);
     c.reason = std::move(found.note);
-    hold_against_limit(c, row);
+    hold_against_limit(c, row, found.physical ? found.physical : row.physical);
   } else {
     if (c.limit) c.source = LimitSource::stated;
     c.reason = std::move(found.why);

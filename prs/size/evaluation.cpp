@@ -387,12 +387,18 @@ class Evaluation {
     const Mechanism& mechanism = sized_.screw.c.mechanism;
     const bool standard = c_.screw.type == Mechanism::Type::standard;
     const double length = standard ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
-    if (r_.stroke && *r_.stroke < kShortStroke * length)
+    if (standard && r_.stroke && sized_.shaft_length < *r_.stroke + c_.nut_length)
+      all.push_back(Warning{"shaft.length", "short_shaft",
+                            "the shaft, {value}, is shorter than stroke and nut together, {limit}", "lengthen it"}
+                        .with(sized_.shaft_length, *r_.stroke + c_.nut_length, text_unit::millimetre,
+                              Warning::Worse::smaller));
+    const std::optional<double> stroke = r_.motion.loads ? r_.stroke : std::optional(cycle_.loaded_way);
+    if (stroke && *stroke > 0.0 && *stroke < kShortStroke * length)
       all.push_back(Warning{"stroke", "short_stroke",
-                            fmt::format("{{value}} is below {{limit}}, 1.5 times the {}: life needs a special "
-                                        "calculation, none is public",
+                            fmt::format("the stroke under load, {{value}}, is below {{limit}}, 1.5 times the {}: life "
+                                        "needs a special calculation, none is public",
                                         standard ? "nut's length" : "length of the rollers' threads")}
-                        .with(*r_.stroke, kShortStroke * length, text_unit::millimetre, Warning::Worse::smaller));
+                        .with(*stroke, kShortStroke * length, text_unit::millimetre, Warning::Worse::smaller));
     if (c_.brake_needed && r_.friction->model == Friction::Model::jacod)
       all.push_back(
           {"friction", "film_at_rest", "at rest the film of `jacod` is gone, so that the screw may still hold"});

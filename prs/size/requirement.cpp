@@ -612,6 +612,18 @@ void put_into_classes(MotionCycle& c) {
   }
 }
 
+/// Way between the extreme positions of segments with forces above `least` [N].
+double loaded_way(const std::vector<MotionSegment>& segments, double least) {
+  double at = 0.0, lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const MotionSegment& s : segments) {
+    const double before = std::exchange(at, at + s.travel());
+    if (!(std::abs(s.force) > least)) continue;
+    lowest = std::min({lowest, before, at});
+    highest = std::max({highest, before, at});
+  }
+  return std::max(0.0, highest - lowest);
+}
+
 void set_totals(MotionCycle& c, const Requirement& r) {
   double cubes = 0.0, square = 0.0, at = 0.0, lowest = 0.0, highest = 0.0;
   std::optional<double> held;
@@ -639,6 +651,7 @@ void set_totals(MotionCycle& c, const Requirement& r) {
   c.way = highest - lowest;
   c.rms_speed = std::sqrt(square / c.duration);
   if (c.loaded_travel > 0.0) c.mean_load = std::cbrt(cubes / c.travel);
+  c.loaded_way = c.mean_load ? loaded_way(c.all, 0.5 * *c.mean_load) : 0.0;
   if (c.moving > 0.0) c.mean_speed = c.travel / c.moving;
   c.holding_force = held.value_or(r.load.moved_mass * kGravity * std::abs(std::sin(r.load.inclination)));
   c.closed = std::abs(c.all.back().end_speed - c.all.front().start_speed) <= kEqual * c.largest_speed;

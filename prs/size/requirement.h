@@ -165,6 +165,7 @@ struct MotionCycle {
   double duration = 0.0, moving = 0.0;          ///< [s]
   double travel = 0.0, loaded_travel = 0.0;     ///< Travel in both senses [m].
   double way = 0.0;                             ///< Between the extreme positions [m].
+  double loaded_way = 0.0;                      ///< The same under more than half of the mean load [m].
   std::optional<double> mean_load, mean_speed;  ///< None where nothing moves under force.
   double largest_force = 0.0, largest_speed = 0.0, rms_speed = 0.0;
   double largest_sign = 1.0;         ///< Sign of the largest force.

@@ -224,9 +224,10 @@ class CatalogueReader {
       read.push_back(fmt::format("{} as {}", printed, column));
     }
     if (!read.empty())
-      warnings.push_back({std::string(kCatalogueFile), "makers_headings",
-                          fmt::format("columns of {} are read by their usual meaning: {}", name_, fmt::join(read, ", ")),
-                          "compare a row with the maker's page"});
+      warnings.push_back(
+          {std::string(kCatalogueFile), "makers_headings",
+           fmt::format("columns of {} are read by their usual meaning: {}", name_, fmt::join(read, ", ")),
+           "compare a row with the maker's page"});
   }
 
   void check_heading(std::vector<Warning>& warnings) const {
@@ -429,6 +430,11 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   life.position = s.position;
   life.reliability = r.life.reliability;
   life.modification_factor = r.life.modification_factor;
+  if (cycle.mean_load) {
+    life.period = cycle.duration;
+    life.travel = cycle.travel;
+    if (!r.motion.loads && cycle.loaded_way > 0.0) life.stroke = rounded(cycle.loaded_way);
+  }
   for (const MotionSegment& segment : cycle.shown) {
     std::optional<std::size_t>& place = sized.load_case_of.emplace_back();
     if (segment.force == 0.0) continue;
@@ -443,6 +449,8 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
   c.load_cases.push_back(load_case(in, s, kBackDriving, cycle.largest_sign * cycle.driving_force(),
                                    -cycle.largest_sign * cycle.driving_speed()));
   c.operation = Operation{.speed = input::rotation(cycle.driving_speed(), s.c.mechanism.lead)};
+  if (cycle.largest_speed > 0.0)
+    c.operation->largest_speed = input::rotation(cycle.largest_speed, std::abs(s.c.mechanism.lead));
   c.friction = r.friction;
   c.lubricant = r.lubricant;
   c.roughness = r.roughness;
@@ -467,15 +475,12 @@ Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Cond
   return heat;
 }
 
-/// As a case has them: a life there counts travel under load alone.
+/// Those of the requirement that a case can have.
 Limits limits_of(const SizeInput& in) {
   const Requirement::Life& life = in.values.life;
   Limits limits = in.values.limits;
-  limits.temperature.reset();  // Of the block `heat`, which is a comment.
-  if (in.cycle.mean_load && (life.hours || life.distance)) {
-    const double cycles = life.hours ? *life.hours / in.cycle.duration : *life.distance / in.cycle.travel;
-    limits.life = LeastLife{.travel = cycles * in.cycle.loaded_travel};
-  }
+  if (in.cycle.mean_load && (life.hours || life.distance))
+    limits.life = LeastLife{.duration = life.hours, .travel = life.distance};
   return limits;
 }
 
@@ -496,9 +501,9 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
                         nlohmann::json(load.name).dump(), format_quantity(load.axial_force, input::unit::force),
                         name(*load.direction), format_quantity(*load.position, input::unit::length),
                         format_quantity(*load.speed, input::unit::rotational_speed));
-  text += fmt::format("\noperation: {{speed: {}}}   # mean of the time in motion\nfriction: {}\n",
-                      format_quantity(c.operation->speed, input::unit::rotational_speed),
-                      text_of(value_of(*c.friction, input::ChoiceUnder{"model"})));
+  text += "\n# Mean of the time in motion, and the largest.\n" +
+          block_text("operation", value_of(*c.operation, Block{})) +
+          fmt::format("friction: {}\n", text_of(value_of(*c.friction, input::ChoiceUnder{"model"})));
   const PerPart<double>& rough = *c.roughness;
   text += block_text("lubricant", value_of(*c.lubricant, Block{})) +
           fmt::format("roughness: {{screw: {:.15g} um, roller: {:.15g} um, nut: {:.15g} um}}\n", 1e6 * rough.screw,
@@ -514,10 +519,13 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
     life.dynamic_capacity = candidate.dynamic_capacity;
     life.static_capacity = candidate.static_capacity;
   }
+  const bool travels = sized.screw.data.type == Mechanism::Type::standard;
+  if (travels && in.values.stroke && sized.shaft_length >= *in.values.stroke + c.structure->nut.length)
+    c.measures->shaft->stroke = in.values.stroke;
   Limits limits = limits_of(in);
   return text + of_heat + "\n# Without a capacity, as makers print it, life is that by threads.\n" +
          block_text("life", value_of(life, Block{})) + "\n" + block_text("measures", value_of(*c.measures, Block{})) +
-         "\n# Life: travel under load.\n" + block_text("limits", value_of(limits, Block{}));
+         "\n" + block_text("limits", value_of(limits, Block{}));
 }
 
 }  // namespace prs

@@ -579,9 +579,8 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
     if (options.detail != Detail::complete) continue;
     warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
     if (loaded.running)
-      if (auto note = guides_without_play(
-              c, {loaded.threads->screw.running_over_static.value_or(1.0),
-                  loaded.threads->nut.running_over_static.value_or(1.0)}))
+      if (auto note = guides_without_play(c, {loaded.threads->screw.running_over_static.value_or(1.0),
+                                              loaded.threads->nut.running_over_static.value_or(1.0)}))
         loaded.warnings.push_back(std::move(*note));
     if (loaded.slip->converged()) {
       warn_of_film(model, *loaded.slip, loaded.warnings);

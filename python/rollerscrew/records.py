@@ -183,12 +183,14 @@ class Verdict(Record):
     state: the worst: green | amber | red | no_limit
     criteria: each with its worst value
     not_built: commands that the case is ready for and this program leaves out; scripts/install.sh builds all
+    failed: commands that the case is ready for and that found something wrong with it
     """
 
     __slots__ = ()
     state: str
     criteria: list[Criterion]
     not_built: list[str] | None
+    failed: list[str] | None
 
 
 class Model(Record):
@@ -1206,9 +1208,10 @@ class LoadMeasures(Record):
     root_bending_stress_screw_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
     root_bending_stress_roller_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
     root_bending_stress_nut_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
-    solved_static_safety: force at which the first thread reaches a limit, with the thread loads there, over F; as that of `prs life`; not of a full mechanism; ISO 76; Palmgren; Hertz
-    static_safety: the smaller of static_capacity_N and flank_edge_load_N over F; estimate of `prs life`'s static safety, force at which the first thread reaches a limit over the force; the same there with `share: equal`; ISO 76; Palmgren; Hertz
-    thread_static_safety: the smaller of both interfaces' static limits over N_r N times the largest axial thread load; estimate of `prs life`'s static safety, with the shares that the threads have under this load in place of those at the limit; ISO 76; Palmgren; Hertz
+    solved_static_safety: the case's static capacity, else the force at which the first thread has a peak pressure of 4.0 GPa, with the thread loads there, over F; as that of `prs life`; not of a full mechanism; ISO 76:2006; Hertz
+    flank_edge_margin: force at which the first ellipse reaches a crest or root, with the thread loads there, over F; below 1 flanks have edge stresses, which are no yield; not of a full mechanism; Hertz; geometry
+    static_safety: the case's static capacity, else the smaller of both pressure capacities, over F; estimate of `prs life`'s static safety by threads; the same there with `share: equal`; ISO 76:2006; Hertz
+    thread_static_safety: the smaller of both interfaces' static limits over N_r N times the largest axial thread load; estimate of `prs life`'s static safety, with the shares that the threads have under this load in place of those at the limit; ISO 76:2006; Hertz
     buckling_safety: buckling load over F; in compression; that of the buckling load; Euler; J. B. Johnson
     l10_revolutions [revolutions]: 10^6 (C_a/F)^3; equal shares, 90 % reliability, F up to about C_a/2; spectra: `prs life`; Jung 2017, (8.25); ISO 281
     l10_hours [h]: L10 over the speed; needs a speed; that of L10; Jung 2017, (8.25); ISO 281
@@ -1216,9 +1219,9 @@ class LoadMeasures(Record):
     drive_torque_Nm [N m]: F |l|/(2 pi eta); needs measures.friction_coefficient; mu is that of the whole mechanism as catalogues state it; no preload; Jung 2017, (8.31), corrected, with (8.29)
     back_driving_efficiency_by_slip: shaft's power over that of the load that drives; needs what `prs slip` needs; at the speed of the case; absent where the screw locks itself; Sandu 2018, chapters 2 and 3, as `prs slip`
     speed_safety: critical speed over |speed|; standard mechanisms, whose screw turns; that of the critical speed; Euler-Bernoulli beam
-    solved_static_safety_limit: pressure | deformation | flank_edge | given; that of solved_static_safety; ISO 76; Palmgren; Hertz
-    static_safety_limit: pressure | deformation | flank_edge | given; that of static_safety; ISO 76; Palmgren; Hertz
-    thread_static_safety_limit: pressure | deformation | flank_edge | given; that of thread_static_safety; ISO 76; Palmgren; Hertz
+    solved_static_safety_limit: pressure | given; that of solved_static_safety; ISO 76:2006; Hertz
+    static_safety_limit: pressure | given; that of static_safety; ISO 76:2006; Hertz
+    thread_static_safety_limit: pressure | given; that of thread_static_safety; ISO 76:2006; Hertz
     yang_load_rate_percent [%]: h (F_k^(2/3) - F_(k+1)^(2/3)) = what screw and nut stretch between threads k and k + 1; sum F/N_r; each roller tooth a ball that passes on what it takes: no bending, nothing along the roller; screw and nut as bars; no deviations; Yang, in Jung 2017, (4.1), (8.20), corrected
     """
 
@@ -1244,6 +1247,7 @@ class LoadMeasures(Record):
     root_bending_stress_roller_MPa: float | None
     root_bending_stress_nut_MPa: float | None
     solved_static_safety: float | None
+    flank_edge_margin: float | None
     static_safety: float | None
     thread_static_safety: float | None
     buckling_safety: float | None
@@ -1692,12 +1696,14 @@ class LifeInUse(Record):
 
     l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
-    l10_hours [h]: needs a speed; Jung 2017, (8.25); ISO 281
-    l10_travel_km [km]: revolutions times lead; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: by the clock where the file tells it (time, duration, period), else in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
     rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_revolutions_range: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_moving_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_travel_km [km]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_passes: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     """
@@ -1706,11 +1712,13 @@ class LifeInUse(Record):
     l10_revolutions: float | None
     l10_revolutions_range: Array | None
     l10_hours: float | None
+    l10_moving_hours: float | None
     l10_travel_km: float | None
     l10_passes: float | None
     rated_revolutions: float | None
     rated_revolutions_range: Array | None
     rated_hours: float | None
+    rated_moving_hours: float | None
     rated_travel_km: float | None
     rated_passes: float | None
 
@@ -1730,12 +1738,14 @@ class WeakestThread(Record):
 
     l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
-    l10_hours [h]: needs a speed; Jung 2017, (8.25); ISO 281
-    l10_travel_km [km]: revolutions times lead; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: by the clock where the file tells it (time, duration, period), else in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
     rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_revolutions_range: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_moving_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_travel_km [km]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_passes: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     direction: tension | compression
@@ -1750,11 +1760,13 @@ class WeakestThread(Record):
     l10_revolutions: float | None
     l10_revolutions_range: Array | None
     l10_hours: float | None
+    l10_moving_hours: float | None
     l10_travel_km: float | None
     l10_passes: float | None
     rated_revolutions: float | None
     rated_revolutions_range: Array | None
     rated_hours: float | None
+    rated_moving_hours: float | None
     rated_travel_km: float | None
     rated_passes: float | None
     direction: str
@@ -1806,12 +1818,14 @@ class DirectionLife(Record):
 
     l10_revolutions [revolutions]: that 90 % reach; Jung 2017, (8.25); ISO 281
     l10_revolutions_range: by the range of the dynamic capacity; Jung 2017, (8.25); ISO 281
-    l10_hours [h]: needs a speed; Jung 2017, (8.25); ISO 281
-    l10_travel_km [km]: revolutions times lead; Jung 2017, (8.25); ISO 281
+    l10_hours [h]: by the clock where the file tells it (time, duration, period), else in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_moving_hours [h]: in motion at operation.speed; Jung 2017, (8.25); ISO 281
+    l10_travel_km [km]: under load; with life.travel all travel; Jung 2017, (8.25); ISO 281
     l10_passes: of the history or the spectrum; Jung 2017, (8.25); ISO 281
     rated_revolutions [revolutions]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_revolutions_range: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
+    rated_moving_hours [h]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_travel_km [km]: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     rated_passes: the L10 value times reliability_factor and modification_factor; ISO 281:2007, a1
     share_of_revolutions: under loads of this direction
@@ -1819,8 +1833,9 @@ class DirectionLife(Record):
     largest_force_N [N]: of this direction
     static_capacity_N [N]: force at which the first thread has a peak pressure of 4.0 GPa; ISO 76:2006
     flank_edge_load_N [N]: force at which the first ellipse reaches a crest or root; Hertz with exact ellipticity
-    static_safety: force at which the first thread reaches a limit over the largest force; ISO 76
-    static_safety_limit: pressure | deformation | flank_edge | given
+    flank_edge_margin: that force over the largest force; Hertz with exact ellipticity
+    static_safety: stated static capacity, else force at which the first thread has 4.0 GPa, over the largest force; ISO 76
+    static_safety_limit: pressure | given
     equilibria: that were solved
     interpolation_error: of thread loads between the equilibria, relative
     screw: threads of one roller at the screw
@@ -1831,11 +1846,13 @@ class DirectionLife(Record):
     l10_revolutions: float | None
     l10_revolutions_range: Array | None
     l10_hours: float | None
+    l10_moving_hours: float | None
     l10_travel_km: float | None
     l10_passes: float | None
     rated_revolutions: float | None
     rated_revolutions_range: Array | None
     rated_hours: float | None
+    rated_moving_hours: float | None
     rated_travel_km: float | None
     rated_passes: float | None
     share_of_revolutions: float
@@ -1843,6 +1860,7 @@ class DirectionLife(Record):
     largest_force_N: float
     static_capacity_N: float | None
     flank_edge_load_N: float | None
+    flank_edge_margin: float | None
     static_safety: float | None
     static_safety_limit: str | None
     equilibria: int
@@ -1870,7 +1888,7 @@ class Life(Record):
     equal_shares: of the mechanism, equal thread loads
     catalogue: (C_a/F_m)^3
     static_safety: the smaller of both directions; ISO 76
-    static_safety_limit: pressure | deformation | flank_edge | given
+    static_safety_limit: pressure | given
     weakest_thread: that fails first
     tension: flanks that carry tension
     compression: flanks that carry compression
@@ -1918,7 +1936,7 @@ class Measures(Record):
     dynamic_capacity_N [N]: C_a = f_c cos(alpha)^0.86 N_c^(2/3) D_c^1.8 tan(alpha) cos(beta)^(1/3) [N, mm], 3.647 D_c^1.4 beyond 25.4 mm; or life.dynamic_capacity where stated; d_r cos(alpha)/d_n from 0.01 to 0.30; crowned flanks of 45 deg, hardened steel; Lemor, in Jung 2017, (5.5), (6.1), (8.26)
     dynamic_capacity_low_N [N]: C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %; which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to 120 mm (validation/standard_screws); a maker's own value goes first; docs/life.md
     dynamic_capacity_high_N [N]: C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %; which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to 120 mm (validation/standard_screws); a maker's own value goes first; docs/life.md
-    static_capacity_N [N]: the least of the next four; or life.static_capacity where stated; equal shares; hardened bearing steel; flanks of any height, see flank_edge_load_N; as uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws); ISO 76, Palmgren, Hertz
+    static_capacity_N [N]: with equal shares, the least of the next four; or life.static_capacity where stated; equal shares; hardened bearing steel; flanks of any height, see flank_edge_load_N; as uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws); ISO 76, Palmgren, Hertz
     deformation_capacity_screw_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal shares; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
     deformation_capacity_nut_N [N]: C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the roller's profile: permanent deformation 1e-4 D; equal shares; bearing steel of 63.5 to 65.5 HRC; convex roller flank; made for grooves, allows flat flanks 5 GPa and more: compare the load at the pressure limit; Palmgren's formula (Harris, Rolling Bearing Analysis); criterion of ISO 76
     pressure_capacity_screw_N [N]: axial load at which every contact has p_0 = 4.0 GPa: N_r N cos(psi) (2 pi a' b' p_0/3)^3; equal shares; hardened bearing steel; elastic up to there; Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)

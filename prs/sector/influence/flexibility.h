@@ -187,7 +187,7 @@ PRS_MEMBERS(MeshDensity, patch, growth, largest, step, plain_flank, split, depth
 PRS_MEMBERS(FlexibilityOptions, mesh, largest_wave, tolerance, neighbour_cells, unilateral)
 /// Without what matrices do not depend on and flash temperatures do.
 inline auto members(const Material& value) {
-  const auto& [modulus, poisson_ratio, density, expansion, conductivity, specific_heat] = value;
+  const auto& [modulus, poisson_ratio, density, expansion, conductivity, specific_heat, pressure_limit] = value;
   return std::tie(modulus, poisson_ratio, density, expansion);
 }
 PRS_MEMBERS(Guidance, kind, stiffness)

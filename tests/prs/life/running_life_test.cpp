@@ -71,8 +71,8 @@ TEST(RunningLife, LargestLoadsAndPressuresAreThoseOfTheRunningScrew) {
   }
 }
 
-/// With play nothing touches without a load, and under one the other flanks stay open where guides hold the rollers: the
-/// life is that of the same screw without the block `preload`.
+/// With play nothing touches without a load, and under one the other flanks stay open where guides hold the rollers:
+/// the life is that of the same screw without the block `preload`.
 TEST(RunningLife, WithPlayIsThatOfOneFlank) {
   Case c = base();
   c.structure->roller.guidance = {};
@@ -92,8 +92,8 @@ TEST(RunningLife, WithPlayIsThatOfOneFlank) {
 TEST(RunningLife, ALoosePreloadedNutTurnsFreely) {
   Case c = base();
   c.life.reset();
-  c.materials->nut.thermal_expansion = c.materials->screw.thermal_expansion =
-      c.materials->roller.thermal_expansion = 11.5e-6;
+  c.materials->nut.thermal_expansion = c.materials->screw.thermal_expansion = c.materials->roller.thermal_expansion =
+      11.5e-6;
   c.deviations.temperature = PerPart<double>{293.15, 293.15, 353.15};
   Preload& preload = c.preload.emplace();
   preload.position = 12e-3;

@@ -77,6 +77,7 @@ TEST(Measures, AreAllThereForACompleteCase) {
                                               "back_driving_efficiency_by_slip",
                                               "solved_static_safety",
                                               "solved_static_safety_limit",
+                                              "flank_edge_margin",
                                               "system_stiffness",
                                               "lowest_frequency_Hz",
                                               "speeds_to_avoid_rpm"};

@@ -266,7 +266,8 @@ TEST(Verdict, AnImpossibleScrewIsRedAndEndsAsWrongInput) {
 }
 
 TEST(Verdict, FewContactsAndThinFilmsAreAmber) {
-  const Overrides few{"mechanism.contacts_per_roller=4", "load_cases[0].axial_force=1 kN", "load_cases[1].axial_force=1 kN"};
+  const Overrides few{"mechanism.contacts_per_roller=4", "load_cases[0].axial_force=1 kN",
+                      "load_cases[1].axial_force=1 kN"};
   const Json v = verdict("05_standard_screw.yaml", few);
   EXPECT_EQ(criterion(v, "contacts_per_roller")["state"], "amber");
   EXPECT_EQ(criterion(verdict("05_standard_screw.yaml"), "contacts_per_roller"), Json());

@@ -402,12 +402,12 @@ TEST(Size, WarningsHaveTheirNumbers) {
   EXPECT_NEAR(warning("largest_force").limit.value() / warning("mean_load").limit.value(), 0.9 / 0.5, 1e-12);
   EXPECT_NEAR(warning("mean_load").value.value() / 200e3, 1.0, 1e-12);
   const Warning stroke = warning("short_stroke");
-  EXPECT_DOUBLE_EQ(stroke.value.value(), 12e-3);
+  EXPECT_DOUBLE_EQ(stroke.value.value(), 10e-3);
   EXPECT_DOUBLE_EQ(stroke.limit.value(), 1.5 * c.nut_length);
-  EXPECT_THAT(sentence(stroke), testing::StartsWith("stroke: 12 mm is below"));
+  EXPECT_THAT(sentence(stroke), testing::StartsWith("stroke: the stroke under load, 10 mm, is below"));
   EXPECT_THAT(sentence(stroke), testing::HasSubstr("mm, 1.5 times the nut's length: life needs"));
   const TableUnits us(UnitSystem::us);
-  EXPECT_THAT(in_table_units(sentence(stroke)), testing::StartsWith("stroke: 0.472 in is below"));
+  EXPECT_THAT(in_table_units(sentence(stroke)), testing::StartsWith("stroke: the stroke under load, 0.394 in, is below"));
   EXPECT_THAT(in_table_units(sentence(warning("largest_force"))), testing::HasSubstr("force, 45000 lbf, is beyond"));
 }
 

@@ -13,8 +13,9 @@ using ::testing::SizeIs;
 constexpr double kLargest = std::numeric_limits<double>::max(), kSmallest = std::numeric_limits<double>::denorm_min();
 
 /// Ends of axes: equal, one rounding apart, tiny, huge.
-constexpr double kEnds[] = {0.0,    1.0,       1.0 + 1e-15, 1200.0, 1200.0000000000002, kSmallest, 1e-300,
-                            1e-308, kLargest, -kLargest,   -1.0,   1e17,               1e300,     5e-324};
+constexpr double kEnds[] = {0.0,       1.0,    1.0 + 1e-15, 1200.0,   1200.0000000000002,
+                            kSmallest, 1e-300, 1e-308,      kLargest, -kLargest,
+                            -1.0,      1e17,   1e300,       5e-324};
 
 TEST(Ticks, AreFewWhateverTheRange) {
   for (const double from : kEnds)
