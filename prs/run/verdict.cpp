@@ -4,6 +4,7 @@
 
 #include "prs/life/life_record.h"
 #include "prs/life/load_history.h"
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
 
 namespace prs {
@@ -99,6 +100,25 @@ std::optional<Found> without_fit(const VerdictFacts& f, Sense sense) {
   return found;
 }
 
+/// Largest normal load of an interface in the other positions of a turn or a travel [N]; 0 without any.
+double largest_elsewhere(const LoadCaseResult& r, Interface i) {
+  double largest = 0.0;
+  if (!r.full) return largest;
+  if (r.full->orbit && r.full->orbit->converged()) largest = r.full->orbit->loads[i].largest;
+  if (r.full->travel && r.full->travel->converged()) largest = std::max(largest, r.full->travel->loads[i].largest);
+  return largest;
+}
+
+/// Largest normal load of all positions over that of the position where the carrier stands.
+double rise_elsewhere(const LoadCaseResult& r) {
+  double rise = 1.0;
+  for (const Interface i : kInterfaces) {
+    const double here = r.threads ? std::ranges::max((*r.threads)[i].normal_load) : 0.0;
+    if (here > 0.0) rise = std::max(rise, largest_elsewhere(r, i) / here);
+  }
+  return rise;
+}
+
 Found static_safety(const VerdictFacts& f) {
   if (!f.measures && !f.life) return without(f, Command::measures, Sense::least);
   if (auto none = without_fit(f, Sense::least)) return *std::move(none);
@@ -121,7 +141,7 @@ Found static_safety(const VerdictFacts& f) {
       found.take(*m->solved_static_safety, load.name,
                  fmt::format("{}{}", describe(*m->solved_static_safety_limit), without_preload(f)));
     else if (m->thread_static_safety)
-      found.take(*m->thread_static_safety, load.name,
+      found.take(*m->thread_static_safety / rise_elsewhere(f.measures->analysis.load_cases[k]), load.name,
                  fmt::format(
                      "{}, {}{}",
                      load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load",
@@ -133,7 +153,8 @@ Found static_safety(const VerdictFacts& f) {
 
 /// The margin of the flank's edge with the shares of threads as they are under a load case.
 std::optional<double> flank_edge_estimate(const MeasuresResult& r, std::size_t k) {
-  const auto& threads = r.analysis.load_cases[k].threads;
+  const LoadCaseResult& loaded = r.analysis.load_cases[k];
+  const auto& threads = loaded.threads;
   std::optional<double> margin;
   for (const Interface i : kInterfaces) {
     const std::optional<double>& edge = r.measures.interface_flank_edge_load[i];
@@ -143,6 +164,7 @@ std::optional<double> flank_edge_estimate(const MeasuresResult& r, std::size_t k
     const double own = *edge / (mechanism.rollers * mechanism.contacts_per_roller * largest);
     margin = std::min(own, margin.value_or(own));
   }
+  if (margin) *margin /= rise_elsewhere(loaded);
   return margin;
 }
 
@@ -174,12 +196,14 @@ Found flank_edge(const VerdictFacts& f) {
   return found;
 }
 
-/// Largest pressure of the threads of a load case at an interface, on both flanks [Pa].
+/// Largest pressure of the threads of a load case at an interface, on both flanks and in all positions [Pa].
 std::optional<double> largest_pressure(const Result& result, const LoadCaseResult& r, Interface i) {
   const auto& named = (*r.threads)[i].peak_pressure;
   if (named.empty()) return std::nullopt;
   double largest = std::ranges::max(named);
   const InterfaceContact& contact = result.contacts.interfaces[i];
+  if (const double elsewhere = largest_elsewhere(r, i); elsewhere > 0.0 && contact.has_hertz())
+    largest = std::max(largest, contact::at_load(contact.hertz, elsewhere).peak_pressure);
   if (r.other_flank && contact.has_hertz())
     for (const double load : r.other_flank->threads[i].normal_load)
       largest = std::max(largest, contact::at_load(contact.hertz, load).peak_pressure);

@@ -309,6 +309,25 @@ TEST(Verdict, HeatCountsInEveryCriterion) {
   EXPECT_NEAR(criterion(v, "stiffness")["value"].get<double>() / stiffness, 1.0, 1e-9);
 }
 
+/// The pressure is that of the worst position of a turn, p ~ N^(1/3), wherever the turn begins.
+TEST(Verdict, ATurnOfTheCarrierCounts) {
+  const Overrides turn{"load_cases[0].orbit={steps: 8}"};
+  const Json solved = document(Command::solve, "26_unequal_rollers.yaml", turn)["load_cases"][0];
+  double expected = 0.0, here = 0.0;
+  for (const char* side : {"screw", "nut"}) {
+    double pressure = 0.0;
+    for (const Json& roller : solved[side]["peak_pressure_MPa"])
+      for (const double p : roller) pressure = std::max(pressure, p);
+    const double normal = solved[side]["largest_normal_load_N"];
+    const double of_turn = solved["orbit"][side]["largest_normal_load_N"];
+    here = std::max(here, pressure);
+    expected = std::max(expected, pressure * std::cbrt(of_turn / normal));
+  }
+  EXPECT_GT(expected, 1.01 * here);
+  const Json c = criterion(verdict("26_unequal_rollers.yaml", turn), "peak_pressure");
+  EXPECT_NEAR(c["value"].get<double>() / expected, 1.0, 1e-9);
+}
+
 TEST(Verdict, ThreadsThatInterfereAndLoadsThatDoNotConvergeAreRed) {
   EXPECT_EQ(
       criterion(verdict("08_design_by_backlash.yaml", {"mechanism.backlash.nut=-0.01 mm"}), "axial_play")["state"],
