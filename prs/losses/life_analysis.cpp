@@ -87,17 +87,17 @@ std::string capacities(const LifeResult& r, bool all) {
                     r.lemor ? fmt::format("{} ({} to {} by which diameters f_c takes)", kilonewtons(r.dynamic_capacity),
                                           significant(shown(range.least, "kN")), kilonewtons(range.greatest))
                             : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
+  if (r.lemor && std::isfinite(r.system_life)) {
+    const auto [least, greatest] = in_use(r, r.system_life).revolutions_range;
+    text += life_line("  life of the mechanism in that range",
+                      fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
+  }
   if (r.lemor && r.contacts.mechanism.type == Mechanism::Type::standard)
     text += life_line("  by a maker's 23 standard screws",
                       fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
                                   significant(shown(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN")),
                                   kilonewtons(r.dynamic_capacity / kCapacityOverMakers.least),
                                   kCapacityOverMakers.least, kCapacityOverMakers.greatest));
-  if (r.lemor && std::isfinite(r.system_life)) {
-    const auto [least, greatest] = in_use(r, r.system_life).revolutions_range;
-    text += life_line("life of the mechanism in that range",
-                      fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
-  }
   if (is_rated(r))
     text += life_line("rated life over L10",
                       fmt::format("{:.4g} (a1 {:.4g} at {}, modification factor {:.4g})", r.rated_over_l10(),
