@@ -107,7 +107,7 @@ std::string capacities(const LifeResult& r, bool all) {
   if (r.life.static_capacity)
     text += life_line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
   if (r.equal_shares_static_capacity) {
-    text += life_line("force at the pressure limit, by threads", by_direction(r, &FlankLife::static_capacity));
+    text += life_line("force at the pressure limit", by_direction(r, &FlankLife::static_capacity));
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
     text += life_line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
     if (all) text += life_line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
