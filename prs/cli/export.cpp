@@ -77,22 +77,16 @@ struct Destination {
   std::string path(const OutputFile& file) const { return (folder / file.name).string(); }
 };
 
-SystemModel without_drive(SystemModel model) {
-  model.drive.reset();
-  model.case_with_drive.reset();
-  return model;
-}
-
-Destination destination_of(const std::vector<const Form*>& forms, const SystemModel& model, bool unit_is_static,
+Destination destination_of(const std::vector<const Form*>& forms, const SystemModel& model, const SystemModel& unit,
                            const std::optional<RobotConstants>& robot,
                            const std::optional<std::filesystem::path>& output) {
   Destination place;
   const bool is_file = output && forms.size() == 1 && is_file_of(*forms.front(), *output);
   if (output) place.folder = is_file ? output->parent_path() : *output;
   for (const Form* form : forms) {
-    const bool is_static = unit_is_static && form->is_asked_for == &ExportOptions::fmu;
+    const bool is_unit = form->is_asked_for == &ExportOptions::fmu;
     place.files.push_back({is_file ? output->filename().string() : model.text.name + form->ending,
-                           form->make(is_static ? without_drive(model) : model, robot)});
+                           form->make(is_unit ? unit : model, robot)});
   }
   return place;
 }
@@ -136,7 +130,9 @@ int export_model(const Options& options) {
   if (for_robots)
     robot = input::compute_from(source,
                                 [&] { return robot_constants(*model.case_with_drive, model.curves, friction_load); });
-  const Destination place = destination_of(forms, model, o.is_static, robot, output);
+  std::optional<SystemModel> still;  // The unit without the drive that robots need.
+  if (o.fmu && o.is_static && for_robots) still = system_model(source, asked, WithDrive::never);
+  const Destination place = destination_of(forms, model, still ? *still : model, robot, output);
   if (!place.files.empty()) write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
 
   for (const std::string& warning : sentences(model.curves.warnings)) note(options, "warning: " + warning);

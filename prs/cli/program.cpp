@@ -149,7 +149,8 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
     return out_of_memory();
   } catch (const std::exception& error) {
     std::string text = error.what();
-    if (text.starts_with("cannot write")) text += "; check that the place exists, may be written and has room";
+    if (text.starts_with("cannot write") && text.find("expected a regular file") == text.npos)
+      text += "; check that the place exists, may be written and has room";
     return failed("prs: error: ", text, kFailed);
   } catch (...) {
     return failed("prs: error: ", "of an unknown kind", kFailed);

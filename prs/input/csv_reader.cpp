@@ -40,29 +40,40 @@ const std::regex& decimal_comma_number() {
   return number;
 }
 
-/// Whether numbers of a line have decimal commas. Between semicolons a comma is one; between tabs `1,500` may be
-/// fifteen hundred, and other numbers must show it.
-bool has_decimal_comma(std::string_view line, char separator) {
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find_first_of(std::string{separator, '"', '\r', '\n'}, begin), line.size());
-    const std::string_view field = line.substr(begin, end - begin);
-    begin = end + 1;
-    std::cmatch parts;
+/// Marks columns of a line whose numbers have a decimal comma. Between semicolons a comma is one; between tabs `1,500`
+/// may be fifteen hundred, and other numbers must show it.
+void mark_decimal_commas(std::string_view line, char separator, std::vector<bool>& columns) {
+  std::size_t column = 0, begin = 0;
+  bool quoted = false;
+  for (std::size_t at = 0; at <= line.size(); ++at) {
+    const char c = at < line.size() ? line[at] : '\n';
+    if (c == '"') quoted = !quoted;
+    if (quoted || (c != separator && c != '\n' && c != '\r')) continue;
+    std::string_view field = line.substr(begin, at - begin);
+    begin = at + 1;
+    const std::size_t here = column++;
     if (field.size() > kLongestNumber || field.find(',') == field.npos) continue;
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
+    std::cmatch parts;
     if (!std::regex_match(field.data(), field.data() + field.size(), parts, decimal_comma_number())) continue;
-    if (separator == ';' || parts.length(2) != 3 || parts.str(1) == "0") return true;
+    if (separator != ';' && parts.length(2) == 3 && parts.str(1) != "0") continue;
+    if (columns.size() <= here) columns.resize(here + 1);
+    columns[here] = true;
   }
-  return false;
 }
 
-/// Writes a number with a decimal comma or points between thousands as all others; false of other fields.
-bool write_with_point(std::string_view field, std::string& number) {
+/// Writes a number with a decimal comma or marks between thousands as all others; false of other fields. In a column
+/// without a decimal comma, beside others that have it, `1.250` may be either, and is written so that nobody reads it
+/// as a number.
+bool write_with_point(std::string_view field, bool has_commas, std::string& number) {
   if (field.size() > kLongestNumber || field.find_first_of(",. '") == field.npos) return false;
   std::cmatch parts;
   if (!std::regex_match(field.data(), field.data() + field.size(), parts, decimal_comma_number())) return false;
   number = parts.str(1);
+  if (number.starts_with("0.") || number.starts_with("-0.") || number.starts_with("+0.")) return false;
   std::erase_if(number, [](char c) { return c == '.' || c == ' ' || c == '\''; });
   if (parts[2].matched) number += '.' + parts.str(2);
+  if (!has_commas && number.size() < field.size()) number = fmt::format("{} or {}", field, number);
   return true;
 }
 
@@ -141,7 +152,7 @@ struct CsvReader::Parts {
       : text(given),
         next(text.starts_with("\xEF\xBB\xBF") ? 3 : 0),
         separator(separator_of_first_row()),
-        decimal_commas(find_decimal_comma()),
+        decimal_commas(columns_with_commas()),
         parser(separator) {}
 
   std::string_view line() const {
@@ -154,11 +165,12 @@ struct CsvReader::Parts {
     return separator_of(line());
   }
 
-  bool find_decimal_comma() const {
-    if (separator == ',' || text.find(',') == text.npos) return false;
-    for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(line_length(rest)))
-      if (rest.front() != '#' && has_decimal_comma(rest.substr(0, line_length(rest)), separator)) return true;
-    return false;
+  std::vector<bool> columns_with_commas() const {
+    std::vector<bool> columns;
+    if (separator == ',' || text.find(',') == text.npos) return columns;
+    for (std::string_view rest = text.substr(next); !rest.empty(); rest.remove_prefix(line_length(rest)))
+      if (rest.front() != '#') mark_decimal_commas(rest.substr(0, line_length(rest)), separator, columns);
+    return columns;
   }
 
   /// Passes empty lines and comments.
@@ -196,7 +208,7 @@ struct CsvReader::Parts {
   std::size_t next;     ///< Offset of the line that comes next.
   std::size_t row = 0;  ///< Offset at which the row begins.
   char separator;
-  bool decimal_commas;
+  std::vector<bool> decimal_commas;  ///< By column; empty: none has them.
   FieldParser parser;
   std::vector<std::string_view> fields;
   std::vector<std::string> numbers;  ///< Fields with decimal commas, as others write them.
@@ -211,10 +223,12 @@ bool CsvReader::next() {
   if (parts_->next == parts_->text.size()) return false;
   parts_->read_row();
   parts_->parser.get_fields(parts_->fields);
-  if (!parts_->decimal_commas) return true;
+  const std::vector<bool>& columns = parts_->decimal_commas;
+  if (columns.empty()) return true;
   parts_->numbers.resize(parts_->fields.size());
   for (std::size_t k = 0; k < parts_->fields.size(); ++k)
-    if (write_with_point(parts_->fields[k], parts_->numbers[k])) parts_->fields[k] = parts_->numbers[k];
+    if (write_with_point(parts_->fields[k], k < columns.size() && columns[k], parts_->numbers[k]))
+      parts_->fields[k] = parts_->numbers[k];
   return true;
 }
 

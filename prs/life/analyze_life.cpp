@@ -412,7 +412,7 @@ void find_static_loads(const LifeModel& p, const LargestSolver& solve, FlankLife
     edge[i] = limits.flank_edge;
   }
   if (has_pressures(p.contacts)) {
-    flank.static_capacity = force_at(p, solve, flank.largest_force, pressure);
+    if (pressure.screw && pressure.nut) flank.static_capacity = force_at(p, solve, flank.largest_force, pressure);
     flank.flank_edge_load = force_at(p, solve, flank.largest_force, edge);
   }
   flank.static_rating = static_rating(flank.static_capacity, p.c.life->static_capacity);

@@ -139,6 +139,8 @@ FitInput read_fit_input(const input::Source&) { throw NotBuilt("prs fit"); }
 std::string describe(StaticLimit) { throw NotBuilt("prs life"); }
 LifeInUse in_use(const LifeResult&, double) { throw NotBuilt("prs life"); }
 std::optional<double> largest_speed(const LoadHistory&, double) { throw NotBuilt("prs life"); }
+std::optional<double> loaded_stroke(const LoadHistory&, double) { throw NotBuilt("prs life"); }
+MeasuresResult analyze_measures(const Conditions&, Contacts, AnalysisOptions) { throw NotBuilt("prs measures"); }
 StaticForces solved_static_forces(const Conditions&, const Contacts&, Direction, double, double) {
   throw NotBuilt("prs life");
 }

@@ -139,7 +139,9 @@ std::optional<StaticRating> interface_static_rating(const Conditions& c, const M
 
 /// Static rating of the mechanism with equal shares.
 std::optional<StaticRating> equal_shares_static_rating(const Conditions& c, const Measures& m) {
-  return smaller(interface_static_rating(c, m, Interface::screw), interface_static_rating(c, m, Interface::nut));
+  const auto screw = interface_static_rating(c, m, Interface::screw),
+             nut = interface_static_rating(c, m, Interface::nut);
+  return screw && nut ? smaller(screw, nut) : std::nullopt;
 }
 
 /// Inertias as seen at the part that turns, from the masses of the parts.
@@ -249,10 +251,11 @@ void find_most_loaded(const Conditions& c, const Contacts& contacts, const Measu
     axial_load[i] = largest(loads.axial_load);
     m.largest_peak_pressure[i] = largest(loads.peak_pressure);
     if (result.solve) m.largest_load_rate[i] = largest(loads.load_rate);
-    if (!axial_load[i] || !(*axial_load[i] > 0.0)) continue;
+    if (!axial_load[i] || !(*axial_load[i] > 0.0) || !equal_shares_static_rating(c, measures)) continue;
     const auto rating = interface_static_rating(c, measures, i);
-    if (!rating) continue;
-    const double safety = rating->force / (contact_count(contacts.mechanism) * *axial_load[i]);
+    const double safety = rating->limit == StaticLimit::given
+                              ? rating->force / std::abs(result.load_case.axial_force)
+                              : rating->force / (contact_count(contacts.mechanism) * *axial_load[i]);
     if (m.thread_static_safety && *m.thread_static_safety <= safety) continue;
     m.thread_static_safety = safety;
     m.thread_static_safety_limit = rating->limit;

@@ -207,11 +207,12 @@ namespace {
 
 /// How long the loads of a spectrum act: all by shares, or none.
 void check_spectrum(const Case& c, Problems& problems) {
-  double shares = 0.0;
+  double shares = 0.0, way = 0.0;
   for (std::size_t i = 0; i < c.life->spectrum.size(); ++i) {
     const SpectrumLoad& l = c.life->spectrum[i];
     const std::string path = fmt::format("life.spectrum[{}]", i);
     shares += l.share.value_or(0.0);
+    way += l.distance.value_or(0.0);
     if (l.share.has_value() != c.life->spectrum.front().share.has_value())
       problems.add(path,
                    "mixes `share` with revolutions, distance or duration; expected shares of "
@@ -223,6 +224,10 @@ void check_spectrum(const Case& c, Problems& problems) {
     if (c.structure && !c.preload && c.life->share == LoadCase::Share::solved)
       check_thrust(l.direction, path, c.structure->nut, problems);
   }
+  if (c.life->travel && *c.life->travel < (1.0 - 1e-9) * way)
+    problems.add("life.travel",
+                 "got {}; expected at least {}, the distances of the spectrum; add the ways without force",
+                 mm(*c.life->travel), mm(way));
   if (c.life->spectrum.front().share && std::abs(shares - 1.0) > 1e-3)
     problems.add("life.spectrum",
                  "got shares with the sum {:.6g}; expected 1, within 0.001; fix a share, or write "

@@ -173,7 +173,7 @@ constexpr std::size_t kTitleWidth = 30;
 std::string verdict_table(const CaseVerdict& verdict) {
   std::string text = "\nVerdict\n" + wrapped(summary(verdict), "  ", kTableWidth);
   for (const Criterion& c : verdict.criteria) {
-    if (!c.value && !c.limit && c.name != "convergence") continue;
+    if (!c.value && !c.limit && c.name != "convergence" && c.name != "input") continue;
     const auto [unit, factor] = shown(c);
     const auto* const documents = std::ranges::find(kShownUnits, unit, &ShownUnit::text);
     const bool is_known = documents != std::end(kShownUnits);
@@ -404,17 +404,23 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
   }
 }
 
-/// The measures of load cases at the temperatures that their losses lead to, those of a duty cycle being its mean.
-/// Nothing where the parts are cold, or the temperatures are not known.
+/// Temperatures that the losses of a load case lead to, in a duty cycle its mean [K]; absent where they are not known.
+std::optional<PerPart<double>> temperature_of(const VerdictFacts& facts, std::size_t load_case) {
+  if (!facts.c.heat || !facts.slip) return std::nullopt;
+  if (const auto& cycle = facts.slip->heat_cycle) return cycle->converged() ? std::optional(cycle->mean) : std::nullopt;
+  const auto& heat = facts.slip->load_cases[load_case].heat;
+  return heat && heat->converged() ? std::optional(heat->temperature) : std::nullopt;
+}
+
+/// The measures of load cases at the temperatures that their losses lead to. Nothing where these are not known.
 std::optional<MeasuresResult> warm_measures(const input::CaseInput& in, const VerdictFacts& facts) {
   if (!in.values.heat || !facts.slip || !facts.measures) return std::nullopt;
-  const std::optional<HeatCycle>& cycle = facts.slip->heat_cycle;
   MeasuresResult warm = *facts.measures;
   for (std::size_t k = 0; k < warm.load_measures.size(); ++k) {
-    const auto& heat = facts.slip->load_cases[k].heat;
-    if (cycle ? !cycle->converged() : !heat || !heat->converged()) return std::nullopt;
+    const std::optional<PerPart<double>> temperature = temperature_of(facts, k);
+    if (!temperature) return std::nullopt;
     Conditions c = in.values;
-    c.deviations.temperature = cycle ? cycle->mean : heat->temperature;
+    c.deviations.temperature = temperature;
     c.load_cases = {c.load_cases[k]};
     MeasuresResult one = analyze_measures(c, facts.measures->analysis.contacts);
     warm.load_measures[k] = std::move(one.load_measures.front());
@@ -434,13 +440,15 @@ std::optional<Result> loads_under_preload(const input::CaseInput& in, VerdictFac
   Result result;
   result.contacts = facts.loads->contacts;
   try {
-    FlankSolver flanks(c, result.contacts);
-    for (const LoadCase& load : c.load_cases) {
+    for (std::size_t k = 0; k < c.load_cases.size(); ++k) {
+      const LoadCase& load = c.load_cases[k];
       if (!has_both_flanks(c, load.share)) continue;
-      result.load_cases.push_back(flanks.solve(load));
+      Conditions warm = c;
+      if (const auto temperature = temperature_of(facts, k)) warm.deviations.temperature = temperature;
+      result.load_cases.push_back(FlankSolver(warm, result.contacts).solve(load));
       facts.preloaded_forces.push_back(
           load.axial_force > 0.0
-              ? solved_static_forces(c, result.contacts, *load.direction, *load.position, load.axial_force)
+              ? solved_static_forces(warm, result.contacts, *load.direction, *load.position, load.axial_force)
               : StaticForces{});
     }
   } catch (const CaseError& error) {
@@ -506,8 +514,10 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
     if (attempt.lacking == Attempt::Lacking::program && left_out(in.values).empty())
       facts.not_built.emplace_back(name(attempt.command));
     if (!attempt.delivery && attempt.lacking == Attempt::Lacking::input) {
+      const bool is_impossible = attempt.command == Command::solve || attempt.command == Command::measures;
       facts.wrong[attempt.command] = attempt.failure;
-      facts.lacking[attempt.command] = fmt::format("`{}` found an error", name(attempt.command));
+      facts.lacking[attempt.command] =
+          is_impossible ? fmt::format("`{}` found an error", name(attempt.command)) : attempt.failure;
     } else if (!attempt.delivery) {
       facts.lacking[attempt.command] = attempt.failure;
     } else

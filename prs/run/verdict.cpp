@@ -73,7 +73,7 @@ Found life(const VerdictFacts& f) {
   if (as_travel)
     found.take(in.rated * in.travel * per_si::kilometre, loads_of(r), note);
   else if (in.hours)
-    found.take(in.rated * *in.hours, loads_of(r), note);
+    found.take(in.rated * *in.hours, loads_of(r), r.duration ? note : note + "; hours of motion");
   else
     found.why = "hours need `operation.speed`";
   if (found.value && !std::isfinite(*found.value)) found.value.reset(), found.why = "no load";
@@ -141,7 +141,10 @@ Found static_safety(const VerdictFacts& f) {
       found.take(*m->solved_static_safety, load.name,
                  fmt::format("{}{}", describe(*m->solved_static_safety_limit), without_preload(f)));
     else if (m->thread_static_safety)
-      found.take(*m->thread_static_safety / rise_elsewhere(f.measures->analysis.load_cases[k]), load.name,
+      found.take(*m->thread_static_safety / (*m->thread_static_safety_limit == StaticLimit::given
+                                                 ? 1.0
+                                                 : rise_elsewhere(f.measures->analysis.load_cases[k])),
+                 load.name,
                  fmt::format(
                      "{}, {}{}",
                      load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load",
@@ -187,10 +190,14 @@ Found flank_edge(const VerdictFacts& f) {
     const LoadCase& load = f.measures->analysis.load_cases[k].load_case;
     if (!m || is_preloaded(f, load)) continue;
     if (m->flank_edge_margin)
-      found.take(m->flank_edge_margin, load.name, without_preload(f).empty() ? "" : "without the preload");
+      found.take(m->flank_edge_margin, load.name,
+                 without_preload(f).empty() ? std::string_view() : without_preload(f).substr(2));
     else
       found.take(flank_edge_estimate(*f.measures, k), load.name,
-                 load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load");
+                 fmt::format(
+                     "{}{}",
+                     load.share == LoadCase::Share::equal ? "equal shares" : "estimate with the shares under this load",
+                     without_preload(f)));
   }
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;
@@ -211,14 +218,14 @@ std::optional<double> largest_pressure(const Result& result, const LoadCaseResul
 }
 
 Found peak_pressure(const VerdictFacts& f) {
-  if (!f.loads && !f.life && !f.response) return without(f, Command::solve, Sense::greatest);
+  if (!f.loads && !f.slip && !f.life && !f.response) return without(f, Command::solve, Sense::greatest);
   if (auto none = without_fit(f, Sense::greatest)) return *std::move(none);
   Found found{Sense::greatest};
   std::optional<double> limit = f.c.materials ? std::nullopt : std::optional(kStaticPressureLimit);
   if (const auto& m = f.c.materials)
     if (const auto screw = static_pressure_limit(m->screw, m->roller), nut = static_pressure_limit(m->nut, m->roller);
-        screw && nut)
-      limit = std::min(*screw, *nut);
+        screw || nut)
+      limit = std::min(screw.value_or(HUGE_VAL), nut.value_or(HUGE_VAL));
   if (limit) found.physical = *limit * per_si::megapascal;
   const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
   // Slip has running loads of warm parts, but in a duty cycle at steady temperatures that it never reaches.
@@ -366,7 +373,9 @@ Found stiffness(const VerdictFacts& f) {
           measures && measures->load_measures[k] ? &measures->load_measures[k]->system_stiffness : nullptr;
       if (system && *system) {
         found.title = "Stiffness of the axis";
-        stiffness = (*system)->total;
+        const auto& mechanism = (*system)->contributions.mechanism;
+        const double others = 1.0 / (*system)->total - (mechanism ? 1.0 / mechanism->stiffness : 0.0);
+        stiffness = 1.0 / (1.0 / *stiffness + others);
       } else if (measures && measures->measures.shaft_stiffness) {
         found.title = "Stiffness with the shaft";
         stiffness = 1.0 / (1.0 / *stiffness + 1.0 / *measures->measures.shaft_stiffness);
@@ -394,14 +403,16 @@ std::optional<double> efficiency_over_spectrum(const VerdictFacts& f) {
     if (!step.distance) return std::nullopt;
     const double work = step.force * *step.distance;
     if (step.driven_by == DrivenBy::load || work == 0.0) continue;
-    const auto found = std::ranges::find_if(f.slip->load_cases, [&](const LoadCaseResult& r) {
+    std::optional<double> worst;  // Of load cases at other speeds.
+    for (const LoadCaseResult& r : f.slip->load_cases) {
       const double force = std::abs(r.load_case.axial_force);
-      return r.load_case.direction == step.direction && std::abs(force - step.force) <= kRounding * force &&
-             r.slip->driven_by == DrivenBy::screw && r.slip->efficiency;
-    });
-    if (found == f.slip->load_cases.end()) return std::nullopt;
+      if (r.load_case.direction == step.direction && std::abs(force - step.force) <= kRounding * force &&
+          r.slip->driven_by == DrivenBy::screw && r.slip->efficiency)
+        worst = std::min(*r.slip->efficiency, worst.value_or(*r.slip->efficiency));
+    }
+    if (!worst) return std::nullopt;
     out += work;
-    in += work / *found->slip->efficiency;
+    in += work / *worst;
   }
   return in > 0.0 ? std::optional(out / in) : std::nullopt;
 }
@@ -481,7 +492,11 @@ Found film(const VerdictFacts& f) {
   if (!f.slip) return without(f, Command::slip, Sense::least);
   Found found;
   found.applies = f.c.lubricant.has_value();
-  found.why = found.applies ? "add roughness" : "no lubricant";
+  found.why = !found.applies ? "no lubricant" : !f.c.roughness ? "add roughness" : "the slip did not converge";
+  if (f.slip->heat_cycle) {  // Films of steady temperatures, which a duty never reaches, say nothing.
+    found.why = "not computed over a duty";
+    return found;
+  }
   for (const LoadCaseResult& r : f.slip->load_cases)
     if (r.slip && r.slip->converged())
       for (const Interface i : kInterfaces)
@@ -596,7 +611,7 @@ void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
 
 /// What did not converge, all of it told.
 void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
-  if (!f.loads && !f.life && !without_fit(f, Sense::least)) return;
+  if (!f.loads && !f.slip && !f.life && !without_fit(f, Sense::least)) return;
   std::string failed;
   const auto tell = [&](const std::string& what) { failed += (failed.empty() ? "" : ", ") + what; };
   const auto count = [&](const Result* result, const char* what, auto good) {
@@ -609,8 +624,9 @@ void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
   count(f.loads, "thread loads", [](const LoadCaseResult& r) { return r.converged(); });
   if (const auto none = without_fit(f, Sense::least)) tell(fmt::format("preload ({})", none->why));
   count(f.preloaded, "thread loads under preload", [](const LoadCaseResult& r) { return r.converged(); });
-  count(f.slip, "slip", [](const LoadCaseResult& r) { return r.slip && r.slip->converged(); });
-  count(f.slip, "temperatures", [](const LoadCaseResult& r) { return !r.heat || r.heat->converged(); });
+  const Result* const steady = f.slip && f.slip->heat_cycle ? nullptr : f.slip;  // A duty never reaches it.
+  count(steady, "slip", [](const LoadCaseResult& r) { return r.slip && r.slip->converged(); });
+  count(steady, "temperatures", [](const LoadCaseResult& r) { return !r.heat || r.heat->converged(); });
   if (f.slip && f.slip->heat_cycle && !f.slip->heat_cycle->converged()) tell("the duty cycle");
   if (f.life && !f.life->converged()) tell("life");
   Criterion c = criterion("convergence", "Convergence", "");
@@ -744,12 +760,12 @@ std::string summary(const CaseVerdict& verdict) {
   tell("Not met", of(Standing::red));
   tell("Short of what is recommended", of(Standing::amber));
   tell("Not computed, so not met", titles(verdict, is_unknown));
-  tell("Not judged for an error of the input", fmt::format("{}", fmt::join(verdict.failed, ", ")));
+  tell("Not assessed because of an error in the input", fmt::format("{}", fmt::join(verdict.failed, ", ")));
   tell("Not judged, because not built", fmt::format("{}", fmt::join(verdict.not_built, ", ")));
   if (!verdict.is_complete)
     text += text.empty() ? "Other criteria follow." : " Other criteria follow.";
   else if (text.empty())
-    text = verdict.standing() == Standing::green ? "All limits are met that could be checked."
+    text = verdict.standing() == Standing::green ? "All limits that could be checked are met."
                                                  : "Nothing to hold against a limit.";
   return text;
 }

@@ -385,7 +385,7 @@ double shaft_length(const Requirement& r, const CompleteScrew& s) {
 }
 
 /// To the digits that a written case has.
-double rounded(double value) { return std::stod(fmt::format("{:.12g}", value)); }
+double rounded(double value) { return input::parse_number(fmt::format("{:.12g}", value)).value_or(value); }
 
 /// `speed` along the axis; a case counts it > 0 with tension where the screw drives.
 LoadCase load_case(const SizeInput& in, const CompleteScrew& s, std::string_view name, double force, double speed) {

@@ -44,10 +44,15 @@ def test_commands_that_are_left_out_say_so(command: str) -> None:
 
 
 def test_commands_without_a_case_say_so() -> None:
-    for arguments in (("size", "configs/32_press.yaml"), ("check", "configs/32_press.yaml"),
-                      ("export", "configs/05_standard_screw.yaml", "--fmu"), ("schema", "life"),
-                      ("report", "configs/05_standard_screw.yaml", "--output", "/tmp/x.html"),
-                      ("solve", "configs/05_standard_screw.yaml", "--png")):  # fmt: skip
+    lesson = "configs/05_standard_screw.yaml"
+    for arguments in (
+        ("size", "configs/32_press.yaml"),
+        ("check", "configs/32_press.yaml"),
+        ("export", lesson, "--fmu"),
+        ("schema", "life"),
+        ("report", lesson, "--output", "/tmp/x.html"),
+        ("solve", lesson, "--png", "--output", "/tmp/x"),
+    ):
         done = run(*arguments)
         assert (done.returncode, done.stdout) == (1, ""), arguments
         assert NOT_BUILT in done.stderr, arguments

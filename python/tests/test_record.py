@@ -25,6 +25,7 @@ RESULTS: list[type[rs.Record]] = [getattr(rs, name) for name in results.__all__]
 NEVER_MET = {
     ("Life", "status"),
     ("Verdict", "not_built"),  # Of the light program.
+    ("Verdict", "failed"),  # Of an input that a command refuses.
     ("WeakestThread", "roller"),
     ("Model", "accuracy"),
     ("ContactResult", "model"),

@@ -275,6 +275,34 @@ def test_what_is_typed_is_computed_and_a_wrong_value_is_told(browser: Workbench)
     assert "no_such_key" not in browser.yaml()
 
 
+def test_a_unit_behind_a_decimal_comma_stays_the_unit(browser: Workbench) -> None:
+    browser.open_case(LESSON.replace("outer_diameter: 66 mm", "outer_diameter: 66,5 mm"))
+    field = browser.find("[data-path='structure.nut.outer_diameter']")
+    browser.driver.execute_script("arguments[0].closest('details').open = true", field)
+    field.clear()
+    field.send_keys("71.5\n")
+    browser.wait("prs.yaml().includes('outer_diameter: 71.5 mm')")
+    browser.open_case(LESSON)
+
+
+def test_aliases_of_aliases_are_refused_as_on_the_terminal(
+    browser: Workbench, program: Run, tmp_path: Path
+) -> None:
+    lines = ["a: &a [x,x,x,x,x,x,x,x,x]"]
+    for k in range(8):
+        inner = ",".join([f"*{chr(97 + k)}"] * 9)
+        lines.append(f"{chr(98 + k)}: &{chr(98 + k)} [{inner}]")
+    text = LESSON + "\n".join(lines) + "\n"
+    answer = browser.open_case(text)
+    assert answer["status"] == 2
+    file = tmp_path / "case.yaml"
+    file.write_text(text)
+    said = program("check", file).stderr
+    assert "aliases expanded" in said
+    assert said.split(": error: ")[1].splitlines()[0] in answer["messages"][0]
+    browser.open_case(LESSON)
+
+
 def test_the_text_is_in_step(browser: Workbench) -> None:
     browser.open_case(LESSON)
     shown = "return document.querySelector('.editor-place').shadowRoot.querySelector('.cm-content')"

@@ -52,6 +52,9 @@ TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
 TEST(CsvReader, ReadsDecimalCommasBetweenSemicolonsAndTabs) {
   EXPECT_EQ(rows_of("\xEF\xBB\xBFZeit;Kraft [kN]\r\n0,5;1.234,5\r\n-12.000;+3,25e-3\r\n"),
             (Rows{{"Zeit", "Kraft [kN]"}, {"0.5", "1234.5"}, {"-12000", "+3.25e-3"}}));
+  // A column that does not show what its points are; one of zero is no thousand.
+  EXPECT_EQ(rows_of("a;b\n1,5;1.250\n2;-0.125\n3;0.5\n"),
+            (Rows{{"a", "b"}, {"1.5", "1.250 or 1250"}, {"2", "-0.125"}, {"3", "0.5"}}));
   EXPECT_EQ(rows_of("a\tb\n1,5\t1 234,25\n"), (Rows{{"a", "b"}, {"1.5", "1234.25"}}));
   EXPECT_EQ(rows_of("a;b\n\"1,5\";x,y\n"), (Rows{{"a", "b"}, {"1.5", "x,y"}}));
 }

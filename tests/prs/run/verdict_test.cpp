@@ -265,11 +265,23 @@ TEST(Verdict, AnImpossibleScrewIsRedAndEndsAsWrongInput) {
   EXPECT_THROW(make_report(source, {.live = false}), input::InputError);
 }
 
-TEST(Verdict, FewContactsAndThinFilmsAreAmber) {
+TEST(Verdict, FewContactsThinFilmsAndShortStrokesAreAmber) {
   const Overrides few{"mechanism.contacts_per_roller=4", "load_cases[0].axial_force=1 kN",
                       "load_cases[1].axial_force=1 kN"};
   const Json v = verdict("05_standard_screw.yaml", few);
   EXPECT_EQ(criterion(v, "contacts_per_roller")["state"], "amber");
+  const std::string life =
+      "life={position: 12 mm, stroke: 146 mm, spectrum: [{force: 2 kN, direction: tension, share: 1}]}";
+  const Json thick = verdict("31_running_screw.yaml",
+                             {life, "lubricant={name: iso-vg-460, temperature: 20 degC}", "roughness=0.1 um"});
+  const Json thin =
+      verdict("31_running_screw.yaml", {life, "lubricant={name: iso-vg-32, temperature: 90 degC}", "roughness=0.8 um"});
+  EXPECT_GT(criterion(thick, "film")["value"], 1.0);
+  EXPECT_EQ(criterion(thick, "film")["state"], "green");
+  EXPECT_LT(criterion(thin, "film")["value"], 1.0);
+  EXPECT_EQ(criterion(thin, "film")["state"], "amber");
+  EXPECT_NEAR(criterion(thin, "stroke")["value"], 146.0 / 73.0, 1e-12);
+  EXPECT_EQ(criterion(thin, "stroke")["state"], "green");
   EXPECT_EQ(criterion(verdict("05_standard_screw.yaml"), "contacts_per_roller"), Json());
 }
 
@@ -292,7 +304,7 @@ TEST(Verdict, HeatCountsInEveryCriterion) {
   const Json cycle = document(Command::slip, kDuty)["heat_cycle"];
   double hottest = 0.0;
   for (const double t : cycle["peak_degC"]) hottest = std::max(hottest, t);
-  EXPECT_GE(criterion(v, "temperature")["value"].get<double>(), hottest);
+  EXPECT_DOUBLE_EQ(criterion(v, "temperature")["value"], hottest);
   Json mean = cycle["mean_degC"];
   const std::string warm =
       fmt::format("deviations.temperature={{screw: {:.15g} degC, roller: {:.15g} degC, nut: {:.15g} degC}}",
