@@ -188,7 +188,7 @@ Findings findings_of(input::Source source, ReportOptions options, std::span<cons
       failures.push_back({command, nullptr, error.what()});
     } catch (const modules::Missing& error) {
       all.lacking.push_back(command);
-      failures.push_back({command, nullptr, error.what(), Attempt::Lacking::program});
+      failures.push_back({command, nullptr, error.what(), Attempt::Lacking::module});
       all.notes.push_back(fmt::format("{} was not computed: {}", name(command), error.what()));
     }
   }

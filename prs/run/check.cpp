@@ -373,7 +373,7 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
     } catch (const modules::NotBuilt& error) {
       attempts.push_back({command, nullptr, error.what(), Attempt::Lacking::program});
     } catch (const modules::Missing& error) {
-      attempts.push_back({command, nullptr, error.what(), Attempt::Lacking::program});
+      attempts.push_back({command, nullptr, error.what(), Attempt::Lacking::module});
     }
     return attempts.back().delivery != nullptr;
   };

@@ -139,7 +139,7 @@ struct Attempt {
   Command command = Command::check;
   const Delivery* delivery = nullptr;
   std::string failure = {};
-  enum class Lacking { input, program, time } lacking = Lacking::input;  ///< `program`: left out (PRS_FULL).
+  enum class Lacking { input, program, module, time } lacking = Lacking::input;  ///< `program`: left out (PRS_FULL).
 };
 
 /// The verdict on a case by what was run of it.
