@@ -25,7 +25,8 @@ class CsvError : public std::runtime_error {
 /// commas, semicolons or tabs, whichever the first row has first outside quotes. Blanks around
 /// fields, empty lines, lines that start with `#` and a byte order mark are skipped. Between semicolons
 /// or tabs numbers may have decimal commas and marks between thousands, as European spreadsheets write
-/// them: `fields` has them with a point, and as no number what may be either, `1.250` in a column without a comma. Rows are read one at a time; none is longer than 1 MiB.
+/// them: `fields` has them with a point, and as no number what may be either, `1.250` in a column without a comma. Rows
+/// are read one at a time; none is longer than 1 MiB.
 class CsvReader {
  public:
   /// The text must outlive the reader.

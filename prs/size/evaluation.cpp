@@ -388,10 +388,10 @@ class Evaluation {
     const bool standard = c_.screw.type == Mechanism::Type::standard;
     const double length = standard ? c_.nut_length : mechanism.contacts_per_roller * axial_pitch(mechanism);
     if (standard && r_.stroke && sized_.shaft_length < *r_.stroke + c_.nut_length)
-      all.push_back(Warning{"shaft.length", "short_shaft",
-                            "the shaft, {value}, is shorter than stroke and nut together, {limit}", "lengthen it"}
-                        .with(sized_.shaft_length, *r_.stroke + c_.nut_length, text_unit::millimetre,
-                              Warning::Worse::smaller));
+      all.push_back(
+          Warning{"shaft.length", "short_shaft", "the shaft, {value}, is shorter than stroke and nut together, {limit}",
+                  "lengthen it"}
+              .with(sized_.shaft_length, *r_.stroke + c_.nut_length, text_unit::millimetre, Warning::Worse::smaller));
     const std::optional<double> stroke = r_.motion.loads ? r_.stroke : std::optional(cycle_.loaded_way);
     if (stroke && *stroke > 0.0 && *stroke < kShortStroke * length)
       all.push_back(Warning{"stroke", "short_stroke",

@@ -217,8 +217,8 @@ TEST(Measures, StatedCapacityComesBeforeTheLeastOfTheOthers) {
   const Measures m = measures(c);
   EXPECT_EQ(*m.static_capacity, std::min({*m.deformation_capacity.screw, *m.deformation_capacity.nut,
                                           *m.pressure_capacity.screw, *m.pressure_capacity.nut}));
-  EXPECT_NEAR(*load_measures(c, 0).static_safety,
-              std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) / 45e3, 1e-12);
+  EXPECT_NEAR(*load_measures(c, 0).static_safety, std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) / 45e3,
+              1e-12);
   c.life = Life{};
   c.life->static_capacity = 90e3;
   EXPECT_EQ(*measures(c).static_capacity, 90e3);
