@@ -52,8 +52,8 @@ inline int write_all(const FileDescriptor& file, std::string_view bytes) { retur
 
 inline constexpr std::string_view kFolder = "a folder";
 
-/// What stands at `path`, of `folder` where it is relative, in place of a regular file: "a symbolic link", "a pipe",
-/// `kFolder`; empty where there is a file or nothing.
+/// Kind of an entry at `path` (relative to `folder`) that is no regular file: "a symbolic link", "a pipe", `kFolder`.
+/// Empty where there is a regular file or nothing.
 std::string_view obstacle_at(const char* path, int folder = AT_FDCWD);
 
 /// A regular file that was opened, or why there is none.

@@ -728,7 +728,7 @@ void fields(const Fields& io, Life& l) {
   const bool counted = !l.history && std::ranges::all_of(l.spectrum, [](const SpectrumLoad& load) {
     return load.revolutions || load.distance;
   });
-  constexpr std::string_view of_counted = "of a spectrum of revolutions or distances";
+  constexpr std::string_view of_counted = "with a spectrum of revolutions or distances";
   io("period", l.period, Quantity{unit::duration, positive, "12 s"}, optional_only_if(counted, of_counted),
      "Clock time of one pass of the spectrum, rests and ways without force included: for hours");
   io("travel", l.travel, Quantity{unit::length, positive, "400 mm"}, optional_only_if(counted, of_counted),

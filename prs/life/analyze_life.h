@@ -47,7 +47,7 @@ struct FlankLife {
   std::optional<double> static_capacity;
   /// Force at which the ellipse of the most loaded thread reaches a crest or root [N].
   std::optional<double> flank_edge_load;
-  /// That force over the largest force.
+  /// Ratio of `flank_edge_load` to the largest force.
   std::optional<double> flank_edge_margin() const {
     return flank_edge_load && largest_force > 0.0 ? std::optional(*flank_edge_load / largest_force) : std::nullopt;
   }

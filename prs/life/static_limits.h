@@ -13,7 +13,7 @@ namespace prs {
 // and `thread_static_safety` with the shares solved under F: above life's as a rule, by 7 % on
 // lesson 18, since shares grow less even with the load; below it where initial gaps close. An ellipse
 // that reaches the end of its flank is no failure but an edge stress: that force over F is the margin
-// of the flank's edge, beside the static safety.
+// of the flank's edge, a quantity of its own.
 
 /// Total permanent deformation of rolling element and raceway over the diameter of the element that
 /// a bearing may have at its most loaded contact without harm to its running (ISO 76).

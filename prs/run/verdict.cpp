@@ -502,7 +502,8 @@ Found film(const VerdictFacts& f) {
       for (const Interface i : kInterfaces)
         for (const double ratio : r.slip->threads[i].film_ratio)
           if (ratio > 0.0)
-            found.take(ratio, r.load_case.name, fmt::format("roller-{}; life is that of full, clean films", name(i)));
+            found.take(ratio, r.load_case.name,
+                       fmt::format("roller-{}{}", name(i), f.c.life ? "; life is that of full, clean films" : ""));
   return found;
 }
 
@@ -648,7 +649,7 @@ void add_contacts(const VerdictFacts& f, CaseVerdict& verdict) {
   verdict.criteria.push_back(std::move(c));
 }
 
-/// What commands found wrong with the case: impossible where no thread loads can be had for it.
+/// Errors of the input that commands found. A case for which no thread loads can be had is impossible.
 void add_errors(const VerdictFacts& f, CaseVerdict& verdict) {
   for (const auto& [command, what] : f.wrong) {
     if (command != Command::solve && command != Command::measures) {

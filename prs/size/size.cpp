@@ -475,7 +475,7 @@ Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Cond
   return heat;
 }
 
-/// Those of the requirement that a case can have.
+/// Limits of the requirement that a case can have.
 Limits limits_of(const SizeInput& in) {
   const Requirement::Life& life = in.values.life;
   Limits limits = in.values.limits;

@@ -268,7 +268,7 @@ Axis with_length(Axis axis) {
   return axis;
 }
 
-/// What ticks and label take beside a panel.
+/// Pixels that ticks and label take to the left of a panel.
 int room_left(const Figure& figure, const Panel& panel, int height, bool labelled) {
   const Axis axis = with_length(y_axis(figure, panel));
   if (axis.hidden || panel.surface) return 0;

@@ -293,7 +293,7 @@ TEST(Verdict, TheFlanksEdgeIsACriterionOfItsOwn) {
                        "life={position: 11 mm, static_capacity: 900 kN, "
                        "spectrum: [{force: 1 kN, direction: tension, share: 1}]}"};
   const Json v = verdict(kMeasured, over);
-  EXPECT_NEAR(criterion(v, "flank_edge")["value"], 1.0 / 1.01, 1e-6);
+  EXPECT_NEAR(criterion(v, "flank_edge")["value"], 1.0 / 1.01, 1e-8);
   EXPECT_EQ(criterion(v, "flank_edge")["state"], "amber");
   EXPECT_NEAR(criterion(v, "static_safety")["value"], 900.0 / (30.0 * 1.01 * margin), 1e-9);
 }

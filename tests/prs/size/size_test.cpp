@@ -247,7 +247,7 @@ TEST(Size, ReadsAMakersCatalogueWithDecimalCommas) {
   EXPECT_EQ(of_capacities.back().code, "static_below_dynamic_capacity");
 }
 
-/// What a simulation leaves of a speed of zero makes no segment of its own.
+/// A speed that is rounding of zero makes no segment of its own.
 TEST(Size, RoundingInAHistoryIsNoMotion) {
   const auto segments = [](const char* middle) {
     input::Source source = input::source_of_text(
