@@ -336,14 +336,16 @@ std::string deviations_text(const CompleteScrew& s) {
 
 std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
   return case_line(fmt::format("friction: {{model: {{coulomb: {:g}}}}}", kFlankFriction),
-                   "assumed: flanks that touch, 0.91 to 1.05 times the efficiencies of a "
-                   "catalogue; jacod: full films") +
+                   "assumed: flanks that touch, with the heads' friction 0.89 to 1.05 times the "
+                   "efficiencies of a catalogue; jacod: full films") +
          lubricant_text(lubricant) +
          case_line("roughness: 0.2 um", "assumed: Rq of finely ground flanks; for the film ratio") +
-         case_remark("For friction in the carrier, plain bearings of the rollers' ends, for example:") +
-         fmt::format("# carrier: {{bearing: {{length: {}, diameter: {}, radial_clearance: {}}}}}\n",
-                     mm(0.5 * s.pitch_diameter.roller), mm(0.6 * s.pitch_diameter.roller),
-                     mm(0.005 * s.pitch_diameter.roller)) +
+         case_line(fmt::format("carrier: {{bearing: {{length: {}, diameter: {}, radial_clearance: {}, friction: "
+                               "{{mixed: {{boundary: 0.1, roughness: 0.4 um}}}}}}}}",
+                               mm(kHeadLength * s.pitch_diameter.roller), mm(kHeadDiameter * s.pitch_diameter.roller),
+                               mm(kHeadClearance * s.pitch_diameter.roller)),
+                   "assumed: plain bearings of the rollers' ends, which guide the rollers and touch in part; "
+                   "{coulomb: 0.1} where they run dry") +
          heat_text(s) + deviations_text(s) + "\nlife:\n" +
          case_line(fmt::format("  position: {}", mm(s.position)), "assumed: rollers in the middle of the nut") +
          case_line(fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]", load_text(s)),

@@ -744,6 +744,8 @@ void fields(const Fields& io, Life& l) {
      Number{{.least = 0.0, .greatest = 50.0, .least_excluded = true}, "1.2"},
      "a_ISO of ISO 281 (film, cleanliness, fatigue limit), by which the rated life is "
      "multiplied");
+  io("contamination", l.contamination, Number{{.least = 0.0, .greatest = 1.0}, "0.5"},
+     "e_C of ISO 281, 1 with extreme cleanliness, 0.5 normal, 0.1 heavy contamination: computes a_ISO from the film");
   io("load_case", l.load_case, Text{},
      "Name of the load case whose side loads, misalignment and orbit act together with all "
      "forces; `mechanism: full`");

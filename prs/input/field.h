@@ -472,8 +472,11 @@ bool stands(const Field& field);
 /// A value as a person would write it in the input.
 std::string text_of(const Value& value);
 
-/// A block in the lines that a file has of it: a value or an entry of a list in each.
-std::string block_text(std::string_view key, const Value& block);
+/// The comment behind the line of a key; without one the line is left out.
+using LineRemark = std::function<std::optional<std::string>(std::string_view key, const std::string& text)>;
+
+/// A block in the lines that a file has of it: a value or an entry of a list in each. Empty where no line is left.
+std::string block_text(std::string_view key, const Value& block, const LineRemark& remark = {});
 
 /// ` > 0 and <= 5 mm`; empty without bounds.
 std::string text_of_bounds(const Bounds& bounds, const Quantity& quantity);

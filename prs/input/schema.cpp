@@ -305,17 +305,20 @@ std::string text_of(const Value& value) {
   return std::visit([](const auto& v) { return text_of(v); }, value.as);
 }
 
-std::string block_text(std::string_view key, const Value& block) {
-  std::string text = fmt::format("{}:\n", key);
+std::string block_text(std::string_view key, const Value& block, const LineRemark& remark) {
+  std::string lines;
   std::get<MapValue>(block.as).for_each([&](const Field& field) {
     if (!stands(field)) return;
     const Value value = field.value();
     const auto* const list = std::get_if<ListValue>(&value.as);
     if (list && list->size() == 0) return;
-    text += fmt::format("  {}:{}\n", field.key, list ? "" : " " + text_of(value));
-    for (std::size_t i = 0; list && i < list->size(); ++i) text += fmt::format("    - {}\n", text_of(list->entry(i)));
+    const std::string text = list ? "" : text_of(value);
+    const std::optional<std::string> comment = remark ? remark(field.key, text) : "";
+    if (!comment) return;
+    lines += fmt::format("  {}:{}{}{}{}\n", field.key, list ? "" : " ", text, comment->empty() ? "" : "  # ", *comment);
+    for (std::size_t i = 0; list && i < list->size(); ++i) lines += fmt::format("    - {}\n", text_of(list->entry(i)));
   });
-  return text;
+  return lines.empty() ? "" : fmt::format("{}:\n{}", key, lines);
 }
 
 std::string text_of_bounds(const Bounds& b, const Quantity& q) { return bounds_text(b, q); }

@@ -79,6 +79,14 @@ struct WeakestThread {
   double life = 0.0;
 };
 
+/// What film and dirt do to the life, by ISO 281:2007, under the mean load at the mean speed.
+struct ModifiedLife {
+  double film_ratio = 0.0;       ///< Lambda, the smallest of all threads.
+  double viscosity_ratio = 0.0;  ///< kappa = Lambda^1.3.
+  double load_ratio = 0.0;       ///< C_u/P: (1.5 GPa over the largest peak pressure)^3.
+  double factor = 0.0;           ///< a_ISO
+};
+
 /// Everything that `analyze_life` computes. SI units; lives in revolutions.
 struct LifeResult {
   Life life;
@@ -116,6 +124,8 @@ struct LifeResult {
   /// Forces at which equal thread loads reach `kStaticPressureLimit` and the end of a flank [N].
   std::optional<double> equal_shares_static_capacity, equal_shares_flank_edge_load;
   std::optional<LoadCycles> cycles;
+
+  std::optional<ModifiedLife> modified;  ///< With `life.contamination`.
 
   std::optional<std::string> failure;  ///< Why there are no lives: a load did not converge.
   std::vector<Warning> warnings;

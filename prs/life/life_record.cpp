@@ -25,6 +25,10 @@ struct LifeAtRest {
   const LifeResult* life = nullptr;
 };
 
+struct Modified {
+  const LifeResult* life = nullptr;
+};
+
 struct Capacity {
   const LifeResult* life = nullptr;
 };
@@ -43,6 +47,7 @@ Record<InterfaceLife> record_of(Type<InterfaceLife>);
 Record<DirectionLife> record_of(Type<DirectionLife>);
 Record<WeakestLife> record_of(Type<WeakestLife>);
 Record<LifeAtRest> record_of(Type<LifeAtRest>);
+Record<Modified> record_of(Type<Modified>);
 Record<Capacity> record_of(Type<Capacity>);
 Record<Loads> record_of(Type<Loads>);
 Record<Cycles> record_of(Type<Cycles>);
@@ -186,6 +191,22 @@ constexpr Quantity<LifeAtRest> kLifeAtRest[] = {
 };
 
 template <auto get>
+constexpr auto of_modified = of<[](auto& m) { return std::invoke(get, *m.life->modified); }>;
+
+constexpr std::string_view kIsoLife = "ISO 281:2007, 9.3.3";
+constexpr Quantity<Modified> kModified[] = {
+    {"film_ratio", of_modified<&ModifiedLife::film_ratio>,
+     "Lambda under the mean load at the operation's speed, the smallest of all threads"},
+    {"viscosity_ratio", of_modified<&ModifiedLife::viscosity_ratio>, "kappa = Lambda^1.3", kIsoLife},
+    {"load_ratio", of_modified<&ModifiedLife::load_ratio>,
+     "C_u/P, (1.5 GPa over the largest peak pressure)^3 under the mean load", kIsoLife},
+    {"factor", of_modified<&ModifiedLife::factor>, "a_ISO, next to the modification_factor that the case states",
+     kIsoLife, "life modification factor of film and contamination"},
+    {"system", of<[](auto& m) { return in_use(*m.life, m.life->modified->factor * m.life->system_life); }>,
+     "of the mechanism, real thread loads", "", "life of the mechanism with film and contamination"},
+};
+
+template <auto get>
 constexpr auto of_lemor =
     of<[](auto& c) { return c.life->lemor ? std::optional(std::invoke(get, *c.life->lemor)) : std::nullopt; }>;
 
@@ -297,6 +318,8 @@ constexpr Quantity<LifeResult> kLife[] = {
      "static safety under the loads of the life"},
     {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>, "pressure | given", "",
      "what limits the static safety"},
+    {"modified", of<[](auto& r) { return r.modified ? std::optional(Modified{&r}) : std::nullopt; }, converged>,
+     "with film and contamination; where life.contamination is stated"},
     {"weakest_thread", of<[](auto& r) { return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt; }, converged>,
      "that fails first"},
     {"tension", flank_of<Direction::tension>, "flanks that carry tension"},
@@ -328,6 +351,7 @@ PRS_RECORD(RollerLives, "RollerLives", "Lives of the threads of the rollers at o
 PRS_RECORD(InterfaceLife, "InterfaceLife", "Lives of the threads of one interface.", kInterfaceLife);
 PRS_RECORD(DirectionLife, "DirectionLife", "Lives under the loads of one direction.", kDirectionLife);
 PRS_RECORD(WeakestLife, "WeakestThread", "The thread that fails first, of those that turn under load.", kWeakestLife);
+PRS_RECORD(Modified, "ModifiedLife", "What film and dirt do to the life, by ISO 281.", kModified);
 PRS_RECORD(LifeAtRest, "LifeAtRest", "Lives on the loads of a screw at rest.", kLifeAtRest);
 PRS_RECORD(Capacity, "Capacity", "What the mechanism can carry.", kCapacity);
 PRS_RECORD(Loads, "LifeLoads", "The history or the spectrum.", kLoads);

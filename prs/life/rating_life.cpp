@@ -112,6 +112,17 @@ double reliability_factor(double reliability) {
   return std::pow(kFactor[k], 1.0 - t) * std::pow(kFactor[k + 1], t);
 }
 
+double modification_factor(double viscosity_ratio, double contamination, double load_ratio) {
+  constexpr double kLeast = 0.1, kGreatest = 4.0, kMostLife = 50.0;
+  if (viscosity_ratio < kLeast) return 0.1;
+  const double kappa = std::min(viscosity_ratio, kGreatest);
+  const auto [a, b] = kappa < 0.4   ? std::pair(2.2649, 0.054381)
+                      : kappa < 1.0 ? std::pair(1.9987, 0.19087)
+                                    : std::pair(1.9987, 0.071739);
+  const double left = 1.0 - std::pow(2.5671 - a / std::pow(kappa, b), 0.83) * std::cbrt(contamination * load_ratio);
+  return left > 0.0 ? std::min(0.1 * std::pow(left, -9.3), kMostLife) : kMostLife;
+}
+
 double mean_load(std::span<const LoadStep> steps) {
   double revolutions = 0.0, damage = 0.0;
   for (const LoadStep& s : steps) {

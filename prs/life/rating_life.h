@@ -129,6 +129,16 @@ double rating_life(double capacity, double load);
 /// for a Weibull distribution. 0.90 <= S <= 0.99.
 double reliability_factor(double reliability);
 
+/// Life modification factor a_ISO of ISO 281:2007, 9.3.3 for radial ball bearings, whose point contacts
+/// are those of threads:
+///
+///     a_ISO = 0.1 (1 - (2.5671 - A/kappa^B)^0.83 (e_C C_u/P)^(1/3))^-9.3 <= 50
+///
+/// A, B = 2.2649, 0.054381 for 0.1 <= kappa < 0.4; 1.9987, 0.19087 below 1; 1.9987, 0.071739 up to 4. Above 4
+/// kappa counts as 4, below 0.1, beyond the standard, a_ISO is 0.1. `viscosity_ratio` kappa, `contamination` e_C,
+/// `load_ratio` C_u/P, the fatigue limit load over the load.
+double modification_factor(double viscosity_ratio, double contamination, double load_ratio);
+
 /// Equivalent load [N] over revolutions, cubic mean of the magnitudes (Jung 2017, (8.28)):
 ///
 ///     F_m = (sum |F_j|^3 n_j / sum n_j)^(1/3)

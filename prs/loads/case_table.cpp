@@ -293,11 +293,16 @@ std::vector<Warning> all_warnings(std::vector<Warning> of_case, const std::vecto
 std::vector<Warning> all_warnings(const Result& result) { return all_warnings(result.warnings, result.load_cases); }
 
 std::string warning_summary(const std::vector<Warning>& warnings) {
-  std::string summary = warnings.empty() ? "" : "Warnings\n";
-  for (const WarningGroup& group : grouped(warnings)) {
-    summary += wrapped(in_table_units(printable(group.text())), "  ", kTableWidth);
-    if (const std::string where = group.where(); !where.empty())
-      summary += wrapped(printable(where), "    ", kTableWidth);
+  std::string summary;
+  for (const bool assumptions : {false, true}) {
+    const std::vector<WarningGroup> groups = grouped(selected(warnings, assumptions));
+    if (groups.empty()) continue;
+    summary += fmt::format("{}{}\n", summary.empty() ? "" : "\n", assumptions ? kAssumptionsTitle : "Warnings");
+    for (const WarningGroup& group : groups) {
+      summary += wrapped(in_table_units(printable(group.text())), "  ", kTableWidth);
+      if (const std::string where = group.where(); !where.empty())
+        summary += wrapped(printable(where), "    ", kTableWidth);
+    }
   }
   return summary;
 }

@@ -92,8 +92,8 @@ std::vector<WarningGroup> grouped(const std::vector<Warning>& warnings);
 std::vector<Warning> all_warnings(std::vector<Warning> of_case, const std::vector<LoadCaseResult>& load_cases);
 std::vector<Warning> all_warnings(const Result& result);
 
-/// Each group once with the cases it concerns, in the units of tables, below a heading. Empty where
-/// there is none.
+/// Each group once with the cases it concerns, in the units of tables: warnings, then assumptions, each
+/// below its heading. Empty where there is none.
 std::string warning_summary(const std::vector<Warning>& warnings);
 /// The same below an empty line.
 std::string warning_section(const std::vector<Warning>& warnings);

@@ -193,7 +193,13 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
      "under preload: both flanks of the threads, or both nuts; the lists above are those of the "
      "flank that the direction names"},
     {"", of<[](const LoadCaseResult& r) { return r.full.get(); }>},
-    {"warnings", of<[](const LoadCaseResult& r) { return sentences(r.warnings); }>, "what is unusual about this load"},
+    {"warnings", of<[](const LoadCaseResult& r) { return sentences(selected(r.warnings, false)); }>,
+     "what is unusual about this load"},
+    {"assumptions", of<[](const LoadCaseResult& r) {
+       const std::vector<std::string> all = sentences(selected(r.warnings, true));
+       return all.empty() ? std::nullopt : std::optional(all);
+     }>,
+     "choices of the model that matter for it"},
     {"newton_history", of<[](const LoadCaseResult& r) { return r.solve ? &r.solve->history : nullptr; }>,
      "one per linear solve; documents of many load cases leave it out", "", "", "", "", Reach::document},
 };

@@ -102,6 +102,12 @@ std::string capacities(const LifeResult& r, bool all) {
     text += life_line("rated life over L10",
                       fmt::format("{:.4g} (a1 {:.4g} at {}, modification factor {:.4g})", r.rated_over_l10(),
                                   r.reliability_factor, reliability(r), r.life.modification_factor));
+  if (r.modified)
+    text += life_line("a_ISO of ISO 281",
+                      fmt::format("{:.3g} (film ratio {:.3g}, kappa {:.3g}, contamination {:.3g}); with "
+                                  "it {} million revolutions",
+                                  r.modified->factor, r.modified->film_ratio, r.modified->viscosity_ratio,
+                                  *r.life.contamination, cell(r.modified->factor * r.system_life, 1e-6)));
   text += life_line("mean load F_m", kilonewtons(r.mean_load));
   text += life_line("largest force", kilonewtons(r.largest_force));
   if (r.life.static_capacity)
@@ -434,10 +440,56 @@ constexpr std::string_view kLifeResponses[] = {"life.system.l10_revolutions", "l
 
 }  // namespace
 
+namespace {
+
+/// The mean load of a life as the one load of the case, its parts as warm as under the life.
+Case under_mean_load(const Case& c, const LifeResult& r) {
+  const auto largest = std::ranges::max_element(r.steps, {}, [](const LoadStep& s) { return std::abs(s.axial_force); });
+  Case mean = c;
+  mean.heat.reset();
+  mean.load_cases = {{.name = "life.spectrum",
+                      .axial_force = r.mean_load,
+                      .direction = largest->axial_force > 0.0 ? Direction::tension : Direction::compression,
+                      .position = c.life->position,
+                      .share = c.life->share}};
+  if (r.temperature) {
+    const PerPart<double>& t = *r.temperature;
+    mean.lubricant->temperature = std::max({t.screw, t.roller, t.nut});
+  }
+  return mean;
+}
+
+ModifiedLife modified_life(const Case& c, const LifeResult& r) {
+  constexpr double kFatigueLimit = 1.5e9;  // Peak pressure [Pa] that ISO 281 gives for steel of high quality.
+  if (!c.friction || !c.operation || !c.lubricant || !c.roughness)
+    throw CaseError(
+        "life.contamination",
+        "expected `friction`, `operation`, `lubricant` and `roughness` beside it, from which the film follows; "
+        "add them, or delete it");
+  const Result slip = analyze_slip(under_mean_load(c, r), kManyDesigns);
+  const LoadCaseResult& load = slip.load_cases.front();
+  ModifiedLife life{.film_ratio = std::numeric_limits<double>::infinity()};
+  if (!load.slip || !load.slip->converged() || !load.threads)
+    throw CaseError("life.contamination", "no slip under the mean load: `prs slip` says why; delete it");
+  double pressure = 0.0;
+  for (const Interface i : kInterfaces) {
+    for (const double ratio : load.slip->threads[i].film_ratio) life.film_ratio = std::min(life.film_ratio, ratio);
+    for (const double p : (*load.threads)[i].peak_pressure) pressure = std::max(pressure, p);
+  }
+  life.viscosity_ratio = std::pow(life.film_ratio, 1.3);
+  life.load_ratio = std::pow(kFatigueLimit / pressure, 3.0);
+  life.factor = modification_factor(life.viscosity_ratio, *c.life->contamination, life.load_ratio);
+  return life;
+}
+
+}  // namespace
+
 LifeResult life_of(const input::Source& source, const input::CaseInput& in) {
   std::optional<LoadHistory> history;
   if (in.values.life->history) history = input::read_force_history(*in.values.life->history, source);
-  return analyze_warm_life(in.values, std::move(history));
+  LifeResult life = analyze_warm_life(in.values, std::move(history));
+  if (in.values.life->contamination && life.converged()) life.modified = modified_life(in.values, life);
+  return life;
 }
 
 const Analysis<LifeResult>& life_analysis() {

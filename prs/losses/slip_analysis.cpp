@@ -75,7 +75,8 @@ std::vector<Headline> losses(const Result& r) {
     return {lost};
   }
   bool known = false;
-  for (const LoadCaseResult& load : r.load_cases)
+  const bool is_written = r.load_cases.size() > 1 && r.load_cases.back().load_case.name == kBackDriving;
+  for (const LoadCaseResult& load : std::span(r.load_cases).first(r.load_cases.size() - (is_written ? 1 : 0)))
     if (has_slip(load) && (!known || load.slip->power.total() > lost.value)) {
       known = true;
       lost.value = load.slip->power.total();

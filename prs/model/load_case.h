@@ -92,6 +92,10 @@ struct Modes {
   std::optional<int> positions;  ///< Positions of the travel with frequencies of their own.
 };
 
+/// The load case that a written candidate has beside those of its cycle, driven by the load: no
+/// headline is taken from it.
+inline constexpr std::string_view kBackDriving = "back-driving";
+
 /// One load on the mechanism. A range in the input has been expanded to one case per point.
 struct LoadCase {
   /// How the load spreads over the threads: solved from the structure, or equal by assumption.
@@ -245,6 +249,7 @@ struct Life {
   std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].
   double reliability = 0.90;               ///< Share that shall reach the rated life.
   double modification_factor = 1.0;        ///< a_ISO of ISO 281, of the rated life.
+  std::optional<double> contamination;     ///< e_C of ISO 281, for an a_ISO that is shown beside it.
   /// Full mechanism only: the load case whose side loads, misalignment and orbit hold for all
   /// forces.
   std::optional<std::string> load_case;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 
 namespace prs {
@@ -36,6 +37,15 @@ std::string sentence(const Warning& w) {
   put(text, "{limit}", shown(w.limit, digits), w.unit);
   if (!w.path.empty()) text.insert(0, w.path + ": ");
   return w.fix.empty() ? text : text.append("; ").append(w.fix);
+}
+
+std::vector<Warning> selected(std::span<const Warning> warnings, bool assumptions) {
+  std::vector<Warning> found;
+  std::ranges::copy_if(warnings, std::back_inserter(found),
+                       [&](const Warning& w) { return w.is_assumption == assumptions; });
+  const auto effect = [](const Warning& w) { return w.unit == text_unit::percent ? w.value.value_or(0.0) : 0.0; };
+  if (assumptions) std::ranges::stable_sort(found, std::greater{}, effect);
+  return found;
 }
 
 std::vector<std::string> sentences(std::span<const Warning> warnings) {

@@ -49,6 +49,8 @@ struct Warning {
   TextUnit unit = {};
   Worse worse = Worse::larger;
   std::string load_case = {};  ///< Its name, where it is of one; set where cases are gathered.
+  /// A choice of the model that most cases share, as parts without errors: listed by itself, with its effect.
+  bool is_assumption = false;
 
   /// The warning with these numbers.
   Warning with(std::optional<double> of_value, std::optional<double> of_limit = {}, TextUnit of_unit = {},
@@ -56,12 +58,22 @@ struct Warning {
     value = of_value, limit = of_limit, unit = of_unit, worse = of_worse;
     return std::move(*this);
   }
+  Warning as_assumption() && {
+    is_assumption = true;
+    return std::move(*this);
+  }
   bool operator==(const Warning&) const = default;
 };
+
+/// The part of `warnings` that are assumptions, the one with the largest effect on loads first, or that are not.
+std::vector<Warning> selected(std::span<const Warning> warnings, bool assumptions);
 
 /// `PATH: WHAT; FIX`, numbers with three digits, or with as many as tell value and limit apart.
 std::string sentence(const Warning& warning);
 std::vector<std::string> sentences(std::span<const Warning> warnings);
+
+/// Heading of what `is_assumption`.
+inline constexpr std::string_view kAssumptionsTitle = "Assumptions that matter here";
 
 /// Whether the value is nearer to its limit, or further beyond it. Without limits by size.
 bool is_worse(const Warning& warning, const Warning& than);

@@ -20,7 +20,9 @@ Json document_head(const DocumentInfo& info, const std::vector<Warning>& warning
   if (!info.case_file.empty()) document["case_file"] = info.case_file;
   if (!info.input_sha256.empty()) document["input_sha256"] = info.input_sha256;
   if (!info.overrides.empty()) document["overrides"] = info.overrides;
-  document["warnings"] = sentences(warnings);
+  document["warnings"] = sentences(selected(warnings, false));
+  if (const auto assumptions = selected(warnings, true); !assumptions.empty())
+    document["assumptions"] = sentences(assumptions);
   if (info.resolved_input) document["resolved_input"] = info.resolved_input();
   return document;
 }
@@ -56,7 +58,7 @@ void put_first(const std::vector<Warning>& values, std::vector<Warning>& warning
 }
 
 std::vector<std::string> as_notes(const std::vector<Warning>& warnings) {
-  std::vector<std::string> notes = sentences(warnings);
+  std::vector<std::string> notes = sentences(selected(warnings, false));
   for (std::string& note : notes) note.insert(0, "warning: ");
   return notes;
 }

@@ -14,12 +14,12 @@
 namespace prs {
 namespace {
 
-std::vector<WarningGroup> warnings_of(const Findings& all) {
+std::vector<Warning> warnings_of(const Findings& all) {
   std::vector<Warning> warnings = all.check.warnings();
   for (const CommandAnswer& answer : all.answers)  // The page shows the loads of the case's model.
     if (answer.command != Command::compare || !all.answer(Command::solve))
       std::ranges::move(answer.delivery.warnings(), std::back_inserter(warnings));
-  return grouped(warnings);
+  return warnings;
 }
 
 /// By what was computed; `failures` of commands that found the case wrong.
@@ -275,7 +275,7 @@ std::string verdict_html(const Findings& all) {
     if (!answer.delivery.converged && answer.command != Command::solve)
       text += fmt::format("<span class=\"state red\">{} did not converge.</span> ",
                           capitalised(std::string(name(answer.command))));
-  if (all.warnings.empty()) text += "No warnings.";
+  if (selected(all.warnings, false).empty()) text += "No warnings.";
   std::string cards;
   for (const Criterion& c : verdict.criteria)
     if ((c.value || c.limit) && c.name != "convergence") cards += card_html(all, c);
@@ -286,10 +286,11 @@ std::string verdict_html(const Findings& all) {
   return "<p>" + text + "</p>\n" + cards;
 }
 
-std::string warning_list(const Findings& all) {
-  if (all.warnings.empty()) return {};
+std::string warning_list(const Findings& all, bool assumptions) {
+  const std::vector<WarningGroup> groups = grouped(selected(all.warnings, assumptions));
+  if (groups.empty()) return {};
   std::string text = "<ul class=\"warnings\">\n";
-  for (const WarningGroup& warning : all.warnings)
+  for (const WarningGroup& warning : groups)
     text += fmt::format("<li>{}{}</li>\n", html(in_table_units(warning.text())),
                         warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
   return text + "</ul>\n";

@@ -37,7 +37,7 @@ struct Findings {
   Delivery check;
   std::vector<CommandAnswer> answers;
   std::vector<StoredRun> studies;
-  std::vector<WarningGroup> warnings;  ///< Warnings of all that was computed.
+  std::vector<Warning> warnings;  ///< Warnings of all that was computed.
   CaseVerdict verdict;
   std::vector<std::string> notes;
   std::vector<std::string> void_paths;  ///< Inputs that overrides stand in for.
@@ -89,7 +89,8 @@ std::string verdict_html(const Findings& all);
 
 /// What did not converge, a line for each command.
 std::vector<std::string> unconverged(const Findings& all);
-std::string warning_list(const Findings& all);
+/// Warnings, or the assumptions among them; empty where there is none.
+std::string warning_list(const Findings& all, bool assumptions);
 
 /// Sliders and fields for the inputs that matter, by what the case states; empty where it has
 /// nothing that a page could move.

@@ -176,6 +176,7 @@ Json whole(Parts d, std::string_view command) {
          "Of the file; with overrides, a history or curves of a fit, of these too: of what was computed"}}},
       {"overrides", list(type("string", "PATH=VALUE"))},
       {"warnings", list(text())},
+      {"assumptions", list(type("string", "What the model takes for granted and this case depends on"))},
       {"resolved_input", link("Input")},
   };
   std::vector<std::string> required{"prs_version", "schema_version", "command", "warnings"};

@@ -192,9 +192,6 @@ struct SizeInput {
 inline constexpr std::string_view kHistoryFile = "motion.history.file";
 inline constexpr std::string_view kCatalogueFile = "candidates.catalogue.file";
 
-/// The load case that the load drives, of every written case.
-inline constexpr std::string_view kBackDriving = "back-driving";
-
 /// The sense of the axial force F of the cycle as the case has it.
 Direction direction_of(const Requirement& r, double force);
 

@@ -486,29 +486,88 @@ Limits limits_of(const SizeInput& in) {
 
 }  // namespace
 
+namespace {
+
+/// Lines of a written case, which say what the requirement leaves to its defaults.
+class WrittenLines {
+ public:
+  explicit WrittenLines(const SizeInput& in) : fields_(in.fields) {}
+
+  /// What is the case's default too is left out.
+  std::string block(std::string_view key, const input::Value& block, const input::Value& by_default) const {
+    std::map<std::string, std::string, std::less<>> defaults;
+    input::block_text(key, by_default, [&](std::string_view name, const std::string& text) {
+      return defaults.emplace(name, text), std::nullopt;
+    });
+    return input::block_text(key, block,
+                             [&](std::string_view name, const std::string& text) -> std::optional<std::string> {
+                               const std::string path = fmt::format("{}.{}", key, name);
+                               const auto same = defaults.find(name);
+                               if (!text.empty() && !is_stated(path) && same != defaults.end() && same->second == text)
+                                 return std::nullopt;
+                               return remark(path, text);
+                             });
+  }
+
+  /// `KEY: TEXT`
+  std::string line(std::string_view key, const std::string& text, const std::string& path) const {
+    const std::string comment = remark(path, text);
+    return fmt::format("{}: {}{}{}\n", key, text, comment.empty() ? "" : "  # ", comment);
+  }
+
+ private:
+  bool has(const std::string& path, bool of_default) const {
+    return std::ranges::any_of(fields_, [&](const input::EchoEntry& e) {
+      const bool is_at = e.path.starts_with(path) &&
+                         (e.path.size() == path.size() || e.path[path.size()] == '.' || e.path[path.size()] == '[');
+      return is_at && e.is_default == of_default;
+    });
+  }
+  bool is_stated(const std::string& path) const { return has(path, false); }
+  std::string remark(const std::string& path, const std::string& text) const {
+    if (path == "life.position") return fmt::format("assumed {}: rollers in the middle of the nut", text);
+    if (is_stated(path) || !has(path, true)) return {};
+    return fmt::format("assumed {}: default of `prs size`", text);
+  }
+
+  const std::vector<input::EchoEntry>& fields_;
+};
+
+}  // namespace
+
 std::string written_candidate(const SizeInput& in, const SizedCandidate& candidate) {
   using input::block_text, input::value_of, input::Block, input::format_quantity;
+  const WrittenLines lines(in);
   SizedCase sized = sized_case(in, candidate);
   Case& c = sized.c;
   std::string text =
       screw_text(sized.screw, fmt::format("Chosen by `prs size` for {}: {}, {} {}.", in.source.name, candidate.name,
                                           candidate.is_row ? "row of the catalogue" : "design", candidate.number)) +
-      fmt::format("\nmodel: {{bodies: refined{}}}\n", c.model.loads ? ", loads: static" : "") +
-      "# One load case per segment of the motion, at its mean speed; the load drives the last.\n"
+      fmt::format("\nmodel: {{bodies: refined{}}}  # assumed {{bodies: refined}}: as all candidates are computed\n",
+                  c.model.loads ? ", loads: static" : "") +
+      "# One load case per segment of the motion, at its mean speed, rollers in the middle of the nut; the load drives "
+      "the last,\n# which stands beside the cycle.\n"
       "load_cases:\n";
   for (const LoadCase& load : c.load_cases)
     text += fmt::format("  - {{name: {}, axial_force: {}, direction: {}, position: {}, speed: {}}}\n",
                         nlohmann::json(load.name).dump(), format_quantity(load.axial_force, input::unit::force),
                         name(*load.direction), format_quantity(*load.position, input::unit::length),
-                        format_quantity(*load.speed, input::unit::rotational_speed));
+                        fmt::format("{:.12g} rpm", *load.speed * per_si::revolution_per_minute));
   text += "\n# Mean of the time in motion, and the largest.\n" +
           block_text("operation", value_of(*c.operation, Block{})) +
-          fmt::format("friction: {}\n", text_of(value_of(*c.friction, input::ChoiceUnder{"model"})));
+          lines.line("friction", text_of(value_of(*c.friction, input::ChoiceUnder{"model"})), "friction");
   const PerPart<double>& rough = *c.roughness;
-  text += block_text("lubricant", value_of(*c.lubricant, Block{})) +
-          fmt::format("roughness: {{screw: {:.15g} um, roller: {:.15g} um, nut: {:.15g} um}}\n", 1e6 * rough.screw,
-                      1e6 * rough.roller, 1e6 * rough.nut) +
-          block_text("carrier", value_of(c.carrier, Block{})) +
+  Lubricant lubricant_default;
+  Carrier carrier_default;
+  Life life_default;
+  MeasureOptions measures_default;
+  Limits limits_default;
+  text += lines.block("lubricant", value_of(*c.lubricant, Block{}), value_of(lubricant_default, Block{})) +
+          lines.line("roughness",
+                     fmt::format("{{screw: {:.15g} um, roller: {:.15g} um, nut: {:.15g} um}}", 1e6 * rough.screw,
+                                 1e6 * rough.roller, 1e6 * rough.nut),
+                     "roughness") +
+          lines.block("carrier", value_of(c.carrier, Block{}), value_of(carrier_default, Block{})) +
           "\n# Temperatures that follow from the losses, with `prs slip`; the list took the mean of "
           "the\n# cycle at the lubricant's temperature:\n";
   Heat heat = heat_of_cycle(in, sized, candidate.conductance);
@@ -524,8 +583,9 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
     c.measures->shaft->stroke = in.values.stroke;
   Limits limits = limits_of(in);
   return text + of_heat + "\n# Without a capacity, as makers print it, life is that by threads.\n" +
-         block_text("life", value_of(life, Block{})) + "\n" + block_text("measures", value_of(*c.measures, Block{})) +
-         "\n" + block_text("limits", value_of(limits, Block{}));
+         lines.block("life", value_of(life, Block{}), value_of(life_default, Block{})) + "\n" +
+         lines.block("measures", value_of(*c.measures, Block{}), value_of(measures_default, Block{})) + "\n" +
+         lines.block("limits", value_of(limits, Block{}), value_of(limits_default, Block{}));
 }
 
 }  // namespace prs

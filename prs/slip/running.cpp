@@ -708,7 +708,8 @@ std::optional<Warning> guides_without_play(const Conditions& c, const PerInterfa
                              "by {:+.1f} %: rollers are pressed against guides ({}) taken without "
                              "play; other guidance gives another share (5 to 146 % of one screw)",
                              name(i), change(i) * per_si::percent, kGuidance[kind])}
-      .with(std::abs(change(i)), kMuch, text_unit::percent);
+      .with(std::abs(change(i)), kMuch, text_unit::percent)
+      .as_assumption();
 }
 
 namespace {

@@ -259,11 +259,12 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
       warnings.push_back(Warning{"lubricant.film", fmt::format("{}_film_direction", name(i)),
                                  fmt::format("the {} contacts roll {:.0f} deg off the major axis of their "
                                              "ellipse, and their central film is that of rolling along the minor "
-                                             "one",
+                                             "one; pressures do not depend on it",
                                              label(i), off_major),
                                  "for the true direction take `film: {direction: rolling}`, another formula, "
                                  "whose films are about 20 % thinner at this contact"}
-                             .with(off_major / per_si::degree, {}, text_unit::degree, Warning::Worse::smaller));
+                             .with(off_major / per_si::degree, {}, text_unit::degree, Warning::Worse::smaller)
+                             .as_assumption());
     const bool low = ratio < contact::kLeastRollingRatio;
     if (follows && (low || ratio > contact::kGreatestRollingRatio))
       warnings.push_back(
@@ -290,10 +291,12 @@ std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m
   return Warning{"heat", "unknown_temperatures",
                  fmt::format("missing, so that temperatures are not known: to stay at {:.0f} degC in "
                              "{:.0f} degC, the mechanism must pass its {:.0f} W on by {{value}}, and "
-                             "still air takes {{limit}} from a bare nut",
+                             "still air takes {{limit}} from a bare nut; loads, films and life are those "
+                             "of the stated temperature",
                              kWarmParts - 273.15, kSurroundings - 273.15, power),
                  "add `heat`"}
-      .with(needed, in_air, text_unit::watt_per_kelvin);
+      .with(needed, in_air, text_unit::watt_per_kelvin)
+      .as_assumption();
 }
 
 void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const LoadCase& load,

@@ -3,9 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
+#include <fstream>
 
 #include "modules/module.h"
 #include "prs/run/commands.h"
+#include "prs/sha256.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -58,6 +60,11 @@ void add(SourceReport& report, Supplement&& supplement) {
   append(report.not_built, std::move(supplement.not_built));
 }
 
+std::string hash_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return sha256(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
 SourceReport report_on(const std::filesystem::path& folder, const std::vector<SourceExtension>& extensions) {
   const Reference reference = read_reference(folder / "reference.yaml");
   SourceReport report;
@@ -66,6 +73,9 @@ SourceReport report_on(const std::filesystem::path& folder, const std::vector<So
   SourceExtension code;
   for (const SourceExtension& c : extensions)
     if (c.folder == report.name) code = c;
+  report.data = reference.data.size();
+  for (const auto& [file, hash] : reference.data)
+    if (hash_of(folder / file) != hash) report.changed_data.push_back(file);
   for (const ReferenceCase& c : reference.cases) append(report.comparisons, compare(c, reference, code));
   if (!code.is_built && !reference.statements.empty())
     report.not_built.push_back(fmt::format("{} statements in words", reference.statements.size()));
@@ -86,9 +96,9 @@ SourceReport report_on(const std::filesystem::path& folder, const std::vector<So
 }
 
 /// In order of `Verdict::Kind`.
-constexpr std::array kVerdicts{"holds", "holds only with", "does not hold"};
+constexpr std::array<std::string_view, 3> kVerdicts{"holds", "holds only with", "does not hold"};
 
-const char* verdict_name(Verdict::Kind kind) { return kVerdicts.at(static_cast<std::size_t>(kind)); }
+std::string_view verdict_name(Verdict::Kind kind) { return kVerdicts.at(static_cast<std::size_t>(kind)); }
 
 std::string comparison_text(const Comparison& c) {
   const PrintedValue& r = c.reference;
@@ -130,12 +140,13 @@ std::string table_text(const ValidationTable& table) {
 }
 
 std::string statement_text(const ComparedStatement& s) {
-  std::string verdict = verdict_name(s.verdict.kind);
+  std::string verdict(verdict_name(s.verdict.kind));
   if (!s.verdict.only_with.empty()) verdict += fmt::format(" {}", fmt::join(s.verdict.only_with, ", "));
   std::transform(verdict.begin(), verdict.begin() + 1, verdict.begin(),
                  [](char c) { return static_cast<char>(std::toupper(c)); });
   return wrapped(fmt::format("{}: \"{}\"", s.section, s.text), "  ", 110) +
          wrapped(verdict + ". " + s.verdict.evidence, "      ", 110) +
+         (s.unexpected() ? fmt::format("      CHANGED: on record it {}\n", verdict_name(s.expected)) : "") +
          (s.verdict.why.empty() ? "" : wrapped("Why: " + s.verdict.why, "      ", 110));
 }
 
@@ -167,8 +178,9 @@ Outcome Comparison::outcome() const {
   if (!computed) return is_built ? Outcome::missing : Outcome::not_built;
   const bool as_printed = reference.printed.is_reproduced_by(*computed);
   if (reference.differs.empty()) return as_printed ? Outcome::reproduces : Outcome::unexpected;
-  const bool as_corrected = !reference.corrected || reference.corrected->is_reproduced_by(*computed);
-  return !as_printed && as_corrected ? Outcome::differs : Outcome::unexpected;
+  const bool as_recorded = std::abs(reference.printed.off(*computed) - reference.off) <= 1.0 &&
+                           (!reference.corrected || reference.corrected->is_reproduced_by(*computed));
+  return !as_printed && as_recorded ? Outcome::differs : Outcome::unexpected;
 }
 
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
@@ -197,17 +209,47 @@ std::string validation_text(const std::vector<SourceReport>& reports) {
     }
     for (const ValidationTable& table : report.tables) text += table_text(table);
     for (const ComparedStatement& s : report.statements) text += statement_text(s);
+    for (const std::string& file : report.changed_data)
+      text += fmt::format("  CHANGED: {} is not the file whose SHA-256 is on record\n", file);
     if (!report.not_built.empty())
       text += wrapped(fmt::format("Not computed, because not built: {}; scripts/install.sh builds all.",
                                   fmt::join(report.not_built, ", ")),
                       "  ", 110);
     text += '\n';
   }
-  return text;
+  return text + summary(reports).text() + '\n';
+}
+
+ValidationSummary summary(const std::vector<SourceReport>& reports) {
+  ValidationSummary all;
+  const auto count = [&](bool is_changed, bool holds) {
+    ++(is_changed ? all.changed : holds ? all.hold : all.known_not_to);
+  };
+  for (const SourceReport& report : reports) {
+    for (const Comparison& c : report.comparisons)
+      if (c.outcome() == Outcome::not_built)
+        ++all.not_built;
+      else
+        count(c.unexpected(), c.outcome() == Outcome::reproduces);
+    for (const ComparedStatement& s : report.statements) count(s.unexpected(), s.verdict.kind == Verdict::Kind::holds);
+    all.hold += report.data - report.changed_data.size();
+    all.changed += report.changed_data.size();
+  }
+  all.compared = all.hold + all.known_not_to + all.changed;
+  return all;
+}
+
+std::string ValidationSummary::text() const {
+  return fmt::format("Compared {} numbers, statements and files: {} hold, {} {} known not to, {} changed{}.", compared,
+                     hold, known_not_to, known_not_to == 1 ? "is" : "are", changed,
+                     not_built == 0 ? "" : fmt::format("; {} not computed, because not built", not_built));
 }
 
 nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports, const DocumentInfo& info) {
   Json document = document_head(info, {});
+  const ValidationSummary all = summary(reports);
+  document["summary"] = {{"compared", all.compared}, {"hold", all.hold},           {"known_not_to", all.known_not_to},
+                         {"changed", all.changed},   {"not_built", all.not_built}, {"text", all.text()}};
   document["sources"] = Json::array();
   for (const SourceReport& report : reports) {
     Json source{{"name", report.name}, {"source", report.source}};
@@ -221,9 +263,11 @@ nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports,
       source["statements"].push_back({{"section", s.section},
                                       {"text", s.text},
                                       {"verdict", verdict_name(s.verdict.kind)},
+                                      {"recorded", verdict_name(s.expected)},
                                       {"only_with", s.verdict.only_with},
                                       {"evidence", s.verdict.evidence},
                                       {"why", s.verdict.why}});
+    for (const std::string& file : report.changed_data) source["changed_files"].push_back(file);
     for (const std::string& what : report.not_built) source["not_computed"].push_back(what);
     document["sources"].push_back(std::move(source));
   }
@@ -294,12 +338,14 @@ std::optional<int> stated_decimals(const Node& map, ErrorList& errors) {
 
 PrintedValue read_value(const Node& node, ErrorList& errors) {
   PrintedValue value;
-  if (!is_map_of(node, {"quantity", "where", "printed", "precision", "differs", "corrected"}, errors)) return value;
+  if (!is_map_of(node, {"quantity", "where", "printed", "precision", "differs", "off", "corrected"}, errors))
+    return value;
   value.quantity = required_text(node, "quantity", errors);
   value.where = required_text(node, "where", errors);
   value.printed = printed_number(node, "printed", errors);
   value.printed.decimals = stated_decimals(node, errors);
   value.differs = optional_text(node, "differs", errors);
+  if (!value.differs.empty()) value.off = parse_number(required_text(node, "off", errors)).value_or(0.0);
   if (const Node* corrected = input::find(node, "corrected")) {
     value.corrected = printed_number(node, "corrected", errors);
     if (value.differs.empty()) errors.add(corrected->key_place, "corrected", "expected `differs` next to it: say why");
@@ -332,9 +378,19 @@ ReferenceCase read_case(const Node& node, const std::filesystem::path& folder, E
 }
 
 PrintedStatement read_statement(const Node& node, ErrorList& errors) {
-  if (!is_map_of(node, {"section", "text", "check", "why"}, errors)) return {};
-  return {required_text(node, "section", errors), required_text(node, "text", errors),
-          required_text(node, "check", errors), optional_text(node, "why", errors)};
+  if (!is_map_of(node, {"section", "text", "check", "why", "expected"}, errors)) return {};
+  PrintedStatement s{required_text(node, "section", errors), required_text(node, "text", errors),
+                     required_text(node, "check", errors), optional_text(node, "why", errors)};
+  const std::string expected = optional_text(node, "expected", errors);
+  const auto found = std::ranges::find(kVerdicts, expected);
+  if (found != kVerdicts.end())
+    s.expected = static_cast<Verdict::Kind>(found - kVerdicts.begin());
+  else if (!expected.empty())
+    errors.add(input::find(node, "expected")->place, "expected", "got {}; expected {}", input::shown(expected),
+               fmt::join(kVerdicts, " | "));
+  if (s.expected != Verdict::Kind::holds && s.why.empty())
+    errors.add(node.place, "why", "missing; expected the reason why it does not hold");
+  return s;
 }
 
 }  // namespace
@@ -353,6 +409,8 @@ int PrintedNumber::last_place() const {
   if (point == std::string::npos) return exponent;
   return exponent - static_cast<int>(mantissa.size() - point - 1);
 }
+
+double PrintedNumber::off(double computed) const { return 0.5 * (computed - value()) / half_unit(); }
 
 double PrintedNumber::half_unit() const { return 0.5 * std::pow(10.0, last_place()); }
 
@@ -378,13 +436,15 @@ Reference read_reference(const std::filesystem::path& file) {
   ErrorList errors(source);
   const Node root = input::read_document(source, errors);
   Reference reference{.folder = file.parent_path()};
-  if (is_map_of(root, {"source", "cases", "statements"}, errors)) {
+  if (is_map_of(root, {"source", "cases", "statements", "data"}, errors)) {
     reference.source = required_text(root, "source", errors);
     for (const Node& c : required_list(root, "cases", errors))
       reference.cases.push_back(read_case(c, reference.folder, errors));
     if (input::find(root, "statements") != nullptr)
       for (const Node& s : required_list(root, "statements", errors))
         reference.statements.push_back(read_statement(s, errors));
+    if (const Node* data = input::find(root, "data"))
+      for (const Node& entry : data->children) reference.data.emplace(entry.key, entry.text);
   }
   errors.throw_if_any();
   return reference;

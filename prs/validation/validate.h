@@ -20,6 +20,10 @@ struct PrintedNumber {
   int digits() const;
   /// How many of them a computed number shares, counted by the distance in units of the last.
   int agreeing_digits(double computed) const;
+  /// Computed less printed, in units of the last known digit.
+  double off(double computed) const;
+  /// Decimals of the last known digit, negative left of the point.
+  int last_decimals() const { return -last_place(); }
 
  private:
   int last_place() const;
@@ -31,6 +35,7 @@ struct PrintedValue {
   std::string where;     ///< Table or equation of the source.
   PrintedNumber printed;
   std::string differs;                     ///< Why the theory does not give it, where it does not; else empty.
+  double off = 0.0;                        ///< By how many units of its last digit it differs, to a unit.
   std::optional<PrintedNumber> corrected;  ///< What it gives instead, from an independent source.
 };
 
@@ -42,12 +47,22 @@ struct ReferenceCase {
   std::vector<PrintedValue> values;
 };
 
+/// What the run says of a statement that a source makes in words.
+struct Verdict {
+  enum class Kind { holds, holds_only_with, does_not_hold };
+  Kind kind = Kind::does_not_hold;
+  std::vector<std::string> only_with = {};  ///< Variants of the model under which it holds.
+  std::string evidence = {};                ///< From the plain model and the first variant that holds.
+  std::string why = {};                     ///< Reason why it does not hold with the plain model.
+};
+
 /// What a source says in words, and the name of its check in the source's code.
 struct PrintedStatement {
   std::string section;  ///< Section in which the source makes it.
   std::string text;     ///< The source's words.
   std::string check;
-  std::string why = {};  ///< The mechanics behind it where it does not hold; shown only then.
+  std::string why = {};                           ///< The mechanics behind it where it does not hold; shown only then.
+  Verdict::Kind expected = Verdict::Kind::holds;  ///< As it was found before.
 };
 
 /// `reference.yaml` of one source.
@@ -56,6 +71,7 @@ struct Reference {
   std::string source = {};  ///< Citation.
   std::vector<ReferenceCase> cases = {};
   std::vector<PrintedStatement> statements = {};
+  std::map<std::string, std::string> data = {};  ///< Files below the folder with their SHA-256.
 };
 
 /// Reads a `reference.yaml`; unknown, duplicate and missing keys are errors. Throws
@@ -108,19 +124,13 @@ struct Finding {
   std::string evidence;
 };
 
-/// What the run says of a statement that a source makes in words.
-struct Verdict {
-  enum class Kind { holds, holds_only_with, does_not_hold };
-  Kind kind = Kind::does_not_hold;
-  std::vector<std::string> only_with;  ///< Variants of the model under which it holds.
-  std::string evidence;                ///< From the plain model and the first variant that holds.
-  std::string why;                     ///< Reason why it does not hold with the plain model.
-};
-
 struct ComparedStatement {
   std::string section;
   std::string text;
   Verdict verdict;
+  Verdict::Kind expected = Verdict::Kind::holds;
+
+  bool unexpected() const { return verdict.kind != expected; }
 };
 
 /// Statements as predicates on the results of one variant of the model, by the names of the checks.
@@ -163,7 +173,7 @@ std::vector<ComparedStatement> compare(const std::vector<PrintedStatement>& stat
   std::vector<ComparedStatement> compared;
   for (const PrintedStatement& s : statements)
     if (const auto check = checks.find(s.check); check != checks.end())
-      compared.push_back({s.section, s.text, compare(check->second, s.why, variants)});
+      compared.push_back({s.section, s.text, compare(check->second, s.why, variants), s.expected});
   return compared;
 }
 
@@ -181,7 +191,7 @@ struct ValidationTable {
 
 enum class Outcome {
   reproduces,
-  differs,     ///< Listed as different with a reason; a corrected number, where given, is met.
+  differs,     ///< Off as recorded, with a reason; a corrected number, where given, is met.
   unexpected,  ///< Not reproduced and not listed, or listed and reproduced all the same.
   missing,     ///< The result does not hold the quantity.
   not_built,   ///< The program leaves out what computes it.
@@ -214,7 +224,18 @@ struct SourceReport : Supplement {
   std::string name;    ///< Name of the folder.
   std::string source;  ///< Citation.
   std::vector<Comparison> comparisons;
+  std::vector<std::string> changed_data = {};  ///< Files that are not those of the record.
+  std::size_t data = 0;                        ///< Number of files on record.
 };
+
+/// How many numbers, statements and files of data there are, and how they compare with what is recorded of them.
+struct ValidationSummary {
+  std::size_t compared = 0, hold = 0, known_not_to = 0, changed = 0, not_built = 0;
+
+  /// `Compared 512: 440 hold, 72 are known not to, 0 changed.`
+  std::string text() const;
+};
+ValidationSummary summary(const std::vector<SourceReport>& reports);
 
 /// What the code of one folder adds to its `reference.yaml`.
 struct SourceExtension {

@@ -1295,6 +1295,7 @@ class LoadCase(Record):
     travel: positions of the turning mechanism
     modes: natural vibration about the equilibrium
     warnings: what is unusual about this load
+    assumptions: choices of the model that matter for it
     newton_history: one per linear solve; documents of many load cases leave it out
     heat: with `heat`: loads and slip are those at its temperatures
     slip: of `prs slip`
@@ -1331,6 +1332,7 @@ class LoadCase(Record):
     travel: Travel | None
     modes: Modes | None
     warnings: list[str]
+    assumptions: list[str] | None
     newton_history: list[NewtonIteration] | None
     heat: Heat | None
     slip: Slip | None
@@ -1733,6 +1735,24 @@ class LifeAtRest(Record):
     system: LifeInUse
 
 
+class ModifiedLife(Record):
+    """What film and dirt do to the life, by ISO 281.
+
+    film_ratio: Lambda under the mean load at the operation's speed, the smallest of all threads
+    viscosity_ratio: kappa = Lambda^1.3; ISO 281:2007, 9.3.3
+    load_ratio: C_u/P, (1.5 GPa over the largest peak pressure)^3 under the mean load; ISO 281:2007, 9.3.3
+    factor: a_ISO, next to the modification_factor that the case states; ISO 281:2007, 9.3.3
+    system: of the mechanism, real thread loads
+    """
+
+    __slots__ = ()
+    film_ratio: float
+    viscosity_ratio: float
+    load_ratio: float
+    factor: float
+    system: LifeInUse
+
+
 class WeakestThread(Record):
     """The thread that fails first, of those that turn under load.
 
@@ -1889,6 +1909,7 @@ class Life(Record):
     catalogue: (C_a/F_m)^3
     static_safety: the smaller of both directions; ISO 76
     static_safety_limit: pressure | given
+    modified: with film and contamination; where life.contamination is stated
     weakest_thread: that fails first
     tension: flanks that carry tension
     compression: flanks that carry compression
@@ -1912,6 +1933,7 @@ class Life(Record):
     catalogue: LifeInUse | None
     static_safety: float | None
     static_safety_limit: str | None
+    modified: ModifiedLife | None
     weakest_thread: WeakestThread | None
     tension: DirectionLife | None
     compression: DirectionLife | None

@@ -91,7 +91,7 @@ TEST_F(NewCase, EveryScrewOfACatalogueRunsThroughAllCommandsNearTheMakersNumbers
     EXPECT_THAT(1e-6 * measure("roller_inertia_kg_mm2") / s.roller_inertia, between(0.82, 1.18)) << s.name;
     for (const auto& load : found["slip"]["load_cases"]) {
       EXPECT_EQ(load["slip"]["converged"], true) << s.name;
-      EXPECT_THAT(load["slip"]["efficiency"].get<double>() / s.efficiency, between(0.9, 1.06)) << s.name;
+      EXPECT_THAT(load["slip"]["efficiency"].get<double>() / s.efficiency, between(0.88, 1.06)) << s.name;
     }
   }
 }

@@ -80,6 +80,27 @@ TEST_F(LifeCommand, MakersScrewsAreNoMeasureOfInvertedOnes) {
   EXPECT_EQ(standard.find("spectra"), std::string::npos) << standard;
 }
 
+/// The film is that of `slip` under the mean load; a single load has it as its mean.
+TEST_F(LifeCommand, FilmAndDirtGiveTheFactorOfTheStandard) {
+  ASSERT_EQ(prs("new standard " + (folder.path() / "a.yaml").string() + " --screw-diameter 25mm --lead 5mm").status, 0);
+  const std::string file = (folder.path() / "a.yaml").string();
+  const auto life = nlohmann::json::parse(prs("life --set life.contamination=0.5 --json --quiet " + file).out)["life"];
+  const auto slip = nlohmann::json::parse(prs("slip --json --quiet " + file).out)["load_cases"][0];
+  double film = 1e9, pressure = 0.0;
+  for (const char* side : {"screw", "nut"}) {
+    for (const double ratio : slip["slip"][side]["film_ratio"]) film = std::min(film, ratio);
+    for (const double p : slip[side]["peak_pressure_MPa"]) pressure = std::max(pressure, p);
+  }
+  const auto& modified = life["modified"];
+  EXPECT_NEAR(modified["film_ratio"].get<double>() / film, 1.0, 1e-9);
+  EXPECT_NEAR(modified["load_ratio"].get<double>() / std::pow(1500.0 / pressure, 3), 1.0, 1e-9);
+  EXPECT_NEAR(modified["system"]["l10_revolutions"].get<double>() /
+                  (modified["factor"].get<double>() * life["system"]["l10_revolutions"].get<double>()),
+              1.0, 1e-12);
+  EXPECT_THAT(prs("life configs/14_flight_spectrum.yaml --set life.contamination=0.5").err,
+              HasSubstr("life.contamination: expected `friction`"));
+}
+
 TEST_F(LifeCommand, RefusesWhatIsWrongWhereItStands) {
   const std::string lesson = "life configs/14_flight_spectrum.yaml --json ";
   for (const auto& [set, message] : std::initializer_list<std::pair<const char*, const char*>>{

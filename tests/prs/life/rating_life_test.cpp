@@ -102,5 +102,17 @@ TEST(ThreadLife, OfEqualThreadsCombinesToTheRatingLife) {
     }
 }
 
+/// The three pieces of the standard meet at 0.4 and at 1; without cleanliness a tenth is left; at kappa = 1 and
+/// e_C C_u/P = 0.1 by hand: 0.1 (1 - 0.5684^0.83 0.1^(1/3))^-9.3 = 2.43.
+TEST(ModificationFactor, IsThatOfIso281) {
+  EXPECT_NEAR(modification_factor(1.0, 1.0, 0.1), 2.43, 5e-3);
+  for (const double joint : {0.4, 1.0})
+    EXPECT_NEAR(modification_factor(joint * (1.0 - 1e-12), 0.5, 0.3) / modification_factor(joint, 0.5, 0.3), 1.0, 1e-3);
+  EXPECT_NEAR(modification_factor(2.0, 0.0, 1.0), 0.1, 1e-12);
+  EXPECT_EQ(modification_factor(4.0, 1.0, 3.0), 50.0);
+  EXPECT_EQ(modification_factor(9.0, 0.5, 0.1), modification_factor(4.0, 0.5, 0.1));
+  EXPECT_EQ(modification_factor(0.05, 1.0, 1.0), 0.1);
+}
+
 }  // namespace
 }  // namespace prs

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -10,6 +12,8 @@
 
 #include "prs/input/source.h"
 #include "prs/model/problems.h"
+#include "prs/sha256.h"
+#include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/extensions.h"
 
@@ -68,6 +72,69 @@ TEST(Validation, NothingUnexpectedAndNothingMissingInAnySource) {
       EXPECT_FALSE(c.unexpected()) << report.name << ' ' << c.case_name << ' ' << c.reference.quantity << ": "
                                    << name(c.outcome());
   }
+}
+
+/// Each number that is recorded, printed or corrected, changed by ten times its precision.
+TEST(Validation, EveryNumberThatChangesIsSeen) {
+  for (const SourceReport& report : all_reports())
+    for (const Comparison& c : report.comparisons)
+      for (const double ten : {-10.0, 10.0}) {
+        Comparison moved = c;
+        PrintedNumber& printed = moved.reference.printed;
+        printed = {fmt::format("{:.17g}", printed.value() + 2.0 * ten * printed.half_unit()), printed.last_decimals()};
+        EXPECT_TRUE(moved.unexpected()) << report.name << ' ' << c.reference.where;
+        if (!c.reference.corrected) continue;
+        moved = c;
+        PrintedNumber& corrected = *moved.reference.corrected;
+        corrected = {fmt::format("{:.17g}", corrected.value() + 2.0 * ten * corrected.half_unit()),
+                     corrected.last_decimals()};
+        EXPECT_TRUE(moved.unexpected()) << report.name << ' ' << c.reference.where;
+      }
+}
+
+/// Each verdict in words that is recorded, and each file of data, one byte of it changed.
+TEST(Validation, EveryStatementAndEveryFileOfDataThatChangesIsSeen) {
+  for (const SourceReport& report : all_reports())
+    for (ComparedStatement s : report.statements) {
+      EXPECT_FALSE(s.unexpected()) << s.text;
+      using enum Verdict::Kind;
+      s.verdict.kind = s.verdict.kind == holds ? does_not_hold : holds;
+      EXPECT_TRUE(s.unexpected()) << s.text;
+    }
+  for (const auto& entry : std::filesystem::directory_iterator(kSources)) {
+    if (!std::filesystem::exists(entry.path() / "reference.yaml")) continue;
+    const Reference reference = read_reference(entry.path() / "reference.yaml");
+    for (const auto& file : std::filesystem::recursive_directory_iterator(entry.path()))
+      if (file.path().extension() == ".csv" || file.path().extension() == ".json") {
+        const std::string path = std::filesystem::relative(file.path(), entry.path()).generic_string();
+        ASSERT_TRUE(reference.data.contains(path)) << entry.path() << ": " << path;
+        std::string text = test::content_of(file.path());
+        EXPECT_EQ(sha256(text), reference.data.at(path)) << path;
+        ++text.back();
+        EXPECT_NE(sha256(text), reference.data.at(path)) << path;
+      }
+  }
+}
+
+/// Counts that a reader can check by hand.
+TEST(Validation, TheSummaryCountsWhatHoldsAndWhatChanged) {
+  SourceReport report = report_of(
+      "      - {quantity: contact.centre_distance_mm, where: a, printed: '20'}\n"
+      "      - {quantity: contact.centre_distance_mm, where: b, printed: '21'}\n"
+      "      - {quantity: contact.centre_distance_mm, where: c, printed: '21', off: -1, "
+      "differs: a slip}\n");
+  report.statements = {{"1", "true", {Verdict::Kind::holds}}, {"2", "not true", {}, Verdict::Kind::does_not_hold}};
+  EXPECT_EQ(summary({report}).text(),
+            "Compared 5 numbers, statements and files: 2 hold, 2 are known not to, 1 changed.");
+}
+
+TEST(Validation, ANumberThatChangesMakesTheCommandFail) {
+  const test::TemporaryDirectory folder;
+  std::filesystem::copy(kSources / "standard_screws", folder.path() / "standard_screws");
+  const std::string command = "validate --quiet " + folder.path().string();
+  EXPECT_EQ(test::run_prs(command).status, 0);
+  std::ofstream(folder.path() / "standard_screws/screws.csv", std::ios::app) << "#\n";
+  EXPECT_EQ(test::run_prs(command).status, 1);
 }
 
 TEST(Validation, EverySourceFolderHasItsReferenceAndSource) {
@@ -159,15 +226,16 @@ TEST(Validation, AWrongPrintedDigitIsUnexpected) {
   EXPECT_EQ(outcome_of("printed: '20.00'"), Outcome::reproduces);
   EXPECT_EQ(outcome_of("printed: '20.01'"), Outcome::unexpected);
   EXPECT_EQ(outcome_of("printed: '20'"), Outcome::reproduces);
-  EXPECT_EQ(outcome_of("printed: '20.01', differs: a slip"), Outcome::differs);
-  EXPECT_EQ(outcome_of("printed: '20.00', differs: none"), Outcome::unexpected);
+  EXPECT_EQ(outcome_of("printed: '20.01', off: -1, differs: a slip"), Outcome::differs);
+  EXPECT_EQ(outcome_of("printed: '20.01', off: -4, differs: a slip"), Outcome::unexpected);
+  EXPECT_EQ(outcome_of("printed: '20.00', off: 1, differs: none"), Outcome::unexpected);
   EXPECT_EQ(report_of("      - {quantity: contact.lead_mm, where: here, printed: '1'}\n").comparisons[0].outcome(),
             Outcome::missing);
 }
 
 TEST(Validation, ACorrectedNumberIsHeldToItsDigitsToo) {
-  EXPECT_EQ(outcome_of("printed: '21', differs: a slip, corrected: '20.000'"), Outcome::differs);
-  EXPECT_EQ(outcome_of("printed: '21', differs: a slip, corrected: '20.001'"), Outcome::unexpected);
+  EXPECT_EQ(outcome_of("printed: '21', off: -1, differs: a slip, corrected: '20.000'"), Outcome::differs);
+  EXPECT_EQ(outcome_of("printed: '21', off: -1, differs: a slip, corrected: '20.001'"), Outcome::unexpected);
 }
 
 TEST(Validation, AStatedPrecisionReplacesThatOfTheLastDigit) {
@@ -214,7 +282,7 @@ TEST(Validation, ASourcesCodeFindsTheFilesBesideItsCase) {
                                                  EXPECT_EQ(subject.mechanism.rollers, 9);
                                                  EXPECT_TRUE(std::filesystem::exists(reference.folder / "case.yaml"));
                                                  Supplement s;
-                                                 s.statements.push_back({"1", "a statement", {}});
+                                                 s.statements.push_back({"1", "a statement", {Verdict::Kind::holds}});
                                                  s.tables.push_back({"second", {"a"}, {}});
                                                  s.figures.emplace_back().name = "a figure";
                                                  s.files.push_back({"a.csv", "a"});
