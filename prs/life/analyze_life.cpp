@@ -649,9 +649,9 @@ void warn_of_loads(LifeResult& r) {
     };
     for (const Interface i : kInterfaces) {
       const std::optional<double> pressure = r.flanks[d]->peak_pressure[i];
-      if (pressure && *pressure > kStaticPressureLimit) add_to_sense(static_pressure_warning(loads, i, *pressure));
+      if (pressure) add_to_sense(static_pressure_warning(loads, i, *pressure, r.contacts));
       if (const auto& running = r.flanks[d]->running_peak_pressure[i])
-        add_to_sense(running_pressure_warning(loads, i, *running));
+        add_to_sense(running_pressure_warning(loads, i, *running, r.contacts));
     }
     if (const auto& rating = r.flanks[d]->static_rating)
       add_to_sense(beyond_static_rating(r.flanks[d]->largest_force, *rating));

@@ -92,8 +92,9 @@ void warn_of_threads(const PerInterface<InterfaceLoads>& threads, const Contacts
                              .with(static_cast<double>(open), static_cast<double>(contacts_of - missing)));
     const auto& pressure = threads[i].peak_pressure;
     const auto highest = std::max_element(pressure.begin(), pressure.end());
-    if (highest != pressure.end() && *highest > kStaticPressureLimit)
-      warnings.push_back(static_pressure_warning(path, i, *highest));
+    if (highest != pressure.end())
+      if (auto warning = static_pressure_warning(path, i, *highest, contacts))
+        warnings.push_back(*std::move(warning));
     warn_of_ellipse_beyond_flank(threads[i], contacts, i, path, warnings);
   }
 }
@@ -204,20 +205,25 @@ void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
     warn_of_threads(*result.threads, contacts, path_in(result.load_case, "axial_force"), result.warnings);
 }
 
-Warning static_pressure_warning(std::string path, Interface i, double pressure) {
+std::optional<Warning> static_pressure_warning(std::string path, Interface i, double pressure,
+                                               const Contacts& contacts) {
+  const std::optional<double>& limit = contacts.interfaces[i].pressure_limit;
+  if (!limit || pressure <= *limit) return std::nullopt;
   return Warning{std::move(path), fmt::format("{}_peak_pressure", name(i)),
                  fmt::format("{} peak pressure {{value}} exceeds {{limit}}", label(i))}
-      .with(pressure, kStaticPressureLimit, text_unit::gigapascal);
+      .with(pressure, *limit, text_unit::gigapascal);
 }
 
-std::optional<Warning> running_pressure_warning(std::string path, Interface i, double pressure) {
-  if (pressure <= kRunningPressureLimit || pressure > kStaticPressureLimit) return std::nullopt;
+std::optional<Warning> running_pressure_warning(std::string path, Interface i, double pressure,
+                                                const Contacts& contacts) {
+  const std::optional<double>& limit = contacts.interfaces[i].pressure_limit;
+  if (!limit || pressure <= kRunningPressureLimit || pressure > *limit) return std::nullopt;
   return Warning{std::move(path), fmt::format("{}_running_pressure", name(i)),
                  fmt::format("{} peak pressure {{value}} is above {:g} GPa, much for flanks that run "
                              "({{limit}} is the limit at rest)",
                              label(i), kRunningPressureLimit * per_si::gigapascal),
                  "lower the load or take more contacts"}
-      .with(pressure, kStaticPressureLimit, text_unit::gigapascal);
+      .with(pressure, *limit, text_unit::gigapascal);
 }
 
 }  // namespace prs

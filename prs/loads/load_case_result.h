@@ -47,16 +47,18 @@ void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts, si
 /// Adds warnings: open threads, high pressures, ellipses beyond the flanks.
 void add_warnings(LoadCaseResult& result, const Contacts& contacts);
 
-/// The warning on a peak pressure [Pa] of an interface above `kStaticPressureLimit`.
-Warning static_pressure_warning(std::string path, Interface i, double peak_pressure);
+/// The warning on a peak pressure [Pa] of an interface above its limit.
+std::optional<Warning> static_pressure_warning(std::string path, Interface i, double peak_pressure,
+                                               const Contacts& contacts);
 
 /// Contact pressure [Pa] above which a screw that turns under load gets a warning. Flanks of
 /// bearing steel that run above about 2.5 GPa have a short life, whatever their static safety.
 inline constexpr double kRunningPressureLimit = 2.5e9;
 
 /// A warning where the largest peak pressure [Pa] of an interface is above `kRunningPressureLimit`;
-/// none above `kStaticPressureLimit`, which has a warning of its own. `slip`, `life` and, with a
+/// none above its limit, which has a warning of its own, or where no limit is known. `slip`, `life` and, with a
 /// speed, `measures` give it: `solve` does not know whether the screw turns under the load.
-std::optional<Warning> running_pressure_warning(std::string path, Interface i, double peak_pressure);
+std::optional<Warning> running_pressure_warning(std::string path, Interface i, double peak_pressure,
+                                                const Contacts& contacts);
 
 }  // namespace prs

@@ -144,10 +144,13 @@ Figures peak_pressure(const Result& result, const FigureOptions& options) {
                      loads_of<&InterfaceLoads::peak_pressure>, per_si::megapascal, has_pressure},
                     result, options);
   if (!figure) return {};
-  const std::size_t limit =
-      figure->add(fmt::format("static limit {:.1f} GPa, ISO 76", kStaticPressureLimit * per_si::gigapascal),
-                  line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
-  for (Panel& panel : figure->panels) panel.references.push_back({limit, kStaticPressureLimit * per_si::megapascal});
+  const PerInterface<InterfaceContact>& of = result.contacts.interfaces;
+  if (!of.screw.pressure_limit || !of.nut.pressure_limit) return from_zero(std::move(figure));
+  const double pressure = std::min(*of.screw.pressure_limit, *of.nut.pressure_limit);
+  const std::size_t limit = figure->add(fmt::format("static limit {:.1f} GPa{}", pressure * per_si::gigapascal,
+                                                    pressure == kStaticPressureLimit ? ", ISO 76" : ""),
+                                        line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
+  for (Panel& panel : figure->panels) panel.references.push_back({limit, pressure * per_si::megapascal});
   return from_zero(std::move(figure));
 }
 

@@ -351,7 +351,7 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& 
   if (runs(c, result.load_case))
     for (const Interface i : kInterfaces)
       if (load_measures.largest_peak_pressure[i])
-        add(running_pressure_warning(path, i, *load_measures.largest_peak_pressure[i]));
+        add(running_pressure_warning(path, i, *load_measures.largest_peak_pressure[i], result.contacts));
   if (load_measures.thread_stiffness && result.axial_stiffness &&
       *load_measures.thread_stiffness < *result.axial_stiffness)
     warnings.push_back(Warning{"measures.loaded_width", "soft_threads",

@@ -77,8 +77,8 @@ void warn_of_pressure(PreloadResult& result) {
     for (const PreloadPoint& point : result.curve.points)
       for (const Direction d : kDirections) load = std::max(load, point.sides[d].max_normal_load[i]);
     const double pressure = contact::at_load(contact.hertz, load).peak_pressure;
-    if (pressure > kStaticPressureLimit)
-      result.warnings.push_back(static_pressure_warning("preload.load", i, pressure));
+    if (auto warning = static_pressure_warning("preload.load", i, pressure, result.contacts))
+      result.warnings.push_back(*std::move(warning));
   }
 }
 

@@ -1,6 +1,8 @@
 #include "prs/run/study.h"
 
 #include <chrono>
+#include <iterator>
+#include <map>
 
 #include "prs/input/force_history.h"
 #include "prs/model/check_case.h"
@@ -145,6 +147,29 @@ std::vector<Warning> void_factor_warnings(const input::StudyInput& in, const std
   return warnings;
 }
 
+namespace {
+
+/// One warning for each assumed value of the file, which does not follow the factors, that refuses designs.
+std::vector<Warning> assumed_value_warnings(const input::StudyInput& in, const StudyResult& result) {
+  std::map<std::string, std::size_t> refusals;
+  for (const StudyRow& row : result.rows)
+    if (row.status.name == "refused") ++refusals[row.status.reason.substr(0, row.status.reason.find(':'))];
+  if (refusals.empty()) return {};
+  input::DesignFile base = input::read_design_file(in, {});
+  const auto assumed = input::assumptions(input::echo(std::move(base.file), base.root), in.source);
+  std::vector<Warning> warnings;
+  for (const auto& [path, count] : refusals)
+    if (assumed.contains(path))
+      warnings.push_back({path, "assumed_value",
+                          fmt::format("assumed for the values of the file, it does not follow the factors, and refuses {} "
+                                      "design{}",
+                                      count, count == 1 ? "" : "s"),
+                          "change it `with` the factor, or write each design by `prs new`"});
+  return warnings;
+}
+
+}  // namespace
+
 std::vector<Warning> study_warnings(const input::StudyInput& in, const StudyResult& result,
                                     const std::function<const DesignEngine&()>& engine) {
   const Study& study = result.study;
@@ -162,6 +187,7 @@ std::vector<Warning> study_warnings(const input::StudyInput& in, const StudyResu
                           "run the study in one piece for that"});
   }
   for (const std::size_t f : idle) warnings.push_back(idle_warning(study.factors[f]));
+  std::ranges::move(assumed_value_warnings(in, result), std::back_inserter(warnings));
   return warnings;
 }
 

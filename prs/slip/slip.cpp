@@ -300,10 +300,10 @@ std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m
 }
 
 void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const LoadCase& load,
-                              std::vector<Warning>& warnings) {
+                              const Contacts& contacts, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces)
     if (const auto& pressure = threads[i].peak_pressure; !pressure.empty())
-      if (auto warning = running_pressure_warning(path_in(load, "axial_force"), i, std::ranges::max(pressure)))
+      if (auto warning = running_pressure_warning(path_in(load, "axial_force"), i, std::ranges::max(pressure), contacts))
         warnings.push_back(std::move(*warning));
 }
 
@@ -592,7 +592,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       if (auto note = unknown_heat_flow(c, result.contacts.mechanism, loaded.slip->power.total()))
         loaded.warnings.push_back(std::move(*note));
     }
-    warn_of_running_pressure(*loaded.threads, loaded.load_case, loaded.warnings);
+    warn_of_running_pressure(*loaded.threads, loaded.load_case, result.contacts, loaded.warnings);
   }
   return result;
 }

@@ -19,6 +19,7 @@ constexpr double kConformity = 0.01;
 
 void add_hertz(InterfaceContact& c, const Material& body, const Material& roller, Detail detail) {
   c.contact_modulus = contact::contact_modulus(body, roller);
+  c.pressure_limit = static_pressure_limit(body, roller);
   c.hertz = contact::hertz_constants(c.geometry.relative.first, c.geometry.relative.second, c.contact_modulus);
   // Both bodies carry the same pressure; the larger shear stress is that of the smaller nu.
   if (c.hertz.ok() && detail == Detail::complete)

@@ -27,6 +27,8 @@ struct InterfaceContact {
   /// Below the centre of the ellipse; absent without Hertz contact and with Detail::numbers.
   std::optional<contact::SubsurfaceShear> shear;
   double contact_modulus = 0.0;              ///< E* [Pa], 0 without materials.
+  /// Peak pressure at rest [Pa], `static_pressure_limit` of the materials; absent where none is known.
+  std::optional<double> pressure_limit = kStaticPressureLimit;
   std::optional<ThreadClearance> clearance;  ///< Absent without contact or thread heights.
 
   bool has_hertz() const { return geometry.ok() && hertz.ok(); }

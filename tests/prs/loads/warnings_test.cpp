@@ -1,5 +1,6 @@
 #include "prs/loads/case_table.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,10 +24,23 @@ WarningGroup group_of(const std::vector<Warning>& warnings) {
 
 Warning running(double gigapascals, int load_case = 0) {
   return *running_pressure_warning("load_cases[" + std::to_string(load_case) + "].axial_force", Interface::screw,
-                                   gigapascals * 1e9);
+                                   gigapascals * 1e9, Contacts{});
 }
 
 Warning high(double value) { return Warning{"", "high", "high: {value}"}.with(value); }
+
+/// 4 GPa of steel is no limit of another material, which has the one that its case states, or none.
+TEST(Warning, PressureIsHeldAgainstTheLimitOfTheMaterials) {
+  Contacts contacts;
+  EXPECT_FALSE(static_pressure_warning("a", Interface::screw, 3.9e9, contacts));
+  EXPECT_TRUE(static_pressure_warning("a", Interface::screw, 4.1e9, contacts));
+  contacts.interfaces.screw.pressure_limit = 1e9;
+  EXPECT_THAT(sentence(*static_pressure_warning("a", Interface::screw, 1.2e9, contacts)),
+              testing::HasSubstr("1.2 GPa exceeds 1 GPa"));
+  EXPECT_FALSE(running_pressure_warning("a", Interface::screw, 3e9, contacts));
+  contacts.interfaces.screw.pressure_limit.reset();
+  EXPECT_FALSE(static_pressure_warning("a", Interface::screw, 9e9, contacts));
+}
 
 TEST(Warning, ItsTextHasPathNumbersAndFix) {
   const Warning warning =
