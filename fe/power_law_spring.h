@@ -23,6 +23,9 @@ struct SpringResponse {
 /// The spring in series may take back part of the approach, series_compliance < 0. The law holds
 /// until it takes back half of what the power law adds, 1 + series_compliance d force/dd = 1/2;
 /// from there on the force grows along its tangent.
+///
+/// With an infinite stiffness the spring in series alone is left, a stop with a gap:
+/// force = <w - gap>/series_compliance, series_compliance > 0.
 struct PowerLawSpring {
   double stiffness = 0.0;          ///< k_0 [N/m^1.5], > 0.
   double gap = 0.0;                ///< Approach at which the ends first touch [m].
@@ -71,6 +74,10 @@ inline SpringResponse response_in_series(const PowerLawSpring& s, double d) {
 inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   const double total = w - s.gap;
   if (total <= 0.0) return {};
+  if (std::isinf(s.stiffness)) {
+    const double force = total / s.series_compliance;
+    return {0.5 * force * total, force, 1.0 / s.series_compliance};
+  }
   if (s.series_compliance == 0.0) return power_law(s.stiffness, total);
 
   const double largest = largest_deflection(s);

@@ -32,7 +32,10 @@ void alternatives(Choices& io, Guidance& g) {
      "no radial displacement at both nodes of each end element");
   io("outer_node", g.kind, Guidance::Kind::outer_node, "no radial displacement at the two outermost nodes");
   io("ring", g.kind, Guidance::Kind::ring, g.ring_stiffness, Quantity{unit::stiffness, positive},
-     "a radial spring of this stiffness at both nodes of each end element");
+     "a radial spring of this stiffness at both nodes of each end element", Keys{[&g](const Fields& further) {
+       further("clearance", g.clearance, Quantity{unit::length, not_negative},
+               "Radial displacement of a node up to which its spring takes no force");
+     }});
 }
 
 /// A word of `Travel::SlipRatio`, or a number from 0 to 1.

@@ -380,9 +380,13 @@ Json json_of(const Node* node, const Leaf<Kind, T>& leaf) {
     return leaf.value;
 }
 
+Json json_of(const Node* node, const MapValue& map);
+
 Json json_of(const Node* node, const ChoiceValue& choice) {
   for (const Alternative& a : choice.alternatives())
-    if (a.holds && a.content)
+    if (a.holds && a.map)
+      return json_of(node, a.map());
+    else if (a.holds && a.content)
       return {{a.name, json_of(node ? find(*node, a.name) : nullptr, a.content())}};
     else if (a.holds)
       return a.name;

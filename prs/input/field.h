@@ -197,13 +197,16 @@ struct Leaf {
   Kind kind;
 };
 
-/// A word, or a map with one key.
+struct MapValue;
+
+/// A word, or a map with one key, beside which further ones may stand.
 struct Alternative {
   std::string_view name;
   std::string_view meaning;
   bool holds;  ///< Now.
   std::function<void()> choose;
   std::function<Value()> content;  ///< Value of the key; none of a word.
+  std::function<MapValue()> map;   ///< The key with further ones; none where it stands alone.
 };
 
 struct ChoiceValue {
@@ -342,7 +345,7 @@ struct Choices {
 
   template <class E>
   void operator()(std::string_view name, E& member, std::type_identity_t<E> value, std::string_view meaning) {
-    list.push_back({name, meaning, member == value, [&member, value] { member = value; }, {}});
+    list.push_back({name, meaning, member == value, [&member, value] { member = value; }, {}, {}});
   }
   template <class E, class T, class Kind>
   void operator()(std::string_view name, E& member, std::type_identity_t<E> value, T& content, const Kind& kind,
@@ -350,12 +353,28 @@ struct Choices {
     (*this)(name, member, value, meaning);
     list.back().content = [&content, kind] { return value_of(content, kind); };
   }
+  /// `further` describes the keys that may stand beside KEY.
+  template <class E, class T, class Kind, class List>
+  void operator()(std::string_view name, E& member, std::type_identity_t<E> value, T& content, const Kind& kind,
+                  std::string_view meaning, const Keys<List>& further);
 };
 
 /// The map that a description of keys makes.
 template <class Describe>
 MapValue map_of(Describe describe) {
   return {[describe](const Fields::Take& take) { describe(Fields(take)); }};
+}
+
+template <class E, class T, class Kind, class List>
+void Choices::operator()(std::string_view name, E& member, std::type_identity_t<E> value, T& content, const Kind& kind,
+                         std::string_view meaning, const Keys<List>& further) {
+  (*this)(name, member, value, content, kind, meaning);
+  list.back().map = [=, &content] {
+    return map_of([=, &content](const Fields& io) {
+      io(name, content, kind, required, meaning);
+      further.list(io);
+    });
+  };
 }
 
 template <class Kind, class T>

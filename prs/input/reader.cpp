@@ -251,10 +251,16 @@ std::string spelled_as_a_name(std::string_view text) {
   return name;
 }
 
+void read(const Written& w, const MapValue& map);
+
 void read(const Written& w, const ChoiceValue& choice) {
   const bool is_word = w.node.kind == Node::Kind::scalar;
   const bool is_key = w.node.kind == Node::Kind::map && w.node.children.size() == 1;
   for (const Alternative& a : choice.alternatives()) {
+    if (a.map && w.node.kind == Node::Kind::map && find(w.node, a.name)) {
+      a.choose();
+      return read(w, a.map());
+    }
     if (a.content ? !is_key || w.node.children[0].key != a.name : !is_word || w.node.text != a.name) continue;
     a.choose();
     if (a.content) read({w.node.children[0], join(w.path, a.name), w.errors}, a.content());
@@ -271,8 +277,6 @@ void read(const Written& w, const ChoiceValue& choice) {
     hint = did_you_mean(w.node.children[0].key, names.keys);
   w.refuse(wanted(choice), hint);
 }
-
-void read(const Written& w, const MapValue& map);
 
 /// Refuses a map that names two alternatives, or one next to the key that chooses.
 bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {

@@ -105,6 +105,10 @@ struct ChoiceSchema {
         meanings.push_back(fmt::format("{}: {}", a.name, a.meaning));
         continue;
       }
+      if (a.map) {
+        maps.push_back(schema_of({a.map()}));
+        continue;
+      }
       Json content = schema_of(a.content());
       describe(content, a.meaning);
       maps.push_back(one_key(a.name, std::move(content)));
@@ -245,7 +249,9 @@ std::string text_of(const Leaf<Kind, T>& leaf) {
 std::string text_of(const ChoiceValue& choice) {
   for (const Alternative& a : choice.alternatives())
     if (a.holds)
-      return a.content ? fmt::format("{{{}: {}}}", a.name, input::text_of(a.content())) : std::string(a.name);
+      return a.map       ? input::text_of({a.map()})
+             : a.content ? fmt::format("{{{}: {}}}", a.name, input::text_of(a.content()))
+                         : std::string(a.name);
   return {};
 }
 /// A word needs the key; a block with a name of its own stands for it.

@@ -166,7 +166,10 @@ class SlotFinder {
   void find(const ChoiceValue& choice) const {
     find_other();
     for (const Alternative& a : choice.alternatives())
-      if (a.content && a.holds && a.name == path_.key()) SlotFinder(path_.rest(), slot_).find(a.content());
+      if (a.map && a.holds && !path_.ends())
+        find(a.map());
+      else if (a.content && a.holds && a.name == path_.key())
+        SlotFinder(path_.rest(), slot_).find(a.content());
   }
   void find(const ChoiceUnderKey& under) const {
     SlotFinder(path_.key() == under.key ? path_.rest() : path_, slot_).find(under.choice);

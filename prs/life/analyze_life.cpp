@@ -1,6 +1,7 @@
 #include "prs/life/analyze_life.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
+#include <numeric>
 
 #include "prs/life/contact_loads.h"
 #include "prs/slip/running.h"
@@ -138,7 +139,7 @@ struct Sense {
   int solves = 0;      ///< Equilibria of all curves.
   double error = 0.0;  ///< Largest of them.
   /// Largest load of a thread over that at rest, under the force where friction moves it most.
-  PerInterface<double> over_static{1.0, 1.0};
+  PerInterface<OverStatic> over_static;
 
   bool exists() const { return !forces.empty(); }
   /// Keeps the loads under a force that is asked for again.
@@ -346,12 +347,15 @@ void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCur
     running.shares_at(s.forces[k], runs);
     s.curve->shares_at(s.forces[k], rests);
     for (const Interface i : kInterfaces) {
-      const auto largest = [&](const std::vector<double>& loads) {
-        return std::ranges::max(std::span(loads).subspan(rated.flank(d) + rated.body(i), rated.threads));
+      const auto of_threads = [&](const std::vector<double>& loads) {
+        return std::span(loads).subspan(rated.flank(d) + rated.body(i), rated.threads);
       };
-      const double rest = largest(rests);
-      const double over = rest > 0.0 ? largest(runs) / rest : 1.0;
-      if (std::abs(over - 1.0) > std::abs(s.over_static[i] - 1.0)) s.over_static[i] = over;
+      const std::span<const double> run = of_threads(runs), rest = of_threads(rests);
+      const double largest = std::ranges::max(rest);
+      if (!(largest > 0.0)) continue;
+      const OverStatic over{std::ranges::max(run) / largest, std::accumulate(run.begin(), run.end(), 0.0) /
+                                                                 std::accumulate(rest.begin(), rest.end(), 0.0)};
+      if (std::abs(over.largest - 1.0) > std::abs(s.over_static[i].largest - 1.0)) s.over_static[i] = over;
     }
   }
 }
@@ -602,7 +606,7 @@ void find_lives(const LifeModel& p, LifeResult& r) {
     if (!r.failure && (wanted[d] || p.preloaded())) find_flank(p, senses, r, d);
   if (!p.running() || r.failure) return;
   for (const Direction d : kDirections)
-    if (auto warning = guides_without_play(p.c, senses[d].over_static)) {
+    if (auto warning = guides_press(p.c, senses[d].over_static)) {
       r.warnings.push_back(std::move(*warning));
       return;
     }

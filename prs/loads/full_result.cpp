@@ -312,6 +312,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   flattened.solve = d.solve;
   flattened.axial_displacement = d.axial_displacement;
   flattened.tangent_stiffness = d.tangent_stiffness;
+  flattened.guides = d.guides;
   for (const Interface i : kInterfaces) {
     flattened.normal_load[i] = flat(d.normal_load[i]);
     flattened.approach[i] = flat(d.approach[i]);

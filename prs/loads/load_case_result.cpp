@@ -116,8 +116,10 @@ void set_solved_result(LoadCaseResult& result, const Contacts& contacts, const P
   if (!result.solve->converged()) {
     result.axial_displacement = result.axial_stiffness = result.tangent_stiffness = {};
     result.threads.reset();
+    result.guides.clear();
     return;
   }
+  std::swap(result.guides, d.guides);
   result.tangent_stiffness = d.tangent_stiffness;
   if (d.tangent_stiffness || d.axial_displacement > 0.0) {
     result.axial_displacement = d.axial_displacement;

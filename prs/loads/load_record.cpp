@@ -103,6 +103,12 @@ template <Interface i>
 constexpr auto of_loads =
     of<[](const LoadCaseResult& r) { return r.threads ? &(*r.threads)[i] : nullptr; }, &LoadCaseResult::converged>;
 
+/// Getter of what the guides of all rollers have; none without a clearance.
+template <std::array<double, 4> GuideLoads::*values>
+constexpr auto of_guides = of<[](const LoadCaseResult& r) {
+  return r.guides.empty() ? std::nullopt : std::optional(roller_after_roller(r.guides, values));
+}>;
+
 /// One flank of a nut under preload.
 struct FlankOf {
   const LoadCaseResult* result = nullptr;
@@ -185,6 +191,10 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
      "the same case at rest, at the same temperatures; running loads"},
     {"screw", of_loads<Interface::screw>, "threads of one roller at the screw"},
     {"nut", of_loads<Interface::nut>, "threads of one roller at the nut"},
+    {"guide_displacement_um", of_guides<&GuideLoads::displacement>,
+     "of guides with a clearance, of the roller's end nodes outwards: outer and inner of the first end, inner and "
+     "outer of the last; roller after roller"},
+    {"guide_force_N", of_guides<&GuideLoads::force>, "of these guides on the roller, outwards"},
     {"flanks", of<[](const LoadCaseResult& r) -> std::optional<BothFlanks> {
        if (!r.other_flank || !r.threads) return std::nullopt;
        const bool tension = r.load_case.direction == Direction::tension;

@@ -2,6 +2,7 @@
 
 #include "fe/newton.h"
 #include "prs/heat/result/heat_result.h"
+#include "prs/sector/ring_guide.h"
 #include "prs/slip/result/running_loads.h"
 #include "prs/slip/result/slip_result.h"
 #include "prs/threads/contacts.h"
@@ -80,6 +81,7 @@ struct LoadCaseResult {
   std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
+  std::vector<GuideLoads> guides;                       ///< Those of each roller solved, if they have a clearance.
   std::optional<OtherFlank> other_flank;                ///< Present with preload.
   std::shared_ptr<const FullLoads> full;                ///< Loads of the full mechanism, see full_result.h.
   std::optional<RunningLoads> running;                  ///< Present if these are loads of the running screw.

@@ -40,12 +40,15 @@ PerInterface<double> equal_share_secant(const FullModel& f) {
   return secant;
 }
 
-/// A value for each spring.
-template <class T>
-std::vector<T> for_each_spring(const FullModel& f, const PerInterface<T>& value) {
-  std::vector<T> values;
+/// Both stops of each guide, behind the springs of the contacts.
+std::size_t stops(const FullModel& f) { return f.sector.has_loose_guides() ? 8 * f.present.size() : 0; }
+
+/// A value for each spring. Stops act both ways as one spring without a clearance.
+std::vector<double> for_each_spring(const FullModel& f, const PerInterface<double>& value) {
+  std::vector<double> values;
   for (std::size_t r = 0; r < f.present.size(); ++r)
     for (const Interface i : kInterfaces) values.insert(values.end(), static_cast<std::size_t>(f.threads()), value[i]);
+  values.insert(values.end(), stops(f), 0.5 * f.sector.ring_guide().stiffness);
   return values;
 }
 
@@ -123,6 +126,8 @@ class Solution {
       d.rings[k].position = outer_face(k);
       d.rings[k].rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
     }
+    if (f_.sector.has_loose_guides()) d.guides.resize(static_cast<std::size_t>(f_.rollers));
+    std::size_t place = 0;  // Of the four guides of a roller.
     for (const FullStructure::Guide& guide : s_.guides) {
       const FullModel::Roller& roller = f_.present[guide.roller];
       double force = 0.0;  // On the roller, outwards.
@@ -134,6 +139,13 @@ class Solution {
         const fe::Constraint& c = s_.model.constraints[static_cast<std::size_t>(guide.constraint)];
         force = needed(c.node, c.dof);
         for (const fe::Term& t : c.form) needed(t.node, t.dof) += t.coefficient * force;
+      } else if (guide.stop >= 0) {
+        const RingGuide ring = f_.sector.ring_guide();
+        const double v = equations_.net_approach(q_, guide.stop) + ring.clearance;
+        force = ring.force(v);
+        GuideLoads& of = d.guides[static_cast<std::size_t>(roller.number)];
+        of.displacement[place % 4] = v;
+        of.force[place++ % 4] = force;
       }
       add(d.rings[guide.ring], roller, force, guide.x - outer_face(guide.ring));
     }
@@ -303,6 +315,13 @@ Linearised linearised(const FullModel& f, const FullDistribution& d) {
         l.closed.push_back(!idle && d.normal_load[i][j][k] * f.sector.cosine[i] > share);
       }
   }
+  if (stops(f) == 0) return l;
+  for (const FullModel::Roller& r : f.present)
+    for (const double force : d.guides[static_cast<std::size_t>(r.number)].force)
+      for (const bool pushes : {force<0.0, force> 0.0}) {
+        l.tangent.push_back(pushes ? f.sector.ring_guide().stiffness : 0.0);
+        l.closed.push_back(pushes);
+      }
   return l;
 }
 

@@ -138,13 +138,14 @@ struct FullStructure {
       return first_spring + static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.screw.size()));
     }
   };
-  /// A constraint or an elastic link by which a ring guides a roller.
+  /// A constraint, an elastic link or two stops by which a ring guides a roller.
   struct Guide {
     std::size_t roller = 0;  ///< Index into FullModel::present.
     std::size_t ring = 0;    ///< 0 near, 1 far.
     double x = 0.0;          ///< Position at which it acts [m].
     int constraint = -1;
     int link = -1;
+    int stop = -1;  ///< Spring of the stop outwards, whose approach is v against the ring; that inwards follows.
   };
   /// What holds a freedom: a constraint or an elastic link, or nothing.
   struct Held {
@@ -205,7 +206,7 @@ struct FreeMotions {
 /// The rows of contacts, constraints and springs over the rigid motions of the screw, of each
 /// roller and of each floating ring, each row scaled to one and rotations taken in 1/r_R; the
 /// motions are those of singular values below 1e-9 of the largest. `closed` tells which contacts
-/// count, all where it is empty.
+/// and stops count, all where it is empty.
 FreeMotions free_motions(const FullModel& model, const FullStructure& structure, const std::vector<bool>& closed = {});
 
 /// What no forces of contacts, which only push, and of guides, bearings and springs, which do both,

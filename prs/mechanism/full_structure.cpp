@@ -37,6 +37,7 @@ class Builder {
     add_housing();
     add_bearings();  // Before the guides, which may follow their nodes.
     for (const FullModel::Roller& r : f_.present) add_roller(r);
+    add_stops();
     add_loads();
     return std::move(s_);
   }
@@ -282,14 +283,33 @@ class Builder {
       if (stiffness == kHeld) {
         guide.constraint = static_cast<int>(s_.model.constraints.size());
         s_.model.constraints.push_back({node, Dof::v, std::move(form), offset});
+        s_.guides.push_back(guide);
+        continue;
+      }
+      for (fe::Term& term : form) term.coefficient = -term.coefficient;
+      form.push_back({node, Dof::v, 1.0});
+      if (f_.sector.has_loose_guides()) {
+        guide.stop = static_cast<int>(stops_.size());
+        for (const double side : {1.0, -1.0}) {
+          stops_.push_back({form, f_.sector.ring_guide().stop()});
+          stops_.back().law.gap += side * offset;
+          for (fe::Term& term : form) term.coefficient = -term.coefficient;
+        }
       } else {
-        for (fe::Term& term : form) term.coefficient = -term.coefficient;
-        form.push_back({node, Dof::v, 1.0});
         guide.link = static_cast<int>(s_.model.elastic_links.size());
         s_.model.elastic_links.push_back({std::move(form), offset, stiffness});
       }
       s_.guides.push_back(guide);
     }
+  }
+
+  /// The stops of guides with a clearance, behind the springs of all contacts.
+  void add_stops() {
+    const auto contacts = static_cast<int>(s_.model.form_springs.size());
+    for (FullStructure::Guide& guide : s_.guides)
+      if (guide.stop >= 0) guide.stop += contacts;
+    s_.model.form_springs.insert(s_.model.form_springs.end(), stops_.begin(), stops_.end());
+    if (!s_.per_force.empty()) s_.per_force.resize(s_.model.form_springs.size());
   }
 
   /// The approach along the normal, with arms a - r_R on the screw and a + r_R on the nut.
@@ -386,6 +406,7 @@ class Builder {
   const std::optional<FullMesh>& mesh_;
   double same_;
   FullStructure s_;
+  std::vector<fe::FormSpring> stops_;
 };
 
 constexpr double kNoResistance = 1e-9;
@@ -593,6 +614,8 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s, const std::
       if (first < last) add(r.spring(i, first));
       if (first + 1 < last) add(r.spring(i, last - 1));
     }
+  for (const FullStructure::Guide& guide : s.guides)
+    if (guide.stop >= 0 && (is_closed(guide.stop) || is_closed(guide.stop + 1))) add(guide.stop);
   const Eigen::MatrixXd rows = unit_rows(rows_over(motions, forms));
   const Eigen::Index count = std::min(rows.rows(), rows.cols());
   Eigen::MatrixXd r = Eigen::MatrixXd::Zero(rows.cols(), rows.cols());

@@ -402,6 +402,12 @@ Mode Vibration::mode_of(const Eigen::VectorXd& vector, double& square) const {
         const double w = of_form(s_.model.form_springs[spring].approach);
         mode.contact_strain[i] += tangents_[spring] * w * w;
       }
+  for (const FullStructure::Guide& guide : s_.guides)
+    if (guide.stop >= 0) {
+      const auto stop = static_cast<std::size_t>(guide.stop);
+      const double w = of_form(s_.model.form_springs[stop].approach);
+      mode.support_strain += (tangents_[stop] + tangents_[stop + 1]) * w * w;
+    }
   for (const fe::ElasticLink& link : s_.model.elastic_links) {
     const double stretch = of_form(link.form);
     mode.support_strain += link.stiffness * stretch * stretch;

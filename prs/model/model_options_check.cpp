@@ -117,6 +117,12 @@ void check_bodies(const Case& c, Problems& problems) {
     problems.add("model.loads",
                  "got `running` with `bodies: influence` and all rollers, which take no friction; "
                  "expected `static`; take `bodies: bars` or `refined` for running loads");
+  if (model.bodies == influence && model.mechanism == ModelOptions::Mechanism::full && c.structure &&
+      c.structure->roller.guidance.clearance > 0.0)
+    problems.add("structure.roller.guidance.clearance",
+                 fmt::format("got {} with `bodies: influence` and `mechanism: full`, whose rings are rigid lines; "
+                             "expected 0; take `bodies: bars` or `refined`, or `mechanism: sector`",
+                             mm(c.structure->roller.guidance.clearance)));
   if (model.roller_shear)
     problems.add("model.roller_shear",
                  fmt::format("got `true` with `bodies: {}`, which has it anyway; expected it with "

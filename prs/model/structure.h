@@ -16,6 +16,7 @@ struct Guidance {
   };
   Kind kind = Kind::both_end_nodes;
   double ring_stiffness = 0.0;  ///< Stiffness of each of a roller's four springs [N/m].
+  double clearance = 0.0;       ///< Radial displacement up to which a spring takes no force [m].
 };
 
 /// What carries the guide rings of a full mechanism, one ring at each end of the rollers.

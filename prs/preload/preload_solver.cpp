@@ -103,6 +103,10 @@ void append(fe::Model& whole, const fe::Model& part, Number number) {
     e.to.node = number(e.to.node);
     whole.springs.push_back(e);
   }
+  for (fe::FormSpring s : part.form_springs) {
+    for (fe::Term& term : s.approach) term.node = number(term.node);
+    whole.form_springs.push_back(std::move(s));
+  }
   for (const fe::ElasticSupport& s : part.elastic_supports)
     whole.elastic_supports.push_back({number(s.node), s.dof, s.stiffness});
   for (const fe::FixedSupport& s : part.fixed_supports) whole.fixed_supports.push_back({number(s.node), s.dof});
@@ -385,6 +389,17 @@ class PreloadSolver::Branch {
     return loads;
   }
 
+  std::vector<GuideLoads> guides(const fe::State& q) const {
+    std::vector<GuideLoads> all;
+    for (const Direction d : kDirections) {
+      const PreloadSector::Flank& flank = sector_.flanks[d];
+      if (!flank.sector->has_loose_guides() || (sector_.rollers_are_shared() && !all.empty())) continue;
+      const auto node = [&](int of_sector) { return flank.node[static_cast<std::size_t>(of_sector)]; };
+      all.push_back(guide_loads(*flank.sector, equations_, q, node));
+    }
+    return all;
+  }
+
   /// Overlap of a side at its closest threads [m], which is open where < 0. The rollers of a double
   /// nut carry what the screw gives to the nut: there the overlaps of both interfaces add.
   double overlap(const fe::State& q, Direction side) const {
@@ -421,6 +436,7 @@ PreloadSolver::PreloadSolver(PreloadSector sector) : sector_(std::move(sector)) 
   rest_state_ = both().rest_start();
   rest_.solve = both().solve(0.0, std::pow(overlap / unit, 1.5), rest_state_);
   for (const Direction d : kDirections) rest_.sides[d] = both().loads(rest_state_, d);
+  rest_.guides = both().guides(rest_state_);
   if (rest_.solve.converged()) rest_.tangent_stiffness = both().tangent_stiffness(rest_state_);
 }
 
@@ -446,6 +462,7 @@ void PreloadSolver::set_point(Branch& at_work, PreloadPoint& point) {
   point.axial_displacement = at_work.displacement(last_state_) - (preloaded_ ? both().displacement(rest_state_) : 0.0);
   point.tangent_stiffness = at_work.tangent_stiffness(last_state_);
   for (const Direction d : kDirections) point.sides[d] = at_work.loads(last_state_, d);
+  point.guides = at_work.guides(last_state_);
 }
 
 PreloadPoint PreloadSolver::solve(double axial_force) {

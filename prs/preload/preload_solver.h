@@ -103,6 +103,8 @@ struct PreloadPoint {
   std::optional<double> tangent_stiffness;  ///< dF/du [N/m]; absent where the screw is loose.
   /// tension less compression is the external load, at each interface.
   PerDirection<SideLoads> sides;
+  /// Guides with a clearance: those of the rollers, or of the tension and of the compression nut's.
+  std::vector<GuideLoads> guides;
 };
 
 /// Equilibria of a mechanism whose sides push against each other, its first nut held at one

@@ -124,6 +124,8 @@ LoadCaseResult both_flanks_result(const LoadCase& load_case, const Contacts& con
   d.solve = std::move(point.solve);
   d.axial_displacement = -sense(named) * point.axial_displacement;
   d.tangent_stiffness = point.tangent_stiffness;
+  d.guides = std::move(point.guides);
+  if (d.guides.size() == 2 && named == Direction::compression) std::swap(d.guides[0], d.guides[1]);
   for (const Interface i : kInterfaces) {
     d.normal_load[i] = point.sides[named].normal_load[i];
     for (const double load : d.normal_load[i])
@@ -154,7 +156,8 @@ LoadCaseResult FlankSolver::solve(const LoadCase& load_case) {
                                        : preload_sectors(conditions_, contacts_, laws_, position);
     at = at_position_.emplace(position, At{PreloadedMechanism(sectors, fit_), {}}).first;
     for (const Direction d : kDirections)
-      if (const Sector& flank = *sectors.tension.flanks[d].sector; flank.bends()) at->second.guides[d].emplace(flank);
+      if (const Sector& flank = *sectors.tension.flanks[d].sector; flank.bends() && !flank.has_loose_guides())
+        at->second.guides[d].emplace(flank);
   }
   last_ = &at->second;
   const Direction named = *load_case.direction;
@@ -181,8 +184,12 @@ PreloadPoint FlankSolver::go_on(const LoadCase& load_case, const PerDirection<Ro
 
 std::vector<std::array<double, 2>> FlankSolver::guide_forces(const PreloadPoint& point, Direction named,
                                                              const PerDirection<RollerPush>& push) const {
-  if (!last_->guides.tension) return {};
   std::vector<std::array<double, 2>> all;
+  for (const GuideLoads& roller : point.guides) all.push_back(roller.of_ends());
+  if (!last_->guides.tension) {
+    if (all.size() == 2 && named == Direction::compression) std::swap(all[0], all[1]);
+    return all;
+  }
   for (const Direction d : {named, opposite(named)})
     all.push_back(last_->guides[d]->forces(point.sides[d].normal_load, push[d]));
   if (!solver_->sector().rollers_are_shared()) return all;

@@ -77,7 +77,10 @@ void add_guidance(Sector& s) {
     return;
   }
   const auto guide = [&](int node, double stiffness) {
-    if (stiffness == kHeld)
+    if (s.has_loose_guides())
+      for (const double side : {1.0, -1.0})
+        s.model.form_springs.push_back({{{node, Dof::v, side}}, s.ring_guide().stop()});
+    else if (stiffness == kHeld)
       s.model.fixed_supports.push_back({node, Dof::v});
     else if (stiffness > 0.0)
       s.model.elastic_supports.push_back({node, Dof::v, stiffness});
@@ -205,6 +208,7 @@ LoadDistribution SectorSolver::at(const fe::State& state, double axial_force) {
     const double flexibility = unit_load_.dot(rate_) + sector_.offset_compliance;
     if (flexibility > 0.0) result.tangent_stiffness = sector_.rollers / flexibility;
   }
+  if (sector_.has_loose_guides()) result.guides = {guide_loads(sector_, equations_, state)};
   return result;
 }
 

@@ -25,6 +25,17 @@ struct Sector : SectorModel {
 
 Sector build_sector(const SectorModel& model);
 
+/// Guides of the roller at a state of a structure in which `node` maps the nodes of the sector.
+template <class Node = std::identity>
+GuideLoads guide_loads(const Sector& s, const fe::Equations& equations, const fe::State& state, Node node = {}) {
+  GuideLoads guides;
+  for (std::size_t k = 0; k < 4; ++k) {
+    guides.displacement[k] = equations.displacement(state, node(s.roller_end_nodes[k]), fe::Dof::v);
+    guides.force[k] = s.ring_guide().force(guides.displacement[k]);
+  }
+  return guides;
+}
+
 /// Whether a length of the roller is one of its plain ends.
 inline bool is_head(const Sector& s, const fe::BeamElement& b) {
   return b.first == s.roller_end_nodes.front() || b.second == s.roller_end_nodes.back();
@@ -45,6 +56,7 @@ struct LoadDistribution {
   double axial_displacement = 0.0;
   /// dF/du of the whole mechanism at the load [N/m]; absent where the tangent is singular.
   std::optional<double> tangent_stiffness;
+  std::vector<GuideLoads> guides;  ///< Those of each roller solved, if they have a clearance.
 };
 
 /// Adds the energy of a spring of this compliance [m/N] between the loaded section and a force [N]:

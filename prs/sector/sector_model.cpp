@@ -63,6 +63,7 @@ void set_roller(SectorModel& s, const Given& g, const ModelOptions& options) {
   s.end = disc_rigidity(g.materials.roller, roller.end_diameter, shear);
   s.end_length = roller.end_length;
   s.roller_radius = g.pitch_radius(Part::roller);
+  s.guide_clearance = roller.guidance.clearance;
   switch (roller.guidance.kind) {
     case Guidance::Kind::both_end_nodes:
       s.outer_guide = s.inner_guide = kHeld;

@@ -4,6 +4,7 @@
 #include "prs/model/load_case.h"
 #include "prs/sector/refined/nut_formulas.h"
 #include "prs/sector/refined/nut_shell.h"
+#include "prs/sector/ring_guide.h"
 #include "prs/sector/sector_numbers.h"
 #include "prs/threads/contact_law.h"
 
@@ -35,7 +36,8 @@ struct SectorModel : SectorNumbers<double> {
     double outer_radius = 0.0;    ///< [m]
     double axial_rigidity = 0.0;  ///< E A of the nut there [N]
   };
-  double nut_radius = 0.0;  ///< Outer radius between the flanges [m].
+  double guide_clearance = 0.0;  ///< Clearance of both guides of an end [m]; > 0: they are rings.
+  double nut_radius = 0.0;       ///< Outer radius between the flanges [m].
   std::vector<Flange> flanges;
   bool is_refined = false;
   RefinedBodies bodies;               ///< Bodies of a refined sector.
@@ -48,6 +50,9 @@ struct SectorModel : SectorNumbers<double> {
 
   int contacts() const { return static_cast<int>(gaps.screw.size()); }
   bool bends() const { return rigid_bending == 0.0; }
+  /// Whether rings guide a roller that bends with a clearance, which the chain does not take.
+  bool has_loose_guides() const { return bends() && guide_clearance > 0.0; }
+  RingGuide ring_guide() const { return {outer_guide, guide_clearance}; }
   bool contacts_apart() const { return contact_half_distance > 0.0; }
   /// Compliance in series with the Hertz contact of thread k [m/N].
   double contact_compliance(Interface i, std::size_t k) const {

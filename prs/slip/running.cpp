@@ -529,7 +529,11 @@ LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional
         answer.normal_load[i].push_back(at.meshed
                                             ? last.normal_load[i][static_cast<std::size_t>(k)]
                                             : solver.equations().response(solver.state(), sector.spring(i, k)).force);
-    if (at.guides) answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
+    if (at.guides)
+      answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
+    else if (sector.has_loose_guides())
+      answer.guide_force.push_back(
+          (at.meshed ? last.guides.front() : guide_loads(sector, solver.equations(), solver.state())).of_ends());
     return answer;
   };
 
@@ -695,19 +699,23 @@ Orbit RunningSolver::turned(const LoadCase& load_case, const SpatialLoad::Orbit&
   return full_orbit(load_case, conditions_, contacts_, laws_, solved, wanted);
 }
 
-std::optional<Warning> guides_without_play(const Conditions& c, const PerInterface<double>& over_static) {
+std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static) {
   constexpr double kMuch = 0.2;
-  const auto change = [&](Interface i) { return over_static[i] - 1.0; };
+  const auto change = [&](Interface i) { return over_static[i].largest - 1.0; };
   const Interface i =
       std::abs(change(Interface::nut)) > std::abs(change(Interface::screw)) ? Interface::nut : Interface::screw;
   if (std::abs(change(i)) <= kMuch) return std::nullopt;
   constexpr std::string_view kGuidance[] = {"both_end_nodes", "outer_node", "ring"};
-  const auto kind = static_cast<std::size_t>(c.structure->roller.guidance.kind);
-  return Warning{"structure.roller.guidance", "guides_without_play",
-                 fmt::format("guides_without_play: friction moves the largest load of a {} thread "
-                             "by {:+.1f} %: rollers are pressed against guides ({}) taken without "
-                             "play; other guidance gives another share (5 to 146 % of one screw)",
-                             name(i), change(i) * per_si::percent, kGuidance[kind])}
+  const Guidance& guidance = c.structure->roller.guidance;
+  const std::string_view kind = kGuidance[static_cast<std::size_t>(guidance.kind)];
+  const bool loose = guidance.clearance > 0.0;
+  return Warning{"structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
+                 fmt::format("friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} % whatever guides the "
+                             "rollers, N = F/(cos psi - mu sin psi), the rest because friction presses them against "
+                             "their guides, {} {}; other guides give another rest",
+                             name(i), change(i) * per_si::percent, (over_static[i].all - 1.0) * per_si::percent, kind,
+                             loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
+                                   : "taken without play")}
       .with(std::abs(change(i)), kMuch, text_unit::percent)
       .as_assumption();
 }

@@ -45,10 +45,10 @@ class RunningSolver {
  private:
   struct SectorAt {
     explicit SectorAt(Sector sector) : solver(std::move(sector)) {
-      if (solver.sector().bends()) guides.emplace(solver.sector());
+      if (solver.sector().bends() && !solver.sector().has_loose_guides()) guides.emplace(solver.sector());
     }
     SectorSolver solver;
-    std::optional<RollerGuides> guides;     ///< None of rollers that stay straight.
+    std::optional<RollerGuides> guides;     ///< None of rollers that stay straight or whose guides have a clearance.
     std::optional<InfluenceSolver> meshed;  ///< Solver of meshed bodies, in place of `solver`.
   };
 
@@ -71,9 +71,15 @@ class RunningSolver {
   std::optional<double> last_slip_ratio_;
 };
 
-/// A warning where friction moves the largest load of screw or nut by much: on which guidance that
-/// stands. `over_static`: the largest load of each over that at rest.
-std::optional<Warning> guides_without_play(const Conditions& c, const PerInterface<double>& over_static);
+/// Normal loads of a running screw over those at rest: of the largest, and of all threads, which grow by
+/// N = F/(cos psi - mu sin psi) whatever the guides do.
+struct OverStatic {
+  double largest = 1.0, all = 1.0;
+};
+
+/// A warning where friction moves the largest load of screw or nut by much: by what, and on which guidance
+/// that stands.
+std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static);
 
 /// The conditions with the slip ratios of travels that are `ideal` or `solved` as numbers; nothing
 /// where there is none. Throws CaseError where slip finds none.

@@ -1,5 +1,7 @@
 #include "prs/slip/slip.h"
 
+#include <numeric>
+
 #include "prs/model/check_case.h"
 #include "prs/slip/running.h"
 
@@ -277,6 +279,14 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
               .with(ratio, low ? contact::kLeastRollingRatio : contact::kGreatestRollingRatio, {},
                     low ? Warning::Worse::smaller : Warning::Worse::larger));
   }
+}
+
+/// Without friction the normal loads are axial/cos(psi).
+OverStatic over_static(const InterfaceLoads& running) {
+  const auto sum = [](const std::vector<double>& loads) { return std::accumulate(loads.begin(), loads.end(), 0.0); };
+  const double axial = sum(running.axial_load);
+  return {running.running_over_static.value_or(1.0),
+          axial > 0.0 ? sum(running.normal_load) * std::cos(running.normal_angle) / axial : 1.0};
 }
 
 /// A warning where friction takes more power than still air around a nut takes from it, and nothing
@@ -582,8 +592,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
     if (options.detail != Detail::complete) continue;
     warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
     if (loaded.running)
-      if (auto note = guides_without_play(c, {loaded.threads->screw.running_over_static.value_or(1.0),
-                                              loaded.threads->nut.running_over_static.value_or(1.0)}))
+      if (auto note = guides_press(c, {over_static(loaded.threads->screw), over_static(loaded.threads->nut)}))
         loaded.warnings.push_back(std::move(*note));
     if (loaded.slip->converged()) {
       warn_of_film(model, *loaded.slip, loaded.warnings);

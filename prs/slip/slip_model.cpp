@@ -228,6 +228,8 @@ GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
       if (std::ranges::find(guides.missing, r + 1) == guides.missing.end())
         guides.of_roller.push_back({loaded.full->rings[0].rollers[static_cast<std::size_t>(r)],
                                     loaded.full->rings[1].rollers[static_cast<std::size_t>(r)]});
+  } else if (!loaded.guides.empty()) {
+    guides.of_roller.push_back(loaded.guides.front().of_ends());
   } else {
     std::optional<RollerGuides>& known = roller_guides_[*loaded.load_case.direction];
     if (!known)

@@ -30,7 +30,8 @@ bool BarBatch::takes(const Case& c, std::span<const std::size_t> load_cases) {
   using Compliance = ModelOptions::ToothCompliance::Kind;
   const bool plain = c.model.bodies == ModelOptions::Bodies::bars &&
                      c.model.mechanism == ModelOptions::Mechanism::sector &&
-                     c.model.tooth_compliance.kind == Compliance::none && c.structure && c.materials;
+                     c.model.tooth_compliance.kind == Compliance::none && c.structure && c.materials &&
+                     c.structure->roller.guidance.clearance == 0.0;
   return plain && std::ranges::all_of(load_cases, [&](std::size_t k) {
            if (k >= c.load_cases.size()) return false;
            const LoadCase& load = c.load_cases[k];
@@ -183,7 +184,7 @@ bool SectorBatch::add_sectors(std::size_t k) {
     else
       set_sector_model(model, design.contacts.mechanism, *c.structure, *c.materials, c.model, design.laws,
                        *load.direction, *load.position, c.deviations);
-    if (model.is_refined && !RefinedDesignSolver::takes(model)) return false;
+    if (model.has_loose_guides() || (model.is_refined && !RefinedDesignSolver::takes(model))) return false;
     forces_.push_back(load.axial_force);
     sectors_.push_back({k, i});
   }

@@ -32,7 +32,7 @@ class Workspace {
 /// Solves load after load on one sector, bars or refined, station by station along its threads:
 /// the same model, start, convergence and results as `SectorSolver`, to 1e-10, several times
 /// faster. Everything between contacts is condensed exactly. A solve allocates nothing once its
-/// result has its size.
+/// result has its size. Guides must have no clearance.
 class ChainSolver {
  public:
   explicit ChainSolver(const SectorModel& model);
@@ -57,15 +57,19 @@ class ChainSolver {
 /// in extended precision, all else in closed form.
 ChainSector condense(const SectorModel& model);
 
-/// The chain, and SectorSolver where the chain doesn't converge or its tangent has too few digits:
-/// the speed of the one, the verdict of the other.
+/// The chain, and SectorSolver where guides have a clearance, where the chain doesn't converge or its
+/// tangent has too few digits: the speed of the one, the verdict of the other.
 class FallbackSolver {
  public:
-  explicit FallbackSolver(SectorModel model) : model_(std::move(model)), chain_(model_) {}
+  explicit FallbackSolver(SectorModel model) : model_(std::move(model)) {
+    if (!model_.has_loose_guides()) chain_.emplace(model_);
+  }
 
   LoadDistribution solve(double axial_force) {
-    LoadDistribution result = chain_.solve(axial_force);
-    if (complete(result)) return result;
+    if (chain_) {
+      LoadDistribution result = chain_->solve(axial_force);
+      if (complete(result)) return result;
+    }
     if (!sparse_) sparse_ = std::make_unique<SectorSolver>(build_sector(model_));
     return sparse_->solve(axial_force);
   }
@@ -79,7 +83,7 @@ class FallbackSolver {
 
  private:
   SectorModel model_;
-  ChainSolver chain_;
+  std::optional<ChainSolver> chain_;
   std::unique_ptr<SectorSolver> sparse_;
 };
 

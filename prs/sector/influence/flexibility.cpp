@@ -156,18 +156,24 @@ fe::HarmonicSpring sideways_spring(const GroovedBody& body, const std::vector<fe
   return spring;
 }
 
+/// Sections of the plain ends: outer and inner of the first, inner and outer of the last.
+std::vector<std::vector<fe::MeridianEdge>> end_sections(const GroovedBody& body) {
+  const GroovedShape& s = body.shape;
+  const double l = s.plain_end->length;
+  std::vector<std::vector<fe::MeridianEdge>> sections;
+  for (const double z : {s.start - l, s.start, s.end, s.end + l})
+    sections.push_back(within(body, body.section(z), s.plain_end->radius));
+  return sections;
+}
+
 /// What holds the roller sideways, on whole sections that stay round.
 void add_guidance(const GroovedBody& body, const Guidance& guidance, std::vector<fe::HarmonicSupport>& supports,
                   std::vector<fe::HarmonicSpring>& springs) {
-  const GroovedShape& s = body.shape;
-  const double l = s.plain_end->length;
-  std::vector<double> sections{s.start - l, s.end + l};
-  if (guidance.kind != Guidance::Kind::outer_node) {
-    sections.push_back(s.start);
-    sections.push_back(s.end);
-  }
-  for (const double z : sections) {
-    const std::vector<fe::MeridianEdge> edges = within(body, body.section(z), s.plain_end->radius);
+  const auto sections = end_sections(body);
+  std::vector<std::size_t> guided{0, 3};
+  if (guidance.kind != Guidance::Kind::outer_node) guided.insert(guided.end(), {1, 2});
+  for (const std::size_t k : guided) {
+    const std::vector<fe::MeridianEdge>& edges = sections[k];
     if (guidance.kind == Guidance::Kind::ring) {
       springs.push_back(sideways_spring(body, edges, guidance.ring_stiffness));
       continue;
@@ -390,7 +396,8 @@ PRS_MEMBERS(GuidedRoller, body, guidance, centred)
 
 bool is_square_of(const GuidedRoller& roller, const MatrixCache::Matrices& m) { return is_square(roller.body, m); }
 
-MatrixCache::Matrices bent(const GuidedRoller& roller) {
+/// Flexibility at the contacts, behind them at `guides` of the end sections.
+MatrixCache::Matrices bent_with(const GuidedRoller& roller, Index guides) {
   const GroovedBody body = roller.body.meshed();
   std::vector<fe::HarmonicSupport> supports;
   std::vector<fe::HarmonicSpring> springs;
@@ -398,8 +405,35 @@ MatrixCache::Matrices bent(const GuidedRoller& roller) {
   fe::HarmonicBody solver(body.mesh, isotropic(roller.body.material), 1, supports, springs);
   Eigen::MatrixXd loads = patch_loads(body, 1);
   if (roller.centred) move_to_middle(loads, body, roller.body.flanks);
-  loads.leftCols(loads.cols() / 2) *= -1.0;  // cos(theta) at theta = pi
+  const Index contacts = loads.cols();
+  loads.leftCols(contacts / 2) *= -1.0;  // cos(theta) at theta = pi
+  loads.conservativeResize(Eigen::NoChange, contacts + guides);
+  for (Index k = 0; k < guides; ++k)
+    loads.col(contacts + k) = transverse_force(body, end_sections(body)[static_cast<std::size_t>(k)]);
   return {flexibility_of(solver, 1, loads)};
+}
+MatrixCache::Matrices bent(const GuidedRoller& roller) { return bent_with(roller, 0); }
+
+constexpr Index kGuides = 4;
+MatrixCache::Matrices bent_with_guides(const GuidedRoller& roller) { return bent_with(roller, kGuides); }
+bool has_guides(const GuidedRoller& roller, const MatrixCache::Matrices& m) {
+  const auto size = static_cast<Index>(roller.body.flanks.size()) + kGuides;
+  return have_sizes(m, {{size, size}});
+}
+
+/// Guides with a clearance: springs of the stiffness E d of an end hold the roller in their place.
+void set_loose_guides(Flexibility& f, const Structure::Roller& roller, const LoadedBody& body, bool centred,
+                      MatrixCache& cache) {
+  const RingGuide ring{roller.guidance.ring_stiffness, roller.guidance.clearance};
+  const double held_by = body.material.youngs_modulus * roller.end_diameter;
+  const Eigen::MatrixXd all =
+      cached(cache, "bent roller with guides", GuidedRoller{body, {Guidance::Kind::ring, held_by, 0.0}, centred},
+             bent_with_guides, has_guides)
+          ->front();
+  const auto contacts = all.rows() - kGuides;
+  f.bent = all.topLeftCorner(contacts, contacts);
+  f.guides = {ring, held_by, roller.end_length, all.topRightCorner(contacts, kGuides),
+              all.bottomRightCorner(kGuides, kGuides)};
 }
 
 }  // namespace
@@ -435,7 +469,10 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction, const
   for (int k = 1; k < b.contacts; ++k) shape.sections.push_back((k - 0.5) * g.pitch);
 
   Flexibility f;
-  f.bent = cached(cache, "bent roller", GuidedRoller{body, roller.guidance, centred}, bent, is_square_of)->front();
+  if (roller.guidance.clearance > 0.0)
+    set_loose_guides(f, roller, body, centred, cache);
+  else
+    f.bent = cached(cache, "bent roller", GuidedRoller{body, roller.guidance, centred}, bent, is_square_of)->front();
   f.matrix = cached(cache, "stretched roller", body, stretched, is_square)->front() + f.bent;
   const Teeth teeth{g, 0.0, body.material, types, opposite, 2, 1, b.contacts, options};
   add_teeth(f, teeth, centred, cache);

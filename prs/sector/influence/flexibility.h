@@ -85,6 +85,16 @@ struct Flexibility {
   double half_space = 0.0;         ///< Taken from each diagonal term [m/N]; roller: screw side.
   std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder.
   Eigen::MatrixXd bent;            ///< Part of the matrix from the bending of a roller.
+
+  /// Guides with a clearance, in whose place springs hold the ends of the roller.
+  struct Guides {
+    RingGuide ring;
+    double held_by = 0.0;      ///< Stiffness of a spring [N/m].
+    double end_length = 0.0;   ///< [m]
+    Eigen::MatrixXd coupling;  ///< Displacements at the contacts by unit forces outwards at the guides [m/N].
+    Eigen::MatrixXd between;   ///< Displacements of the guides outwards by these [m/N].
+  };
+  std::optional<Guides> guides;
 };
 
 /// Adds what the harmonics that die out along a body leave. Rows and columns of the matrix are the
@@ -190,7 +200,11 @@ inline auto members(const Material& value) {
   const auto& [modulus, poisson_ratio, density, expansion, conductivity, specific_heat, pressure_limit] = value;
   return std::tie(modulus, poisson_ratio, density, expansion);
 }
-PRS_MEMBERS(Guidance, kind, stiffness)
+/// Without the clearance, which no matrix depends on.
+inline auto members(const Guidance& value) {
+  const auto& [kind, stiffness, clearance] = value;
+  return std::tie(kind, stiffness);
+}
 PRS_MEMBERS(Teeth, groove, far, material, types, opposite, first, step, contacts, options)
 
 template <class T>

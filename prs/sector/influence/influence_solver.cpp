@@ -18,6 +18,11 @@ using Eigen::Index;
 constexpr double kTolerance = 1e-12;
 constexpr int kMostIterations = 50, kMostHalvings = 40;
 
+/// Least tangent of a guide in the matrix of a step, over its stiffness; no residual contains it.
+constexpr double kLeastTangent = 1e-8;
+/// Smallest step of a clearance that grows, as a share of it.
+constexpr double kLeastClearanceStep = 1e-4;
+
 /// N(y) and its slope.
 struct Loads {
   Eigen::VectorXd value;
@@ -25,8 +30,18 @@ struct Loads {
 };
 
 Loads loads_at(const ContactProblem& p, const Eigen::VectorXd& y) {
-  const Eigen::ArrayXd closed = y.array().max(0.0), root = closed.sqrt();
-  return {(p.hertz_constant.array() * closed * root).matrix(), (1.5 * p.hertz_constant.array() * root).matrix()};
+  const Index contacts = p.hertz_constant.size();
+  const Eigen::ArrayXd closed = y.head(contacts).array().max(0.0), root = closed.sqrt();
+  Loads loads{Eigen::VectorXd(y.size()), Eigen::VectorXd(y.size())};
+  loads.value.head(contacts) = p.hertz_constant.array() * closed * root;
+  loads.slope.head(contacts) = 1.5 * p.hertz_constant.array() * root;
+  for (Index k = contacts; k < y.size(); ++k) {
+    const double v = -y[k];
+    loads.value[k] = p.held_by * v + p.ring->force(v);
+    // What is free within all clearances still has a matrix.
+    loads.slope[k] = std::max(p.ring->tangent(v), kLeastTangent * p.ring->stiffness) - p.held_by;
+  }
+  return loads;
 }
 
 /// Unknowns and what the conditions lack there.
@@ -46,16 +61,16 @@ class Equilibrium {
   /// Rigid bodies, equal shares: the largest gap closed as well.
   Trial start() {
     const auto contacts = static_cast<double>(p_.contacts());
-    const Index first_nut = n_ / 2;
+    const Index first_nut = p_.contacts(), all = 2 * first_nut;
     Trial t;
-    t.y.resize(n_);
-    for (Index i = 0; i < n_; ++i) {
+    t.y.setZero(n_);
+    for (Index i = 0; i < all; ++i) {
       const double cosine = std::abs(p_.rigid(i, 1));
       t.y[i] = std::pow(force_ / (contacts * cosine * p_.hertz_constant[i]), 2.0 / 3.0);
     }
-    length_ = t.y.mean();
-    t.motion[1] = (t.y[first_nut] + p_.gap.tail(n_ / 2).maxCoeff()) / p_.rigid(first_nut, 1);
-    t.motion[0] = t.motion[1] + (t.y[0] + p_.gap.head(n_ / 2).maxCoeff()) / p_.rigid(0, 0);
+    length_ = t.y.head(all).mean();
+    t.motion[1] = (t.y[first_nut] + p_.gap.segment(first_nut, first_nut).maxCoeff()) / p_.rigid(first_nut, 1);
+    t.motion[0] = t.motion[1] + (t.y[0] + p_.gap.head(first_nut).maxCoeff()) / p_.rigid(0, 0);
     evaluate(t);
     return t;
   }
@@ -81,7 +96,6 @@ class Equilibrium {
     return 1.0 / lu_.solve(rate)[n_];
   }
 
- private:
   void evaluate(Trial& t) const {
     t.loads = loads_at(p_, t.y);
     t.residual.resize(n_ + 2);
@@ -89,6 +103,7 @@ class Equilibrium {
     t.residual.tail<2>() = (p_.balance.transpose() * t.loads.value - Eigen::Vector2d(force_, 0.0)) / force_;
   }
 
+ private:
   void factorize(const Trial& at) {
     jacobian_.topLeftCorner(n_, n_) = p_.flexibility * at.loads.slope.asDiagonal();
     jacobian_.topLeftCorner(n_, n_).diagonal().array() += 1.0;
@@ -113,10 +128,19 @@ InfluenceSolver::InfluenceSolver(const BodyFlexibilities& bodies, int rollers, c
                                  const PerInterface<std::vector<double>>& gaps)
     : joined_(bodies.joined()),
       bent_(bodies.roller.bent),
+      guides_(bodies.roller.guides),
       laws_(laws),
       gaps_(gaps),
       rollers_(rollers),
       face_(bodies.nut.face) {
+  if (guides_)
+    for (Eigen::MatrixXd* c : {&joined_, &bent_}) {
+      const Index contacts = c->rows(), all = contacts + guides();
+      c->conservativeResize(all, all);
+      c->topRightCorner(contacts, guides()) = guides_->coupling;
+      c->bottomLeftCorner(guides(), contacts) = guides_->coupling.transpose();
+      c->bottomRightCorner(guides(), guides()) = guides_->between;
+    }
   if (face_)
     touching_ = face_->touching_under(face_->equal_loads(static_cast<int>(gaps.nut.size())), face_->all())
                     .value_or(face_->all());
@@ -138,31 +162,41 @@ InfluenceSolver::Turned InfluenceSolver::turned(const RollerPush& push, double s
     }
     if (i == Interface::screw) continue;
     radial.segment(2 * contacts, contacts).setConstant(-sine * push.of_thread * pitch);
-    radial.tail(contacts).setConstant(cosine * push.of_thread * pitch);
+    radial.segment(3 * contacts, contacts).setConstant(cosine * push.of_thread * pitch);
   }
+  // Half of an end at each of its guides.
+  if (guides_) radial.tail(guides()).setConstant(0.5 * guides_->end_length * push.of_heads);
   const Eigen::VectorXd opening = bent_ * radial;
-  t.opening.resize(2 * contacts);
-  t.opening << opening.head(contacts), opening.segment(2 * contacts, contacts);
+  t.opening.resize(2 * contacts + guides());
+  t.opening << opening.head(contacts), opening.segment(2 * contacts, contacts), opening.tail(guides());
   return t;
 }
 
 ContactProblem InfluenceSolver::problem(const Eigen::MatrixXd& joined, const Turned& turned) const {
   const auto contacts = static_cast<Eigen::Index>(gaps_.screw.size());
-  const Eigen::Index of_one = joined.rows() / 2;
   std::vector<Eigen::Index> normal, tangential;
-  for (const Eigen::Index first : {Eigen::Index{0}, of_one})
+  for (const Eigen::Index first : {Eigen::Index{0}, of_one()})
     for (Eigen::Index k = 0; k < contacts; ++k) {
       normal.push_back(first + k);
-      tangential.push_back(first + of_one - contacts + k);
+      tangential.push_back(first + of_one() - contacts + k);
     }
-  if (turned.along.size() == 0) return contact_problem(joined(normal, normal), laws_, gaps_);
-  ContactProblem p = contact_problem(
-      joined(normal, normal) * turned.along.asDiagonal() + joined(normal, tangential) * turned.across.asDiagonal(),
-      laws_, gaps_);
+  for (Eigen::Index k = joined.rows() - guides(); k < joined.rows(); ++k) normal.push_back(k);
+  Eigen::MatrixXd flexibility = joined(normal, normal);
+  if (turned.along.size() > 0) {
+    auto at_contacts = flexibility.leftCols(2 * contacts);
+    at_contacts =
+        (at_contacts * turned.along.asDiagonal() + joined(normal, tangential) * turned.across.asDiagonal()).eval();
+  }
+  ContactProblem p = contact_problem(flexibility, laws_, gaps_);
+  if (guides_) {
+    p.ring = guides_->ring;
+    p.held_by = guides_->held_by;
+  }
+  if (turned.along.size() == 0) return p;
   Eigen::VectorXd axial = turned.along;
   axial.head(contacts) += std::tan(laws_.screw.normal_angle) * turned.across.head(contacts);
   axial.tail(contacts) += std::tan(laws_.nut.normal_angle) * turned.across.tail(contacts);
-  p.balance = axial.asDiagonal() * p.rigid;
+  p.balance.topRows(2 * contacts) = axial.asDiagonal() * p.rigid.topRows(2 * contacts);
   p.gap += turned.opening;
   return p;
 }
@@ -177,7 +211,7 @@ LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned
     ThrustFace::Touching touching = touching_;
     bool settled = false;
     for (int round = 0; round < kMostRounds && s.converged(); ++round) {
-      Eigen::VectorXd loads = Eigen::VectorXd::Zero(joined.rows() / 2);
+      Eigen::VectorXd loads = Eigen::VectorXd::Zero(of_one());
       loads.head(contacts) = s.normal_load.tail(contacts);
       if (turned.along.size() > 0) {
         loads.tail(contacts) = loads.head(contacts).cwiseProduct(turned.across.tail(contacts));
@@ -186,7 +220,7 @@ LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned
       const auto now = face_->touching_under(loads, touching);
       settled = now == touching;
       if (settled || !now) break;
-      joined.bottomRightCorner(loads.size(), loads.size()) +=
+      joined.block(of_one(), of_one(), of_one(), of_one()) +=
           rollers_ * (face_->flexibility(*now) - face_->flexibility(touching));
       touching = *now;
       s = prs::solve(problem(joined, turned), force);
@@ -206,8 +240,18 @@ LoadDistribution InfluenceSolver::solve(double axial_force, const Turned& turned
     }
   }
   d.axial_displacement = s.screw_motion;
-  if (s.converged() && turned.along.size() > 0)
-    s.tangent_stiffness = tangent_stiffness(problem(joined, {}), force, s.approach);
+  if (s.converged() && turned.along.size() > 0) {
+    Eigen::VectorXd y(s.approach.size() + s.guided.size());
+    y << s.approach, -s.guided;
+    s.tangent_stiffness = tangent_stiffness(problem(joined, {}), force, y);
+  }
+  if (guides_ && s.converged()) {
+    GuideLoads& guides = d.guides.emplace_back();
+    for (std::size_t k = 0; k < guides.force.size(); ++k) {
+      guides.displacement[k] = s.guided[static_cast<Index>(k)];
+      guides.force[k] = guides_->ring.force(guides.displacement[k]);
+    }
+  }
   if (s.converged()) d.tangent_stiffness = rollers_ * s.tangent_stiffness;
   return d;
 }
@@ -286,17 +330,17 @@ ContactProblem contact_problem(const Eigen::MatrixXd& flexibility, const PerInte
   ContactProblem p;
   p.flexibility = flexibility;
   p.flexibility.diagonal().head(n).array() += laws.screw.compliance;
-  p.flexibility.diagonal().tail(n).array() += laws.nut.compliance;
-  p.rigid = Eigen::MatrixXd::Zero(2 * n, 2);
+  p.flexibility.diagonal().segment(n, n).array() += laws.nut.compliance;
+  p.rigid = Eigen::MatrixXd::Zero(flexibility.rows(), 2);
   p.hertz_constant.resize(2 * n);
-  p.gap.resize(2 * n);
+  p.gap.setZero(flexibility.rows());
   p.rigid.col(0).head(n).setConstant(std::cos(laws.screw.normal_angle));
   p.rigid.col(1).head(n).setConstant(-std::cos(laws.screw.normal_angle));
-  p.rigid.col(1).tail(n).setConstant(std::cos(laws.nut.normal_angle));
+  p.rigid.col(1).segment(n, n).setConstant(std::cos(laws.nut.normal_angle));
   p.balance = p.rigid;
   p.hertz_constant.head(n).setConstant(laws.screw.hertz_constant);
   p.hertz_constant.tail(n).setConstant(laws.nut.hertz_constant);
-  p.gap << Eigen::Map<const Eigen::VectorXd>(gaps.screw.data(), n),
+  p.gap.head(2 * n) << Eigen::Map<const Eigen::VectorXd>(gaps.screw.data(), n),
       Eigen::Map<const Eigen::VectorXd>(gaps.nut.data(), n);
   return p;
 }
@@ -309,9 +353,10 @@ Eigen::MatrixXd BodyFlexibilities::joined() const {
   return c;
 }
 
-ContactSolution solve(const ContactProblem& p, double force) {
-  Equilibrium equilibrium(p, force);
-  Trial at = equilibrium.start();
+namespace {
+
+/// Newton's method from a state, which it updates.
+ContactSolution solve(const ContactProblem& p, Equilibrium& equilibrium, Trial& at) {
   ContactSolution s;
   for (;;) {
     s.relative_residual = at.residual.cwiseAbs().maxCoeff();
@@ -339,10 +384,50 @@ ContactSolution solve(const ContactProblem& p, double force) {
     at = std::move(trial);
     s.history.back() = contact_iteration(at.residual.cwiseAbs().maxCoeff(), share);
   }
-  s.normal_load = at.loads.value;
-  s.approach = at.y.cwiseMax(0.0);
+  s.normal_load = at.loads.value.head(p.hertz_constant.size());
+  s.approach = at.y.head(p.hertz_constant.size()).cwiseMax(0.0);
+  s.guided = -at.y.tail(at.y.size() - p.hertz_constant.size());
   s.screw_motion = at.motion[0];
   if (s.converged()) s.tangent_stiffness = equilibrium.tangent_stiffness(at);
+  return s;
+}
+
+}  // namespace
+
+ContactSolution solve(const ContactProblem& p, double force) {
+  if (!p.ring) {
+    Equilibrium equilibrium(p, force);
+    Trial at = equilibrium.start();
+    return solve(p, equilibrium, at);
+  }
+  // A roller that no guide touches may meet hardly any resistance: the clearance grows from 0, and guides
+  // that touch go with it.
+  ContactProblem grown = p;
+  double& clearance = grown.ring->clearance = 0.0;
+  Equilibrium equilibrium(grown, force);
+  Trial at = equilibrium.start();
+  ContactSolution s = solve(grown, equilibrium, at);
+  for (double step = p.ring->clearance; s.converged() && clearance < p.ring->clearance;) {
+    const double before = clearance;
+    clearance = std::min(before + step, p.ring->clearance);
+    Trial next = at;
+    for (Index k = p.hertz_constant.size(); k < next.y.size(); ++k)
+      if (std::abs(next.y[k]) > before) next.y[k] += std::copysign(clearance - before, next.y[k]);
+    equilibrium.evaluate(next);
+    ContactSolution found = solve(grown, equilibrium, next);
+    found.history.insert(found.history.begin(), s.history.begin(), s.history.end());
+    if (found.converged()) {
+      at = std::move(next);
+      s = std::move(found);
+      step *= 2.0;
+    } else if (step > kLeastClearanceStep * p.ring->clearance) {
+      clearance = before;
+      step *= 0.25;
+      s.history = std::move(found.history);
+    } else {
+      return found;
+    }
+  }
   return s;
 }
 

@@ -13,6 +13,9 @@ namespace prs {
 ///     w = R U - C N,   N = k_0 <w - g>^1.5,   Q' N = (F, 0).
 ///
 /// Q is R unless friction turns the loads. SI units.
+///
+/// Guides with a clearance stand behind the contacts: w - g is -v of the displacement v outwards, N
+/// the force on the roller besides that of the springs that hold its ends in C.
 struct ContactProblem {
   Eigen::MatrixXd flexibility;     ///< C [m/N], symmetric without friction.
   Eigen::MatrixXd rigid;           ///< R, first of the screw, then of the roller [-].
@@ -20,7 +23,10 @@ struct ContactProblem {
   Eigen::VectorXd hertz_constant;  ///< k_0 [N/m^1.5]
   Eigen::VectorXd gap;             ///< g, initial gap along the normal [m].
 
-  int contacts() const { return static_cast<int>(gap.size()) / 2; }  ///< At each interface.
+  std::optional<RingGuide> ring;
+  double held_by = 0.0;  ///< Stiffness of the springs in place of the guides [N/m].
+
+  int contacts() const { return static_cast<int>(hertz_constant.size()) / 2; }  ///< At each interface.
 };
 
 /// The contact problem of a sector: its laws, the compliance of teeth included, its gaps, and the
@@ -38,6 +44,7 @@ inline fe::NewtonIteration contact_iteration(double residual = 0.0, double step_
 struct ContactSolution : fe::NewtonSummary {
   Eigen::VectorXd normal_load;   ///< N, screw then nut [N].
   Eigen::VectorXd approach;      ///< delta = <w - g> [m]
+  Eigen::VectorXd guided;        ///< Displacements v of guides with a clearance [m].
   double screw_motion = 0.0;     ///< U of the screw's loaded section [m].
   double tangent_stiffness = 0;  ///< dF/dU of the screw at the load [N/m].
 };
@@ -52,7 +59,7 @@ struct ContactSolution : fe::NewtonSummary {
 /// meaning. `force` is the axial force on the sector [N], > 0. A few 10 us for 40 contacts.
 ContactSolution solve(const ContactProblem& problem, double force);
 
-/// dF/dU of the screw where the approaches are y = w - g [N/m].
+/// dF/dU of the screw where the approaches are y = w - g, of contacts and guides [N/m].
 double tangent_stiffness(const ContactProblem& problem, double force, const Eigen::VectorXd& y);
 
 /// Contact ellipse at a normal load, its axes taken as along the profile and around the axis,
@@ -109,8 +116,12 @@ class InfluenceSolver {
   Turned turned(const RollerPush& per_normal_load, double sense, double pitch) const;
   LoadDistribution solve(double axial_force, const Turned& turned) const;
   ContactProblem problem(const Eigen::MatrixXd& joined, const Turned& turned) const;
+  /// Rows of normal and tangential forces of one body.
+  Eigen::Index of_one() const { return (joined_.rows() - guides()) / 2; }
+  Eigen::Index guides() const { return guides_ ? guides_->between.rows() : 0; }
 
-  Eigen::MatrixXd joined_, bent_;
+  Eigen::MatrixXd joined_, bent_;  ///< Behind the contacts the guides with a clearance.
+  std::optional<Flexibility::Guides> guides_;
   PerInterface<ContactLaw> laws_;
   PerInterface<std::vector<double>> gaps_;
   int rollers_ = 1;
