@@ -447,7 +447,7 @@ struct Running {
 };
 
 Running running(const Conditions& c, const Contacts& contacts, const LoadCase& pattern) {
-  if (!c.heat) return {c, oils_in_operation(c)};
+  if (!warms(c.heat)) return {c, oils_in_operation(c)};
   Conditions one = c;
   one.load_cases = {pattern};
   one.heat->duty.clear();

@@ -242,8 +242,38 @@ SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts, std::sp
   return found;
 }
 
+namespace {
+
+/// Load cases with the temperatures at which their losses flow off, with a duty those of its mean. Loads and losses
+/// stay.
+Result with_temperatures(Result result, const Conditions& c) {
+  const ThermalNetwork network = thermal_network(*c.heat);
+  double cycle = 0.0;
+  for (const Heat::DutyStep& step : c.heat->duty) cycle += step.time();
+  for (LoadCaseResult& r : result.load_cases) {
+    SteadyHeat found;
+    bool known = true;
+    const auto take = [&](const LoadCaseResult& loaded, double share) {
+      known = known && loaded.slip && loaded.slip->converged();
+      if (known) found.heat += share * heat_of(loaded.slip->power);
+    };
+    if (c.heat->duty.empty()) take(r, 1.0);
+    for (const Heat::DutyStep& step : c.heat->duty)
+      for (const LoadCaseResult& other : result.load_cases)
+        if (step.load_case == other.load_case.name) take(other, step.time() / cycle);
+    found.temperature = network.steady(found.heat);
+    found.status = known ? HeatStatus::converged : HeatStatus::no_steady_state;
+    if (!known) found.reason = "there is no slip";
+    r.heat = result_of(found, false);  // The oil has the temperature that the case states.
+  }
+  return result;
+}
+
+}  // namespace
+
 Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions options) {
   if (!c.heat) return analyze_slip(c, std::move(contacts), options);
+  if (!warms(c.heat)) return with_temperatures(analyze_slip(c, std::move(contacts), options), c);
   require_rolling(c, contacts);
   Result result;
   result.model = c.model;
@@ -271,7 +301,7 @@ Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions opti
 }
 
 PreloadResult analyze_warm_preload(const Conditions& c, Contacts contacts) {
-  if (!c.heat) return analyze_preload(c, std::move(contacts));
+  if (!warms(c.heat)) return analyze_preload(c, std::move(contacts));
   require_rolling(c, contacts);
   const auto named = std::ranges::find_if(
       c.load_cases, [&](const LoadCase& load) { return !c.preload->load_case || load.name == *c.preload->load_case; });
@@ -286,7 +316,7 @@ PreloadResult analyze_warm_preload(const Conditions& c, Contacts contacts) {
 }
 
 LifeResult analyze_warm_life(const Conditions& c, Contacts contacts, std::optional<LoadHistory> history) {
-  if (!c.life->takes_heat(c.heat.has_value())) return analyze_life(c, std::move(contacts), std::move(history));
+  if (!c.life->takes_heat(warms(c.heat))) return analyze_life(c, std::move(contacts), std::move(history));
   require_rolling(c, contacts);
   HeatStatus status = HeatStatus::converged;
   std::string reason;

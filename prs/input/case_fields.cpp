@@ -201,6 +201,18 @@ void alternatives(Choices& io, LubricantName& n) {
   for (std::size_t i = 0; i < known.size(); ++i) io(known[i].name, n, LubricantName{i}, known[i].what);
 }
 
+void alternatives(Choices& io, BackDriving& b) {
+  io("allowed", b, BackDriving::allowed, "no criterion");
+  io("required", b, BackDriving::required, "the load must turn the screw");
+  io("forbidden", b, BackDriving::forbidden, "the screw must lock itself");
+}
+
+void alternatives(Choices& io, Heat::Losses& l) {
+  io("warm", l, Heat::Losses::warm, "those that the losses lead to");
+  io("stated", l, Heat::Losses::stated,
+     "those that the case states: the losses lead to others, over `duty` to their mean, which nothing follows");
+}
+
 void alternatives(Choices& io, WrittenRange::Spacing& s) {
   io("linear", s, WrittenRange::Spacing::linear, "the values");
   io("logarithmic", s, WrittenRange::Spacing::logarithmic, "their logarithms");
@@ -935,12 +947,43 @@ void fields(const Fields& io, Heat::Capacity& c) {
 void fields(const Fields& io, Heat& h) {
   io("ambient", h.ambient, Quantity{unit::temperature, positive}, required, "Temperature of the surroundings");
   io("conductance", h.conductance, Block{}, required, "Heat flow over the difference of temperature");
+  io("losses", h.losses, Choice{}, "Temperatures at which losses and loads are taken");
   io("duty", h.duty, List{Block{}, 1}, "Load cases and rests one after the other, again and again");
   io("capacity", h.capacity, Block{}, "Heat capacities of the parts, for `duty`");
   io("specific_heat", h.specific_heat, Quantity{unit::specific_heat, positive},
      optional_only_if(!h.capacity, "in place of `capacity`"),
      "Of all parts, for `duty`: their masses are those of `prs measures`, the screw's over "
      "the length of the nut");
+}
+
+void fields(const Fields& io, DriveMotor& m) {
+  const Quantity torque{unit::torque, positive, "3 N m"};
+  io("rated_torque", m.rated_torque, torque, "Greatest rms torque");
+  io("peak_torque", m.peak_torque, torque, "Greatest torque");
+  io("largest_speed", m.largest_speed, Quantity{unit::rotational_speed, positive, "3000 rpm"}, "Of the motor");
+  io("inertia", m.inertia, Quantity{unit::inertia, not_negative}, "At its shaft, with its gear");
+  io("gear_ratio", m.gear_ratio, Number{positive, "1"}, "Turns of the motor per turn of the screw");
+  io("gear_efficiency", m.gear_efficiency,
+     Quantity{unit::share, {.least = 0.0, .greatest = 1.0, .least_excluded = true}}, "Of the gear");
+}
+
+void fields(const Fields& io, MotorDuty::Step& s) {
+  io("load_case", s.load_case, Text{"lift"}, "Whose friction it has; none at rest or without force");
+  io("duration", s.duration, Quantity{unit::duration, positive}, required, "Of constant acceleration");
+  io("start_speed", s.start_speed, Quantity{unit::travel_speed}, required, "Signed");
+  io("end_speed", s.end_speed, Quantity{unit::travel_speed}, required, "Signed");
+  io("force", s.force, Quantity{unit::force}, "Axial, on the screw, > 0 where it pushes in the positive sense");
+}
+
+void fields(const Fields& io, MotorDuty& d) {
+  fields(io, d.motor);
+  io("brake_torque", d.brake_torque, Quantity{unit::torque, positive, "4 N m"}, "Holds the axis at rest, at its shaft");
+  io("drag_torque", d.drag_torque, Quantity{unit::torque, not_negative}, "Against the motion, at the part that turns");
+  io("holding_force", d.holding_force, Quantity{unit::force, not_negative}, "Largest at rest");
+  io("back_driving", d.back_driving, Choice{}, "Whether the load may turn the screw");
+  io("driven_back", d.driven_back, Text{"back-driving"},
+     "Load case that the load drives unless the screw locks itself");
+  io("cycle", d.cycle, List{Block{}, 1}, required, "Steps of constant acceleration, again and again");
 }
 
 void fields(const Fields& io, Limits& l) {
@@ -1486,6 +1529,8 @@ void fields(const Fields& io, CaseFile& file) {
   io("heat", c.heat, Block{}, "How the parts get rid of the heat of friction, for `prs slip`");
   io("response", c.response, Block{}, "The screw in its drive, for `prs response`");
   io("limits", file.limits, Block{}, "What the verdict of `prs check` and of the report holds the case against");
+  io("motor", file.motor, Block{},
+     "What one cycle of the axis asks of motor and brake, and their limits, for `prs check`");
   io("study", file.study, Block{}, "What `prs study` varies");
   io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");
   io("fit", file.fit, Block{}, "What `prs fit` finds from measured curves");

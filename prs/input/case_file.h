@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prs/model/limits.h"
+#include "prs/model/motor_duty.h"
 #include "prs/model/study.h"
 
 namespace prs::input {
@@ -197,6 +198,7 @@ struct CaseFile {
   Case values;
   std::vector<LoadCaseItem> load_cases;
   std::optional<Limits> limits;
+  std::optional<MotorDuty> motor;
   std::optional<StudyItem> study;
   std::optional<OptimizeItem> optimize;
   std::optional<FitItem> fit;

@@ -22,6 +22,7 @@ nlohmann::ordered_json schema_of(std::string_view title, const Value& descriptio
 void alternatives(Choices& io, Mechanism::Type& type);
 void alternatives(Choices& io, MeasureOptions::Ends& ends);
 void alternatives(Choices& io, Direction& direction);
+void alternatives(Choices& io, BackDriving& wanted);
 void alternatives(Choices& io, ModelOptions::Loads& loads);
 void alternatives(Choices& io, Friction& friction);
 void fields(const Fields& io, Lubricant& lubricant);
@@ -31,5 +32,7 @@ void fields(const Fields& io, Life& life);
 void fields(const Fields& io, Operation& operation);
 void fields(const Fields& io, MeasureOptions& measures);
 void fields(const Fields& io, Limits& limits);
+void fields(const Fields& io, DriveMotor& motor);
+void fields(const Fields& io, MotorDuty& duty);
 
 }  // namespace prs::input

@@ -557,6 +557,7 @@ Case checked_case(const CaseFile& file, const Node& root, Command command, Error
   values.load_cases = expand(file.load_cases);
   std::vector<Problem> problems = problems_of(values, command);
   if (file.limits) std::ranges::move(check_limits(*file.limits, values), std::back_inserter(problems));
+  if (file.motor) std::ranges::move(check_motor(*file.motor, values), std::back_inserter(problems));
   for (const Problem& p : problems) refuse(root, p.path, p.message, errors);
   return values;
 }
@@ -571,6 +572,7 @@ CaseInput read_case_input(const Source& source, Command command) {
   CaseInput input{std::move(values), echo(file, root), command_of(file.study), command_of(file.optimize),
                   file.fit.has_value()};
   input.limits = file.limits;
+  input.motor = file.motor;
   if (command == Command::fit)  // Others need what the case states.
     for (const Problem& p : unmet(input, command)) refuse(root, p.path, p.message, errors);
   errors.throw_if_any();

@@ -3,6 +3,7 @@
 #include "prs/input/echo.h"
 #include "prs/model/command.h"
 #include "prs/model/limits.h"
+#include "prs/model/motor_duty.h"
 
 namespace prs::input {
 
@@ -18,6 +19,7 @@ struct CaseInput {
   bool fits = false;                   ///< Whether the file states a fit.
   std::vector<Warning> warnings = {};  ///< What is unusual about single values.
   std::optional<Limits> limits = {};   ///< What the verdict holds the case against.
+  std::optional<MotorDuty> motor = {};
 };
 
 /// What a command needs and the file lacks, or has otherwise, see `prs::missing`.

@@ -71,7 +71,7 @@ inline bool some_load_has_both_flanks(const Conditions& c) {
 /// Whether `life` takes running loads: not where `heat` alone would know the temperature of the oil
 /// and life does not take it.
 inline bool life_takes_running_loads(const Conditions& c) {
-  const bool oil_is_known = !c.lubricant || has_operating_point(*c.lubricant) || c.life->takes_heat(c.heat.has_value());
+  const bool oil_is_known = !c.lubricant || has_operating_point(*c.lubricant) || c.life->takes_heat(warms(c.heat));
   return slip_takes_running_loads(c.model, c.life->share) && c.friction && c.operation && c.operation->speed != 0.0 &&
          oil_is_known;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "prs/model/limits.h"
+#include "prs/model/motor_duty.h"
 
 namespace prs {
 
@@ -19,7 +20,7 @@ std::vector<Problem> check_case(const Case& c) {
   check_full_mechanism(c, problems);
   if (c.preload) check_preload(c, problems);
   if (c.life) check_life(c, problems);
-  if (c.lubricant) check_lubricant(*c.lubricant, c.heat, problems);
+  if (c.lubricant) check_lubricant(*c.lubricant, warms(c.heat) ? c.heat : std::nullopt, problems);
   check_carrier(c.carrier, problems);
   if (c.heat) check_heat(c, problems);
   if (c.measures) check_measures(c, problems);
@@ -77,7 +78,7 @@ void need_compare(const Case& c, Problems& problems) {
 void need_slip(const Case& c, Problems& problems) {
   require_load_cases(c, Command::slip, problems);
   require_slip(c, problems);
-  if (c.heat) require_heat(c, problems);
+  if (warms(c.heat)) require_heat(c, problems);
   if (some_load_has_both_flanks(c)) require_preload(c, problems);
 }
 
@@ -90,6 +91,18 @@ void need_measures(const Case& c, Problems& problems) {
 std::vector<Problem> missing(const Case& c, Command command) {
   Problems problems;
   if (command.needs) command.needs(c, problems);
+  return std::move(problems).take();
+}
+
+std::vector<Problem> check_motor(const MotorDuty& duty, const Conditions& c) {
+  Problems problems;
+  const auto require = [&](const std::string& path, const std::optional<std::string>& name) {
+    if (name && std::ranges::find(c.load_cases, *name, &LoadCase::name) == c.load_cases.end())
+      problems.add(path, "got `{}`, which no load case is called; expected a name of `load_cases`; rename it", *name);
+  };
+  require("motor.driven_back", duty.driven_back);
+  for (std::size_t k = 0; k < duty.cycle.size(); ++k)
+    require(fmt::format("motor.cycle[{}].load_case", k), duty.cycle[k].load_case);
   return std::move(problems).take();
 }
 
@@ -185,7 +198,7 @@ void add_preload_note(const Case& c, std::vector<Warning>& warnings) {
 }
 
 void add_heat_note(const Case& c, std::vector<Warning>& warnings) {
-  if (c.heat)
+  if (warms(c.heat))
     warnings.push_back({"heat", "without_heat", "the load cases are solved with all parts at the reference temperature",
                         "`prs slip` takes the block `heat`"});
 }

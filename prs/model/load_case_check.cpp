@@ -158,7 +158,7 @@ void check_preload(const Case& c, Problems& problems) {
 }
 
 void require_warm_preload(const Case& c, Problems& problems) {
-  if (!c.heat || !c.preload) return;
+  if (!warms(c.heat) || !c.preload) return;
   std::string names;
   bool found = false;
   for (const LoadCase& load : c.load_cases) {
@@ -336,7 +336,7 @@ void need_life(const Case& c, Problems& problems) {
                  "`roller` and `nut`, or `share: equal` to `life`");
   if (!c.life) return;
   if (life_takes_running_loads(c)) require_friction(c, problems);
-  if (c.life->takes_heat(c.heat.has_value())) require_warm_life(c, problems);
+  if (c.life->takes_heat(warms(c.heat))) require_warm_life(c, problems);
   require_load_case_of_life(c, problems);
   if (!c.preload) return;
   if (c.model.mechanism == ModelOptions::Mechanism::full && c.life->share == LoadCase::Share::solved)

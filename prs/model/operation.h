@@ -186,12 +186,21 @@ struct Heat {
     double nut = 0.0;
   };
 
+  enum class Losses {
+    warm,    ///< At the temperatures that they lead to.
+    stated,  ///< At the temperatures that the case states; those of `duty` are its mean, and nothing follows them.
+  };
+
   double ambient = 0.0;  ///< [K]
   Conductance conductance;
+  Losses losses = Losses::warm;
   std::vector<DutyStep> duty = {};  ///< Repeated without end; none: no cycle.
   std::optional<Capacity> capacity = {};
   std::optional<double> specific_heat = {};  ///< One for all parts, in place of `capacity` [J/(kg K)].
 };
+
+/// Whether loads, losses and life are those at the temperatures of `heat`.
+inline bool warms(const std::optional<Heat>& heat) { return heat && heat->losses == Heat::Losses::warm; }
 
 /// The viscosities that a named lubricant is sold with, at 40 and 100 degC.
 std::array<ViscosityPoint, 2> viscosities_of(LubricantName name);

@@ -264,13 +264,13 @@ void require_slip(const Conditions& c, Problems& problems) {
 
 void check_heat(const Case& c, Problems& problems) {
   check_conductance(c.heat->conductance, problems);
-  if (c.deviations.temperature)
+  if (c.deviations.temperature && warms(c.heat))
     problems.add("deviations.temperature",
                  "got temperatures of the parts together with `heat`, which computes them; "
                  "expected one of the two; delete `deviations.temperature` or `heat`");
   if (c.heat->duty.empty()) return;
   check_duty(c, problems);
-  check_capacity(c, problems);
+  if (warms(c.heat)) check_capacity(c, problems);
 }
 
 void require_heat(const Case& c, Problems& problems) {

@@ -87,8 +87,13 @@ ReportParts requirement_parts(const input::Source& source, const ReportOptions& 
            folded_html("Every value", record_table(describe<SizedCandidate>(), {{"", &candidate}}))},
       {"candidates", "Candidates",
        picture("size_map") +
-           items_html(result.candidates, {"rank", "name", "passes", "life_hours", "static_safety", "buckling_safety",
-                                          "motor_rms_torque_Nm", "weight_kg", "limited_by"}) +
+           items_html(result.candidates, {"rank", "name", "passes", "life_hours", "basis", "static_safety",
+                                          "buckling_safety", "weight_kg", "limited_by", "source_name"}) +
+           items_html(result.candidates, {"rank", "name", "type", "starts", "nut_diameter_mm", "nut_length_mm",
+                                          "stiffness_N_per_um", "efficiency"}) +
+           items_html(result.candidates,
+                      {"rank", "name", "motor_rms_torque_Nm", "motor_peak_torque_Nm", "motor_largest_speed_rpm",
+                       "motor_peak_power_W", "hottest_part_degC", "brake_needed"}) +
            picture("size_margins")},
       {"assumptions", "Assumptions and warnings", assumptions_html(result)}};
   parts.data["results"]["size"] = delivery.document(info);

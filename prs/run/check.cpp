@@ -407,7 +407,7 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
 
 /// Temperatures that the losses of a load case lead to, in a duty cycle its mean [K]; absent where they are not known.
 std::optional<PerPart<double>> temperature_of(const VerdictFacts& facts, std::size_t load_case) {
-  if (!facts.c.heat || !facts.slip) return std::nullopt;
+  if (!warms(facts.c.heat) || !facts.slip) return std::nullopt;
   if (const auto& cycle = facts.slip->heat_cycle) return cycle->converged() ? std::optional(cycle->mean) : std::nullopt;
   const auto& heat = facts.slip->load_cases[load_case].heat;
   return heat && heat->converged() ? std::optional(heat->temperature) : std::nullopt;
@@ -415,7 +415,7 @@ std::optional<PerPart<double>> temperature_of(const VerdictFacts& facts, std::si
 
 /// The measures of load cases at the temperatures that their losses lead to. Nothing where these are not known.
 std::optional<MeasuresResult> warm_measures(const input::CaseInput& in, const VerdictFacts& facts) {
-  if (!in.values.heat || !facts.slip || !facts.measures) return std::nullopt;
+  if (!warms(in.values.heat) || !facts.slip || !facts.measures) return std::nullopt;
   MeasuresResult warm = *facts.measures;
   for (std::size_t k = 0; k < warm.load_measures.size(); ++k) {
     const std::optional<PerPart<double>> temperature = temperature_of(facts, k);
@@ -505,6 +505,7 @@ Delivery run_check(const input::Source& source, const input::CaseInput& in) {
 
 CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> attempts) {
   VerdictFacts facts{in.values, in.limits.value_or(Limits{})};
+  facts.motor = in.motor;
   const Contacts contacts = find_contacts(in.values.mechanism, in.values.materials);
   facts.contacts = &contacts;
   for (const Command command : {Command::solve, Command::slip, Command::life, Command::measures})

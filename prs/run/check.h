@@ -3,6 +3,7 @@
 #include "modules/response/response.h"
 #include "prs/life/analyze_life.h"
 #include "prs/measures/measures.h"
+#include "prs/model/motor_duty.h"
 #include "prs/record/analysis.h"
 
 /// Whether a case meets its limits: the one definition that `prs check`, the report and the page
@@ -79,6 +80,7 @@ struct VerdictFacts {
   std::map<Command, std::string> lacking = {};
   std::map<Command, std::string> wrong = {};  ///< What commands found wrong with the case.
   std::vector<std::string> not_built = {};    ///< See CaseVerdict.
+  std::optional<MotorDuty> motor = {};
 };
 
 CaseVerdict verdict_of(const VerdictFacts& facts);

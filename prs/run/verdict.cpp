@@ -6,6 +6,7 @@
 #include "prs/life/load_history.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
+#include "prs/losses/motor_demand.h"
 
 namespace prs {
 namespace {
@@ -610,6 +611,81 @@ void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
   verdict.criteria.push_back(std::move(c));
 }
 
+const LoadCaseResult* named(const Result& result, const std::optional<std::string>& name) {
+  const auto found =
+      std::ranges::find_if(result.load_cases, [&](const LoadCaseResult& r) { return r.load_case.name == name; });
+  return found == result.load_cases.end() ? nullptr : &*found;
+}
+
+/// Whether the screw locks itself; not where slip has no answer.
+bool locks(const VerdictFacts& f) {
+  const LoadCaseResult* const back = f.slip ? named(*f.slip, f.motor->driven_back) : nullptr;
+  return back && back->slip && back->slip->converged() && back->slip->self_locking.value_or(false);
+}
+
+/// What the cycle asks of the motor, each step with the friction of its load case; none without it.
+std::optional<MotorDemand> demand_of(const VerdictFacts& f, double lead) {
+  const auto inertia = f.measures ? f.measures->measures.equivalent_inertia : std::nullopt;
+  if (!f.slip || !inertia) return std::nullopt;
+  std::vector<DrivenStep> steps;
+  for (const MotorDuty::Step& step : f.motor->cycle) {
+    const LoadCaseResult* const loaded = named(*f.slip, step.load_case);
+    const std::optional<double> torque = loaded ? screw_torque(*loaded, lead) : 0.0;
+    if (!torque) return std::nullopt;
+    steps.push_back({step, loaded ? *torque * std::abs(step.force / loaded->load_case.axial_force) : 0.0});
+  }
+  return motor_demand(steps, f.motor->motor, lead, *inertia, f.motor->drag_torque, f.motor->brake_torque || locks(f));
+}
+
+/// The motor, the brake and the load that may drive, against the limits of the block `motor`.
+void add_motor(const VerdictFacts& f, CaseVerdict& verdict) {
+  if (!f.motor) return;
+  const MotorDuty& d = *f.motor;
+  const auto put = [&](std::string_view name, std::string_view title, std::string_view unit,
+                       std::optional<double> limit, const Found& found) {
+    Criterion c = criterion(name, title, unit);
+    c.sense = Sense::greatest;
+    c.limit = limit;
+    c.value = found.value;
+    c.reason = found.value ? found.note : found.why;
+    c.source = LimitSource::stated;
+    c.standing = !found.applies ? Standing::not_applicable : Standing::not_computed;
+    if (c.value) hold_against_limit(c, {}, {});
+    if (limit) verdict.criteria.push_back(std::move(c));
+  };
+  const double lead = std::abs(f.c.mechanism.lead), per_speed = 2.0 * std::numbers::pi * d.motor.gear_ratio / lead;
+  Found speed,
+      holding{.value = d.holding_force / per_speed, .why = "no force at rest", .applies = d.holding_force > 0.0};
+  double largest = 0.0;
+  for (const MotorDuty::Step& step : d.cycle) largest = std::max(largest, step.largest_speed());
+  if (largest > 0.0) speed.value = per_speed * largest * per_si::revolution_per_minute;
+  speed.applies = largest > 0.0;
+  speed.why = "nothing moves";
+  if (!holding.applies) holding.value.reset();
+  put("motor_speed", "Motor speed", "rpm",
+      d.motor.largest_speed ? std::optional(*d.motor.largest_speed * per_si::revolution_per_minute) : std::nullopt,
+      speed);
+  const Found asked = without(f, Command::slip, Sense::greatest);
+  if (f.slip || asked.asked) {
+    const std::optional<MotorDemand> demand = demand_of(f, lead);
+    const std::string why = !f.slip ? asked.why : "a step has no slip, or the parts no inertia";
+    Found rms{.note = "rms over motor.cycle", .why = why}, peak{.note = "motor.cycle", .why = why};
+    if (demand) rms.value = demand->rms_torque, peak.value = demand->peak_torque;
+    put("motor_torque", "Motor torque", "N m", d.motor.rated_torque, rms);
+    put("motor_peak_torque", "Motor peak torque", "N m", d.motor.peak_torque, peak);
+    if (d.back_driving != BackDriving::allowed) {
+      Criterion c = criterion("back_driving", "Back driving", "");
+      c.source = LimitSource::stated;
+      c.standing = locks(f) == (d.back_driving == BackDriving::forbidden) ? Standing::green : Standing::red;
+      c.reason = locks(f) ? "the screw locks itself" : "the load turns the screw";
+      verdict.criteria.push_back(std::move(c));
+    }
+  } else {
+    verdict.is_complete = false;
+  }
+  put("brake", "Brake", "N m", d.brake_torque, holding);
+}
+
 /// What did not converge, all of it told.
 void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
   if (!f.loads && !f.slip && !f.life && !without_fit(f, Sense::least)) return;
@@ -730,6 +806,7 @@ CaseVerdict verdict_of(const VerdictFacts& f) {
   CaseVerdict verdict;
   verdict.not_built = f.not_built;
   for (const Row& row : kRows) add(row, f, verdict);
+  add_motor(f, verdict);
   add_play(f, verdict);
   add_convergence(f, verdict);
   add_contacts(f, verdict);
@@ -783,6 +860,9 @@ std::string not_computed(const CaseVerdict& verdict) {
 }
 
 std::string origin(const Criterion& c) {
+  if (c.source == LimitSource::stated &&
+      (c.name.starts_with("motor_") || c.name == "brake" || c.name == "back_driving"))
+    return "motor";
   if (c.source == LimitSource::stated) return fmt::format("limits.{}", c.name);
   return c.source == LimitSource::physics ? "physical limit" : "recommended";
 }

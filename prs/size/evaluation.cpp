@@ -1,5 +1,6 @@
 #include "prs/heat/thermal_network.h"
 #include "prs/life/analyze_life.h"
+#include "prs/losses/motor_demand.h"
 #include "prs/measures/measures.h"
 #include "prs/size/size.h"
 #include "prs/slip/slip.h"
@@ -16,17 +17,12 @@ constexpr double kGreaseEnds = 393.15;  ///< Grease and seals do not last beyond
 constexpr double kLongCycle = 600.0;    ///< Cycle whose mean hides a peak of temperature [s].
 constexpr double kRegularLoad = 0.9;    ///< Share of C_a: makers allow more only now and then.
 constexpr double kShortStroke = 1.5;    ///< Share of the nut's length.
-constexpr int kCurvePoints = 40;
+constexpr std::size_t kCurvePoints = 40;
 
 /// What friction makes of one load case.
 struct Branch : SizedSegment {
   std::optional<OfParts> heat;  ///< [W]; not of a catalogue's efficiencies.
 };
-
-/// At the part that turns, in the sense of the motion [N m]; `efficiency` of the side that drives.
-double screw_torque(double force, double lead, DrivenBy driven_by, double efficiency) {
-  return (driven_by == DrivenBy::screw ? 1.0 / efficiency : -efficiency) * force * lead / kTurn;
-}
 
 Branch branch_by_slip(const LoadCaseResult& r, double lead) {
   const SlipResult& slip = *r.slip;
@@ -35,10 +31,7 @@ Branch branch_by_slip(const LoadCaseResult& r, double lead) {
   b.efficiency = slip.efficiency;
   b.power_loss = slip.power.total();
   b.heat = heat_of(slip.power);
-  if (slip.efficiency)
-    b.torque = screw_torque(r.load_case.axial_force, lead, slip.driven_by, *slip.efficiency);
-  else if (slip.driven_by == DrivenBy::load)
-    b.torque = slip.holding_torque;
+  b.torque = screw_torque(r, lead);
   return b;
 }
 
@@ -60,10 +53,14 @@ Heat::Conductance conductance_of(const SizeInput& in, const SizedCase& sized) {
   CompleteScrew screw = sized.screw;
   screw.load = in.cycle.driving_force();
   const Heat::Conductance rule = estimated_conductance(screw, sized.shaft_length);
-  const Requirement::Conductance& given = in.values.conductance;
+  const Requirement::Conductance given = in.values.heat ? in.values.heat->conductance : Requirement::Conductance{};
   return {given.screw_ambient.value_or(rule.screw_ambient), given.nut_ambient.value_or(rule.nut_ambient),
           given.rollers_ambient.value_or(rule.rollers_ambient), given.screw_rollers.value_or(rule.screw_rollers),
           given.rollers_nut.value_or(rule.rollers_nut)};
+}
+
+ThermalNetwork network_of(const Requirement& r, const SizedCandidate& c) {
+  return thermal_network({.ambient = r.heat->ambient, .conductance = c.conductance});
 }
 
 /// Factor from SI to the unit of a criterion.
@@ -80,6 +77,7 @@ class Evaluation {
   Evaluation(const SizeInput& in, const CandidateData& data)
       : in_(in), r_(in.values), cycle_(in.cycle), sized_(sized_case(in, data)) {
     static_cast<CandidateData&>(c_) = data;
+    c_.life_basis = *r_.life.basis;
     contacts_ = checked_contacts(sized_.c, Detail::numbers);
     lead_ = std::abs(contacts_.threads.screw.lead);
   }
@@ -91,10 +89,10 @@ class Evaluation {
     c_.nut_length = s.c.structure->nut.length;
     c_.conductance = conductance_of(in_, sized_);
     find_measures();
-    find_lives();
-    find_branches();
-    find_stiffness();
     find_losses();
+    if (!by_maker()) warm_parts();
+    find_lives();
+    find_stiffness();
     find_torques();
     find_relubrication();
     judge();
@@ -133,14 +131,17 @@ class Evaluation {
     }
     c_.life = c_.by_threads.life;
     c_.static_safety = c_.by_threads.static_safety;
-    if (r_.life.basis != Requirement::Basis::maker) return;
-    if (c_.static_capacity) c_.static_safety = *c_.static_capacity / cycle_.largest_force;
-    if (!c_.dynamic_capacity) return;
-    c_.life_basis = Requirement::Basis::maker;
-    if (cycle_.mean_load) c_.life = life_of(rating_ * rating_life(*c_.dynamic_capacity, *cycle_.mean_load));
+    if (!by_maker()) return;
+    c_.rated_dynamic_capacity = c_.dynamic_capacity.value_or(life.dynamic_capacity);
+    c_.rated_static_capacity = c_.static_capacity ? c_.static_capacity : life.equal_shares_static_capacity;
+    if (c_.rated_static_capacity) c_.static_safety = *c_.rated_static_capacity / cycle_.largest_force;
+    if (cycle_.mean_load) c_.life = life_of(rating_ * rating_life(*c_.rated_dynamic_capacity, *cycle_.mean_load));
   }
 
   void find_branches() {
+    branches_.clear();
+    c_.segments.clear();
+    c_.warnings.clear();
     const Result result = analyze_slip(sized_.c, contacts_, kManyDesigns);
     const LoadCaseResult& back = result.load_cases[sized_.back_driving()];
     if (slips(back)) c_.self_locking = back.slip->self_locking.value_or(false);
@@ -179,9 +180,10 @@ class Evaluation {
   }
 
   void find_losses() {
+    find_branches();
     double lost = 0.0, work = 0.0, input = 0.0;
     OfParts heat = OfParts::Zero();
-    bool has_losses = true, has_heat = r_.losses == Requirement::Losses::slip, has_eta = true;
+    bool has_losses = true, has_heat = r_.heat && r_.losses == Requirement::Losses::slip, has_eta = true;
     for (const MotionSegment& s : cycle_.all) {
       const Branch& b = branches_[s.shown_as];
       if (!b.driven_by || s.force == 0.0) continue;
@@ -200,55 +202,52 @@ class Evaluation {
     }
     if (has_losses) c_.power_lost = lost / cycle_.duration;
     if (has_eta && drives_) c_.efficiency = work / input;
-    if (has_heat)
-      c_.temperature = per_part(
-          thermal_network({.ambient = r_.ambient, .conductance = c_.conductance}).steady(heat / cycle_.duration));
+    c_.temperature.reset();
+    if (has_heat) c_.temperature = per_part(network_of(r_, c_).steady(heat / cycle_.duration));
+  }
+
+  /// Losses, and what follows, of parts at the temperatures that they lead to.
+  void warm_parts() {
+    constexpr int kMostSteps = 10;
+    constexpr double kSame = 0.01;  ///< [K]
+    double change = HUGE_VAL;
+    for (int k = 0; k < kMostSteps && change > kSame && c_.temperature; ++k) {
+      c_.parts_at = as_written(*c_.temperature);
+      sized_.c.deviations.temperature = c_.parts_at;
+      find_losses();
+      if (c_.temperature) change = (of_parts(*c_.temperature) - of_parts(*c_.parts_at)).cwiseAbs().maxCoeff();
+    }
+    if (c_.temperature && change > kSame) c_.temperature.reset();
   }
 
   bool locks() const { return c_.self_locking.value_or(false); }
 
   void find_torques() {
-    const Requirement::Motor& motor = r_.motor;
-    const double ratio = motor.gear_ratio, gear = motor.gear_efficiency;
+    const DriveMotor& motor = r_.motor;
+    const double ratio = motor.gear_ratio;
     const double per_speed = kTurn / lead_;
     c_.holding_torque = cycle_.holding_force / (per_speed * ratio);
     c_.brake_needed = cycle_.holding_force > 0.0 && !locks();
     if (cycle_.moves()) c_.motor_largest_speed = ratio * per_speed * cycle_.largest_speed;
     if (motor.inertia > 0.0 && c_.inertia)
       c_.inertia_ratio = (*c_.inertia + r_.load.moved_mass / (per_speed * per_speed)) / (ratio * ratio * motor.inertia);
-    double square = 0.0, peak = 0.0, power = 0.0, mean_back = 0.0, peak_back = 0.0;
-    bool known = c_.inertia.has_value();
-    for (const MotionSegment& s : cycle_.all) {
-      double at_motor = 0.0;
-      if (s.sense() == 0) {
-        if (!r_.brake_torque && !locks()) at_motor = std::abs(s.force) / (per_speed * ratio);
-      } else {
-        const Branch& b = branches_[s.shown_as];
-        if (!b.torque) {
-          known = false;
-          continue;
-        }
-        const double alpha = per_speed * s.acceleration() * s.sense();
-        const double torque =
-            (s.force == 0.0 || !b.driven_by ? 0.0 : *b.torque * std::abs(s.force / cycle_.shown[s.shown_as].force)) +
-            r_.load.drag_torque + c_.inertia.value_or(0.0) * alpha;
-        at_motor = (torque >= 0.0 ? torque / (ratio * gear) : torque * gear / ratio) + motor.inertia * ratio * alpha;
-      }
-      if (!cycle_.in_classes) c_.segments[s.shown_as].motor_torque = at_motor;
-      const double speed = per_speed * ratio;  // Of the motor over that of the axis.
-      square += at_motor * at_motor * s.duration;
-      peak = std::max(peak, std::abs(at_motor));
-      power = std::max(power, std::abs(at_motor) * speed * s.largest_speed());
-      if (at_motor >= 0.0) continue;
-      mean_back -= at_motor * speed * std::abs(s.travel());
-      peak_back = std::max(peak_back, -at_motor * speed * s.largest_speed());
+    if (!c_.inertia) return;
+    std::vector<DrivenStep> steps;
+    for (const MotionSegment& m : cycle_.all) {
+      const MotorDuty::Step step = motor_step(m);
+      const Branch& b = branches_[m.shown_as];
+      if (!b.torque && m.sense() != 0) return;
+      const bool loaded = m.force != 0.0 && b.driven_by && b.torque;
+      steps.push_back({step, loaded ? *b.torque * std::abs(m.force / cycle_.shown[m.shown_as].force) : 0.0});
     }
-    if (!known) return;
-    c_.motor_rms_torque = std::sqrt(square / cycle_.duration);
-    c_.motor_peak_torque = peak;
-    c_.motor_peak_power = power;
-    c_.regenerated_mean = mean_back / cycle_.duration;
-    c_.regenerated_peak = peak_back;
+    const MotorDemand demand =
+        motor_demand(steps, motor, lead_, *c_.inertia, r_.load.drag_torque, r_.brake_torque || locks());
+    for (std::size_t k = 0; !cycle_.in_classes && k < steps.size(); ++k) c_.segments[k].motor_torque = demand.torque[k];
+    c_.motor_rms_torque = demand.rms_torque;
+    c_.motor_peak_torque = demand.peak_torque;
+    c_.motor_peak_power = demand.peak_power;
+    c_.regenerated_mean = demand.regenerated_mean;
+    c_.regenerated_peak = demand.regenerated_peak;
   }
 
   void find_relubrication() {
@@ -291,7 +290,7 @@ class Evaluation {
 
   void judge() {
     const Requirement::Limits& l = r_.limits;
-    const Requirement::Motor& m = r_.motor;
+    const DriveMotor& m = r_.motor;
     const std::string_view rests = cycle_.moves() ? "" : "nothing moves";
     const std::string_view no_load = cycle_.mean_load ? "" : "nothing moves under force";
     const std::string_view no_loads = "thread loads do not converge";
@@ -301,16 +300,21 @@ class Evaluation {
     const auto in_celsius = [](const std::optional<double>& kelvin) {
       return kelvin ? std::optional(*kelvin - kKelvin) : std::nullopt;
     };
-    const std::string basis =
-        fmt::format("{} C_a {:.4g} kN", by_maker() ? "maker's" : "threads, Lemor's", 1e-3 * capacity());
+    const auto rested_on = [&](std::string_view symbol, const std::optional<double>& printed, double used) {
+      return fmt::format("{} {} {:.4g} kN",
+                         !by_maker() ? "threads, Lemor's"
+                         : printed   ? "maker's"
+                                     : "computed",
+                         symbol, 1e-3 * used);
+    };
+    const std::string basis = rested_on("C_a", c_.dynamic_capacity, capacity());
     const std::optional<double> hours = c_.life.hours ? std::optional(*c_.life.hours * kHour) : std::nullopt;
     at_least("life", "h", {hours, r_.life.hours, no_load, no_loads, basis});
     at_least("life", "km", {c_.life.travel, r_.life.distance, no_load, no_loads, basis});
     at_least("static_safety", "",
              {c_.static_safety, l.static_safety, "", no_loads,
-              r_.life.basis == Requirement::Basis::maker && c_.static_capacity
-                  ? fmt::format("maker's C_0 {:.4g} kN", 1e-3 * *c_.static_capacity)
-                  : "threads: pressure, deformation or a flank's edge"});
+              c_.rated_static_capacity ? rested_on("C_0", c_.static_capacity, *c_.rated_static_capacity)
+                                       : "threads: pressure or deformation"});
     at_least("buckling", "",
              {c_.buckling_safety, l.buckling_safety,
               cycle_.largest_compression > 0.0 ? "" : "nothing compresses the screw"});
@@ -331,8 +335,10 @@ class Evaluation {
     judge_back_driving();
     add("temperature", "degC", false,
         {in_celsius(c_.hottest_part()), in_celsius(l.temperature), "",
-         by_row ? "a catalogue does not say where losses arise" : "slip has no equilibrium"},
-        r_.ambient - kKelvin);
+         !r_.heat ? "state `heat`, with the conductances of nut and screw in their seats"
+         : by_row ? "a catalogue does not say where losses arise"
+                  : "slip has no equilibrium at the temperatures of its losses"},
+        r_.heat ? r_.heat->ambient - kKelvin : 0.0);
     at_most("motor_speed", "rpm", {c_.motor_largest_speed, m.largest_speed, rests});
     at_most("motor_torque", "N m", {c_.motor_rms_torque, m.rated_torque, "", no_efficiency});
     at_most("motor_peak_torque", "N m", {c_.motor_peak_torque, m.peak_torque, "", no_efficiency});
@@ -345,8 +351,8 @@ class Evaluation {
   }
 
   void judge_back_driving() {
-    using enum Requirement::BackDriving;
-    const Requirement::BackDriving wanted = r_.limits.back_driving;
+    using enum BackDriving;
+    const BackDriving wanted = r_.limits.back_driving;
     if (wanted == allowed) return;
     const bool holds = wanted == forbidden ? locks() : !locks();
     c_.criteria.push_back({.name = "back_driving",
@@ -368,7 +374,7 @@ class Evaluation {
 
   bool by_maker() const { return c_.life_basis == Requirement::Basis::maker; }
   /// C_a of the life that counts [N].
-  double capacity() const { return by_maker() ? *c_.dynamic_capacity : *c_.by_threads.capacity; }
+  double capacity() const { return c_.rated_dynamic_capacity.value_or(*c_.by_threads.capacity); }
 
   void warn() {
     std::vector<Warning>& all = c_.warnings;
@@ -408,7 +414,7 @@ class Evaluation {
   void warn_of_heat() {
     if (!c_.temperature) return;
     std::vector<Warning>& all = c_.warnings;
-    const Requirement::Conductance& k = r_.conductance;
+    const Requirement::Conductance& k = r_.heat->conductance;
     if (r_.limits.temperature && !(k.screw_ambient && k.nut_ambient && k.screw_rollers && k.rollers_nut))
       all.push_back({"heat", "conductances_by_rule",
                      "conductances by rule decide on temperatures: bare parts in still air, a bolted housing takes "
@@ -455,6 +461,19 @@ class Evaluation {
 
 SizedCandidate evaluated(const SizeInput& in, const CandidateData& data) { return Evaluation(in, data).take(); }
 
+namespace {
+
+/// Mean load of the cycle at which a limit of its mean is just met, where the candidate has the criterion [N].
+std::optional<double> allowed_mean_load(const SizedCandidate& c, std::string_view limit, double mean_load) {
+  const std::string_view name = limit == "motor_rated" ? "motor_torque" : limit;
+  if (name == "static" || name == "buckling") return std::nullopt;
+  const auto found = std::ranges::find(c.criteria, name, &SizeCriterion::name);
+  if (found == c.criteria.end() || !found->margin) return std::nullopt;
+  return mean_load * (name == "life" ? std::cbrt(*found->margin) : *found->margin);
+}
+
+}  // namespace
+
 std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandidate& c) {
   const Requirement& r = in.values;
   if (!in.cycle.mean_load) return std::nullopt;
@@ -468,47 +487,76 @@ std::optional<SizeCurve> force_over_speed(const SizeInput& in, const SizedCandid
   SizeCurve curve;
   curve.rank = c.rank;
   sized.c.load_cases.clear();
-  for (int k = 1; k <= kCurvePoints; ++k) {
-    curve.speed.push_back(top * k / kCurvePoints);
+  sized.c.deviations.temperature = c.parts_at;
+  for (std::size_t k = 1; k <= kCurvePoints; ++k) curve.speed.push_back(top * static_cast<double>(k) / kCurvePoints);
+  std::vector<double> speeds = curve.speed;
+  speeds.push_back(in.cycle.driving_speed());
+  for (const double speed : speeds) {
     LoadCase& at_speed = sized.c.load_cases.emplace_back(load);
-    at_speed.speed = -std::copysign(kTurn * curve.speed.back() / lead, *load.speed);
-    at_speed.name = fmt::format("speed-{}", k);
+    at_speed.speed = -std::copysign(kTurn * speed / lead, *load.speed);
+    at_speed.name = fmt::format("speed-{}", sized.c.load_cases.size());
   }
   std::optional<Result> found;
   if (r.losses == Requirement::Losses::slip) found = analyze_slip(sized.c, kManyDesigns);
-  const ThermalNetwork network = thermal_network({.ambient = r.ambient, .conductance = c.conductance});
+  using Limit = std::pair<std::string_view, double>;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> least(kCurvePoints, std::numeric_limits<double>::infinity());
-  const auto put = [&](const char* limit, std::size_t k, double value) {
-    if (k == 0) curve.force.push_back({limit, {}});
-    std::ranges::find(curve.force, limit, [](const auto& series) { return series.first; })->second.push_back(value);
-    if (std::string_view(limit) != "motor_peak") least[k] = std::fmin(least[k], value);
-  };
-  for (std::size_t k = 0; k < curve.speed.size(); ++k) {
-    const double v = curve.speed[k];
+  const auto limits_at = [&](std::size_t k, double& eta) {
+    const double v = speeds[k];
     Branch b;
     b.efficiency = c.row_efficiency;
     if (found && slips(found->load_cases[k])) b = branch_by_slip(found->load_cases[k], lead);
-    const double eta = b.efficiency.value_or(kNone);
-    curve.efficiency.push_back(eta);
-    if (c.static_safety) put("static", k, *c.static_safety * in.cycle.largest_force / *r.limits.static_safety);
-    if (c.buckling_safety) put("buckling", k, *c.buckling_load / *r.limits.buckling_safety);
+    eta = b.efficiency.value_or(kNone);
+    std::vector<Limit> limits;
+    if (c.static_safety)
+      limits.emplace_back("static", *c.static_safety * in.cycle.largest_force / *r.limits.static_safety);
+    if (c.buckling_safety) limits.emplace_back("buckling", *c.buckling_load / *r.limits.buckling_safety);
     if (c.life.revolutions && (r.life.hours || r.life.distance)) {
       // C_e (a1 a_ISO 10^6/L(v))^(1/3) with the C_e that has this life under F_m.
       const double turns = (r.life.hours ? *r.life.hours * v : *r.life.distance) / lead;
-      put("life", k, force * std::cbrt(*c.life.revolutions / turns));
+      limits.emplace_back("life", force * std::cbrt(*c.life.revolutions / turns));
     }
     if (r.limits.temperature && c.temperature) {
-      const double warmest = b.heat ? network.steady(*b.heat).maxCoeff() : kNone;
-      put("temperature", k, force * (*r.limits.temperature - r.ambient) / (warmest - r.ambient));
+      const double warmest = b.heat ? network_of(r, c).steady(*b.heat).maxCoeff() : kNone;
+      limits.emplace_back("temperature",
+                          force * (*r.limits.temperature - r.heat->ambient) / (warmest - r.heat->ambient));
     }
     const auto by_motor = [&](double torque) {
       return (torque * r.motor.gear_ratio * r.motor.gear_efficiency - r.load.drag_torque) * kTurn * eta / lead;
     };
-    if (c.motor_rms_torque && r.motor.rated_torque) put("motor_rated", k, by_motor(*r.motor.rated_torque));
-    if (c.motor_peak_torque && r.motor.peak_torque) put("motor_peak", k, by_motor(*r.motor.peak_torque));
+    if (c.motor_rms_torque && r.motor.rated_torque) limits.emplace_back("motor_rated", by_motor(*r.motor.rated_torque));
+    if (c.motor_peak_torque && r.motor.peak_torque) limits.emplace_back("motor_peak", by_motor(*r.motor.peak_torque));
+    return limits;
+  };
+  double eta = kNone;
+  const std::vector<Limit> at_mean = limits_at(kCurvePoints, eta);
+  std::vector<double> on_and_on(kCurvePoints, HUGE_VAL), in_cycle(kCurvePoints, HUGE_VAL);
+  curve.force.resize(at_mean.size());
+  ByKey<std::vector<double>> of_cycle(at_mean.size());
+  for (std::size_t k = 0; k < kCurvePoints; ++k) {
+    const std::vector<Limit> limits = limits_at(k, eta);
+    curve.efficiency.push_back(eta);
+    for (std::size_t n = 0; n < limits.size(); ++n) {
+      const auto& [name, value] = limits[n];
+      curve.force[n].first = name;
+      curve.force[n].second.push_back(value);
+      if (name == "motor_peak") continue;
+      on_and_on[k] = std::fmin(on_and_on[k], value);
+      const std::optional<double> allowed = allowed_mean_load(c, name, force);
+      const double own = allowed ? value / at_mean[n].second * *allowed : value;
+      in_cycle[k] = std::fmin(in_cycle[k], own);
+      if (!allowed) continue;
+      of_cycle[n].first = fmt::format("{}_in_cycle", name);
+      of_cycle[n].second.push_back(own);
+    }
   }
-  if (std::isfinite(least.front())) curve.force.emplace_back("envelope", std::move(least));
+  std::erase_if(of_cycle, [](const auto& series) { return series.second.empty(); });
+  std::ranges::move(of_cycle, std::back_inserter(curve.force));
+  if (std::isfinite(on_and_on.front())) curve.force.emplace_back("envelope", std::move(on_and_on));
+  if (std::isfinite(in_cycle.front())) curve.force.emplace_back("envelope_in_cycle", std::move(in_cycle));
+  for (const MotionSegment& s : in.cycle.shown)
+    if (s.force != 0.0)
+      curve.required.push_back(
+          {s.name, s.largest_speed(), std::abs(s.force), s.sense() == 0 ? std::nullopt : std::optional(s.driven_by())});
   return curve;
 }
 

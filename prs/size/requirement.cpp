@@ -97,14 +97,8 @@ void alternatives(Choices& io, DesignValues::Series& s) {
 }
 
 void alternatives(Choices& io, Requirement::Basis& b) {
-  io("maker", b, Requirement::Basis::maker, "C_a and C_0 of the catalogue, as far as printed");
+  io("maker", b, Requirement::Basis::maker, "the formulas of catalogues, with C_a and C_0 as printed, else computed");
   io("threads", b, Requirement::Basis::threads, "the loads of the threads, as `prs life`");
-}
-
-void alternatives(Choices& io, Requirement::BackDriving& b) {
-  io("allowed", b, Requirement::BackDriving::allowed, "no criterion");
-  io("required", b, Requirement::BackDriving::required, "the load must turn the screw");
-  io("forbidden", b, Requirement::BackDriving::forbidden, "the screw must lock itself");
 }
 
 void alternatives(Choices& io, Requirement::Losses& l) {
@@ -205,17 +199,6 @@ void fields(const Fields& io, Requirement::Limits& l) {
   io("relubrication", l.relubrication, Quantity{unit::hours, positive, "500 h"}, "Least interval");
 }
 
-void fields(const Fields& io, Requirement::Motor& m) {
-  const Quantity torque{unit::torque, positive, "3 N m"};
-  io("rated_torque", m.rated_torque, torque, "Greatest rms torque");
-  io("peak_torque", m.peak_torque, torque, "Greatest torque");
-  io("largest_speed", m.largest_speed, Quantity{unit::rotational_speed, positive, "3000 rpm"}, "Of the motor");
-  io("inertia", m.inertia, Quantity{unit::inertia, not_negative}, "At its shaft, with its gear");
-  io("gear_ratio", m.gear_ratio, Number{positive, "1"}, "Turns of the motor per turn of the screw");
-  io("gear_efficiency", m.gear_efficiency,
-     Quantity{unit::share, {.least = 0.0, .greatest = 1.0, .least_excluded = true}}, "Of the gear");
-}
-
 void fields(const Fields& io, Requirement::Conductance& c) {
   const Quantity conductance{unit::thermal_conductance, not_negative};
   io("screw_ambient", c.screw_ambient, conductance, "As in a case; by the rule of `prs new`");
@@ -261,11 +244,11 @@ void fields(const Fields& io, Requirement& r) {
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
   io("roughness", r.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}}, "As in a case");
   io("carrier", r.carrier, Block{}, "As in a case");
-  io("heat", r.ambient, Keys{[&](const Fields& heat) {
-       heat("ambient", r.ambient, Quantity{unit::temperature, positive}, "Temperature of the surroundings");
-       heat("conductance", r.conductance, Block{}, "Heat flow over temperature");
+  io("heat", r.heat, Keys{[&](const Fields& heat) {
+       heat("ambient", r.heat->ambient, Quantity{unit::temperature, positive}, "Temperature of the surroundings");
+       heat("conductance", r.heat->conductance, Block{}, "Heat flow over temperature");
      }},
-     "How the parts get rid of the heat of friction");
+     "How the parts get rid of the heat of friction; without it temperatures are not known");
   io("relubrication", r.relubrication, Keys{[&](const Fields& rule) {
        rule("static_load_factor", r.relubrication->static_load_factor, Number{positive, "0.24"}, required,
             "S of the actuator");
@@ -300,6 +283,7 @@ void complete(Requirement& r) {
   }
   if (!r.lubricant->temperature && !r.lubricant->viscosity) r.lubricant->temperature = CaseLubricant{}.temperature;
   if (!r.roughness) r.roughness = {2e-7, 2e-7, 2e-7};
+  if (!r.life.basis) r.life.basis = r.candidates.designs ? Requirement::Basis::threads : Requirement::Basis::maker;
 }
 
 /// What values contradict.
@@ -316,11 +300,11 @@ class Checker {
              "got {:.6g} N m; expected at least `rated_torque`, {:.6g} N m; exchange them, or check "
              "the units",
              *r_.motor.peak_torque, *r_.motor.rated_torque);
-    if (r_.limits.temperature && !(*r_.limits.temperature > r_.ambient))
+    if (r_.limits.temperature && r_.heat && !(*r_.limits.temperature > r_.heat->ambient))
       refuse("limits.temperature",
              "got {:.6g} degC; expected more than the surroundings have, heat.ambient: {:.6g} "
              "degC; raise the limit",
-             *r_.limits.temperature - 273.15, r_.ambient - 273.15);
+             *r_.limits.temperature - 273.15, r_.heat->ambient - 273.15);
     check_candidates();
   }
 

@@ -2,6 +2,7 @@
 
 #include "prs/input/echo.h"
 #include "prs/model/limits.h"
+#include "prs/model/motor_duty.h"
 
 namespace prs {
 
@@ -70,9 +71,8 @@ struct Requirement {
     std::optional<double> distance;  ///< In place of hours [m].
     double reliability = 0.90;
     double modification_factor = 1.0;
-    Basis basis = Basis::maker;
+    std::optional<Basis> basis;  ///< `maker` where a catalogue alone is ranked, else `threads`.
   };
-  enum class BackDriving { allowed, required, forbidden };
   /// Makers ask for a static safety of 1 to 3, more under shock; catalogues allow half of the
   /// buckling load, 80 % of the critical speed and n d up to 150,000 mm/min.
   struct Limits : prs::Limits {
@@ -84,13 +84,6 @@ struct Requirement {
     }
     BackDriving back_driving = BackDriving::allowed;
     std::optional<double> relubrication;  ///< Least interval [s].
-  };
-  struct Motor {
-    std::optional<double> rated_torque, peak_torque;  ///< [N m]
-    std::optional<double> largest_speed;              ///< [rad/s]
-    double inertia = 0.0;                             ///< At its shaft, with its gear [kg m^2].
-    double gear_ratio = 1.0;                          ///< Its turns per turn of the screw.
-    double gear_efficiency = 1.0;
   };
   enum class Losses { slip, catalogue };
   /// Those that are given; the others follow by the rule of `prs new` [W/K].
@@ -119,7 +112,7 @@ struct Requirement {
   Shaft shaft;
   Life life;
   Limits limits;
-  Motor motor;
+  DriveMotor motor;
   std::optional<double> brake_torque;  ///< At the motor's shaft [N m].
   Losses losses = Losses::slip;
   ModelOptions::Loads loads = ModelOptions::Loads::running;
@@ -127,8 +120,11 @@ struct Requirement {
   std::optional<Lubricant> lubricant;
   std::optional<PerPart<double>> roughness;  ///< Rq [m].
   Carrier carrier;
-  double ambient = 298.15;  ///< [K]
-  Conductance conductance;
+  struct Surroundings {
+    double ambient = 298.15;  ///< [K]
+    Conductance conductance;
+  };
+  std::optional<Surroundings> heat;  ///< Without it no temperature is known.
   std::optional<Relubrication> relubrication;
   Candidates candidates;
   Objective objective = Objective::weight;

@@ -5,6 +5,7 @@
 #include "prs/input/csv_reader.h"
 #include "prs/input/described_file.h"
 #include "prs/input/force_history.h"
+#include "prs/loads/load_record.h"
 #include "prs/model/quantity_text.h"
 #include "prs/study/study_run.h"
 
@@ -90,6 +91,21 @@ std::vector<std::string> SizedCandidate::missed() const {
   return names;
 }
 
+std::string_view SizedCandidate::basis() const {
+  if (life_basis == Requirement::Basis::threads) return "threads";
+  return dynamic_capacity ? "maker" : "computed";
+}
+
+std::vector<std::string> CandidateData::assumed() const {
+  std::vector<std::string> names;
+  if (!screw.starts) names.emplace_back("starts");
+  if (!screw.rollers) names.emplace_back("rollers");
+  if (!screw.nut_diameter) names.emplace_back("nut_diameter");
+  if (!screw.nut_length) names.emplace_back("nut_length");
+  names.emplace_back("profile");
+  return names;
+}
+
 double SizedCandidate::least_missed_margin() const {
   double least = std::numeric_limits<double>::infinity();
   for (const SizeCriterion& c : criteria)
@@ -150,12 +166,14 @@ namespace {
 
 constexpr std::size_t kMostCandidates = 100'000;
 constexpr double kNoTravel = 1e-3;  ///< Stands for the travel where nothing moves under load [m].
+/// The maker's series, see validation/standard_screws/SOURCE.md.
+constexpr std::string_view kStandardScrews = "SRS-C, standard_screws.csv";
 
 constexpr std::string_view kNeededColumns[] = {"screw_diameter_mm", "lead_mm", "starts"};
 /// Those behind `type` are shown and not used.
 constexpr std::string_view kOtherColumns =
     " rollers nut_diameter_mm nut_length_mm dynamic_capacity_kN static_capacity_kN efficiency "
-    "back_driving_efficiency name screw type nut_and_rollers_kg screw_kg_per_m "
+    "back_driving_efficiency name screw maker type nut_and_rollers_kg screw_kg_per_m "
     "screw_inertia_kg_mm2_per_m nut_inertia_kg_mm2 roller_inertia_seen_by_screw_kg_mm2 "
     "screw_outer_diameter_mm screw_root_diameter_mm ";
 
@@ -308,6 +326,7 @@ class CatalogueReader {
     CandidateData c;
     c.is_row = true;
     c.name = text(text("name").empty() ? "screw" : "name");
+    c.list = text("maker").empty() ? name_ : fmt::format("{}, {}", text("maker"), name_);
     const std::string_view type = text("type");
     if (!type.empty() && type != "standard" && type != "inverted")
       refuse(place_of("type"), "standard or inverted", "write one of these");
@@ -332,6 +351,17 @@ class CatalogueReader {
   std::vector<std::string> heading_;
 };
 
+std::string size_name(double diameter, double lead) { return fmt::format("{:.6g}x{:.6g}", 1e3 * diameter, 1e3 * lead); }
+
+/// The first of one name keeps it; others are told apart by their numbers.
+void name_apart(std::vector<CandidateData>& all) {
+  std::set<std::string> taken;
+  for (CandidateData& c : all) {
+    if (c.name.empty()) c.name = size_name(c.screw.screw_diameter, c.screw.lead);
+    while (!taken.insert(c.name).second) c.name += fmt::format(" ({} {})", c.is_row ? "row" : "design", c.number);
+  }
+}
+
 void add_designs(const Requirement::Designs& d, const input::Source& source, std::vector<CandidateData>& all) {
   const std::vector<double> diameters = d.screw_diameter.values(), leads = d.lead.values();
   const std::vector<double> starts = d.starts ? d.starts->values() : std::vector<double>{0.0};
@@ -349,7 +379,11 @@ void add_designs(const Requirement::Designs& d, const input::Source& source, std
       for (const double lead : leads)
         for (const double n : starts) {
           CandidateData& c = all.emplace_back();
+          c.list = "rules of prs new";
           c.number = ++number;
+          c.name = size_name(diameter, lead);
+          if (type == Mechanism::Type::inverted && d.type.size() > 1) c.name += " inverted";
+          if (starts.size() > 1) c.name += fmt::format(" {:.0f}-start", n);
           c.screw.type = type;
           c.screw.screw_diameter = diameter;
           c.screw.lead = lead;
@@ -408,11 +442,23 @@ std::vector<CandidateData> candidates_of(const SizeInput& in, std::vector<Warnin
                           input::name_in_messages(*from.catalogue, in.source), in.source)
               .read(warnings);
   else if (!from.designs)
-    all = CatalogueReader(standard_screws(), "standard_screws.csv", in.source).read(warnings);
+    all = CatalogueReader(standard_screws(), std::string(kStandardScrews), in.source).read(warnings);
   if (from.designs) add_designs(*from.designs, in.source, all);
-  for (CandidateData& c : all)
-    if (c.name.empty()) c.name = fmt::format("{:.6g}x{:.6g}", 1e3 * c.screw.screw_diameter, 1e3 * c.screw.lead);
+  name_apart(all);
   return all;
+}
+
+MotorDuty::Step motor_step(const MotionSegment& s) {
+  return {.load_case = {},
+          .duration = s.duration,
+          .start_speed = s.start_speed,
+          .end_speed = s.end_speed,
+          .force = s.force};
+}
+
+PerPart<double> as_written(const PerPart<double>& temperature) {
+  const auto one = [](double kelvin) { return rounded(kelvin - kZeroCelsius) + kZeroCelsius; };
+  return {one(temperature.screw), one(temperature.roller), one(temperature.nut)};
 }
 
 SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
@@ -462,17 +508,43 @@ SizedCase sized_case(const SizeInput& in, const CandidateData& candidate) {
 
 namespace {
 
-/// The block `heat` with the cycle as its duty.
+/// The block `heat` with the cycle as its duty: of a class the time in which its mean force has the work of its
+/// samples.
 Heat heat_of_cycle(const SizeInput& in, const SizedCase& sized, const Heat::Conductance& k) {
-  Heat heat{.ambient = in.values.ambient, .conductance = k};
-  heat.specific_heat = 460.0;
+  Heat heat{.ambient = in.values.heat.value_or(Requirement::Surroundings{}).ambient, .conductance = k};
+  heat.losses = Heat::Losses::stated;
+  std::vector<double> work(in.cycle.shown.size(), 0.0);
+  for (const MotionSegment& s : in.cycle.all) work[s.shown_as] += s.work();
+  const auto rest = [&](double time) { heat.duty.push_back({.load_case = {}, .duration = {}, .rest = time}); };
   for (std::size_t j = 0; j < in.cycle.shown.size(); ++j) {
     const MotionSegment& s = in.cycle.shown[j];
-    Heat::DutyStep& step = heat.duty.emplace_back();
-    if (sized.load_case_of[j]) step.load_case = nlohmann::json(s.name).dump();
-    (sized.load_case_of[j] ? step.duration : step.rest) = s.duration;
+    if (!sized.load_case_of[j]) {
+      rest(s.duration);
+      continue;
+    }
+    const double acts = in.cycle.in_classes ? s.duration * work[j] / s.work() : s.duration;
+    heat.duty.push_back({.load_case = nlohmann::json(s.name).dump(), .duration = acts, .rest = {}});
+    if (s.duration - acts > kAlike * s.duration) rest(s.duration - acts);
   }
   return heat;
+}
+
+/// The block `motor`: every segment with its own force, and the friction of the load case that it belongs to.
+MotorDuty motor_duty(const SizeInput& in, const SizedCase& sized) {
+  const Requirement& r = in.values;
+  MotorDuty duty{.motor = r.motor,
+                 .brake_torque = r.brake_torque,
+                 .drag_torque = r.load.drag_torque,
+                 .holding_force = in.cycle.holding_force,
+                 .back_driving = r.limits.back_driving,
+                 .driven_back = nlohmann::json(kBackDriving).dump(),
+                 .cycle = {}};
+  for (const MotionSegment& s : in.cycle.all) {
+    duty.cycle.push_back(motor_step(s));
+    if (s.force != 0.0 && sized.load_case_of[s.shown_as])
+      duty.cycle.back().load_case = nlohmann::json(in.cycle.shown[s.shown_as].name).dump();
+  }
+  return duty;
 }
 
 /// Limits of the requirement that a case can have.
@@ -553,9 +625,10 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
                         nlohmann::json(load.name).dump(), format_quantity(load.axial_force, input::unit::force),
                         name(*load.direction), format_quantity(*load.position, input::unit::length),
                         fmt::format("{:.12g} rpm", *load.speed * per_si::revolution_per_minute));
+  const std::string law = text_of(value_of(*c.friction, input::ChoiceUnder{"model"}));
   text += "\n# Mean of the time in motion, and the largest.\n" +
           block_text("operation", value_of(*c.operation, Block{})) +
-          lines.line("friction", text_of(value_of(*c.friction, input::ChoiceUnder{"model"})), "friction");
+          lines.line("friction", law.starts_with("{model") ? law : fmt::format("{{model: {}}}", law), "friction");
   const PerPart<double>& rough = *c.roughness;
   Lubricant lubricant_default;
   Carrier carrier_default;
@@ -568,24 +641,34 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
                                  1e6 * rough.roller, 1e6 * rough.nut),
                      "roughness") +
           lines.block("carrier", value_of(c.carrier, Block{}), value_of(carrier_default, Block{})) +
-          "\n# Temperatures that follow from the losses, with `prs slip`; the list took the mean of "
-          "the\n# cycle at the lubricant's temperature:\n";
+          (candidate.temperature
+               ? "\n# Mean of the cycle. For parts that warm up and oil that follows, write `specific_heat: 460 "
+                 "J/(kg K)` in place of\n# `losses: stated`, and delete temperatures of parts.\n"
+               : "\n# Temperatures are not known. With what seat, bearings and air take they would be the mean of the "
+                 "cycle; bare parts in\n# still air, by the rules of `prs new`:\n");
   Heat heat = heat_of_cycle(in, sized, candidate.conductance);
   std::string of_heat = block_text("heat", value_of(heat, Block{}));
-  for (std::size_t at = 0; at < of_heat.size(); at = of_heat.find('\n', at) + 1) of_heat.insert(at, "# ");
+  for (std::size_t at = 0; !candidate.temperature && at < of_heat.size(); at = of_heat.find('\n', at) + 1)
+    of_heat.insert(at, "# ");
+  if (candidate.parts_at)
+    of_heat +=
+        fmt::format("deviations: {{temperature: {{screw: {:.12g} degC, roller: {:.12g} degC, nut: {:.12g} degC}}}}\n",
+                    candidate.parts_at->screw - kZeroCelsius, candidate.parts_at->roller - kZeroCelsius,
+                    candidate.parts_at->nut - kZeroCelsius);
   Life& life = *c.life;
-  if (candidate.life_basis == Requirement::Basis::maker) {
-    life.dynamic_capacity = candidate.dynamic_capacity;
-    life.static_capacity = candidate.static_capacity;
-  }
+  life.dynamic_capacity = candidate.rated_dynamic_capacity;
+  life.static_capacity = candidate.rated_static_capacity;
   const bool travels = sized.screw.data.type == Mechanism::Type::standard;
   if (travels && in.values.stroke && sized.shaft_length >= *in.values.stroke + c.structure->nut.length)
     c.measures->shaft->stroke = in.values.stroke;
   Limits limits = limits_of(in);
+  MotorDuty duty = motor_duty(in, sized);
   return text + of_heat + "\n# Without a capacity, as makers print it, life is that by threads.\n" +
          lines.block("life", value_of(life, Block{}), value_of(life_default, Block{})) + "\n" +
          lines.block("measures", value_of(*c.measures, Block{}), value_of(measures_default, Block{})) + "\n" +
-         lines.block("limits", value_of(limits, Block{}), value_of(limits_default, Block{}));
+         lines.block("limits", value_of(limits, Block{}), value_of(limits_default, Block{})) +
+         "\n# One cycle of the axis; `prs check` holds motor and brake against their limits.\n" +
+         block_text("motor", value_of(duty, Block{}));
 }
 
 }  // namespace prs

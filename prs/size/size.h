@@ -12,19 +12,29 @@ namespace prs {
 /// A screw to choose from: a row of a catalogue or a design. SI units.
 struct CandidateData {
   std::string name;
+  std::string list;        ///< List that it comes from: of a maker, a file, or the rules of `prs new`.
   bool is_row = false;     ///< Whether it is a row of a catalogue.
   std::size_t number = 0;  ///< Number of the row or the design, from 1.
   ScrewData screw;
   std::optional<double> dynamic_capacity, static_capacity;  ///< C_a, C_0 of the row [N].
   std::optional<double> row_efficiency, row_back_driving_efficiency;
+
+  /// Dimensions that neither row nor design states, so that they follow the rules of `prs new`.
+  std::vector<std::string> assumed() const;
 };
 
 /// Rows of the standard screws in validation/standard_screws, which are part of the program.
 std::string_view standard_screws();
 
-/// Rows of the catalogue, then designs, numbered with starts fastest, then lead, diameter, type.
-/// Unknown columns are warned of. Throws InputError.
+/// Rows of the catalogue, then designs, numbered with starts fastest, then lead, diameter, type, each with a name of
+/// its own. Unknown columns are warned of. Throws InputError.
 std::vector<CandidateData> candidates_of(const SizeInput& in, std::vector<Warning>& warnings);
+
+/// Temperatures to the digits that a written case has [K].
+PerPart<double> as_written(const PerPart<double>& temperature);
+
+/// A segment of the motion as the motor has it.
+MotorDuty::Step motor_step(const MotionSegment& s);
 
 /// A candidate as a case: a load case for each moving segment under force, then `back-driving`.
 struct SizedCase {
@@ -85,6 +95,8 @@ struct SizedCandidate : CandidateData {
 
   std::optional<double> weight, shaft_length;
   Requirement::Basis life_basis = Requirement::Basis::threads;
+  /// C_a and C_0 in the formulas of catalogues, printed or else computed [N]; none by threads.
+  std::optional<double> rated_dynamic_capacity, rated_static_capacity;
   SizedLife life;
   std::optional<double> static_safety;
   struct ByThreads {
@@ -96,7 +108,9 @@ struct SizedCandidate : CandidateData {
   std::optional<double> speed_times_diameter, stiffness, efficiency, back_driving_efficiency;
   std::optional<bool> self_locking;
   std::optional<PerPart<double>> temperature;  ///< [K]
-  Heat::Conductance conductance;               ///< As given, else by the rule of `prs new`.
+  /// Temperatures of the parts under which threads were loaded [K]; none: the reference temperature.
+  std::optional<PerPart<double>> parts_at;
+  Heat::Conductance conductance;  ///< As given, else by the rule of `prs new`.
   std::optional<double> power_lost, inertia;
   std::optional<double> motor_rms_torque, motor_peak_torque, motor_largest_speed, motor_peak_power;
   std::optional<double> inertia_ratio, regenerated_mean, regenerated_peak, holding_torque;
@@ -108,6 +122,8 @@ struct SizedCandidate : CandidateData {
 
   /// Criteria that do not hold, and the least margin among them; none counts as 0.
   std::vector<std::string> missed() const;
+  /// maker | computed | threads: where the capacities of its life come from.
+  std::string_view basis() const;
   double least_missed_margin() const;
   std::optional<double> hottest_part() const;  ///< [K]
 };
@@ -128,7 +144,15 @@ struct Relaxation {
 struct SizeCurve {
   int rank = 0;
   std::vector<double> speed, efficiency;  ///< [m/s]; of the screw.
-  ByKey<std::vector<double>> force;       ///< By what limits it, then their `envelope`.
+  /// Forces by what limits them running on and on; those of the mean load with the rests and changes of the cycle as
+  /// `.._in_cycle`; `envelope` and `envelope_in_cycle`, the least of them.
+  ByKey<std::vector<double>> force;
+  struct Required {
+    std::string segment;
+    double speed = 0.0, force = 0.0;    ///< Largest speed [m/s], axial force [N].
+    std::optional<DrivenBy> driven_by;  ///< None at rest.
+  };
+  std::vector<Required> required;  ///< Segments under force.
 };
 
 /// A candidate against the requirement, unranked. Throws CaseError where `prs new` refuses it.

@@ -64,8 +64,9 @@ static std::optional<std::size_t> number_of(const CandidateData& c) {
 }
 
 constexpr Quantity<InvalidCandidate> kInvalid[] = {
-    {"name", always<&InvalidCandidate::name>, "of the row, else diameter x lead in mm"},
+    {"name", always<&InvalidCandidate::name>, "as of a candidate"},
     {"source", always<source_name>, "catalogue | design"},
+    {"source_name", always<&InvalidCandidate::list>, "as of a candidate"},
     {"row", of<number_of<true>>, "of the catalogue, from 1"},
     {"design", of<number_of<false>>, "from 1"},
     {"reason", always<&InvalidCandidate::reason>, "what is wrong"},
@@ -132,8 +133,9 @@ Record<SizeCriterion> record_of(Type<SizeCriterion>) {
 
 constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"rank", always<&SizedCandidate::rank>, "from 1, over all"},
-    {"name", always<&SizedCandidate::name>, "of the row, else diameter x lead in mm"},
+    {"name", always<&SizedCandidate::name>, "of the row, else diameter x lead in mm; no two have one"},
     {"source", always<source_name>, "catalogue | design"},
+    {"source_name", always<&SizedCandidate::list>, "maker or series, and file, of the row; the rules of a design"},
     {"row", of<number_of<true>>, "of the catalogue, from 1"},
     {"design", of<number_of<false>>, "from 1"},
     {"type", always<[](const SizedCandidate& c) { return type_name(c.screw.type); }>, "standard | inverted"},
@@ -150,10 +152,16 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"weight_kg", of<&SizedCandidate::weight>, "nut, rollers, screw over the shaft's length"},
     {"shaft_length_mm", of<&SizedCandidate::shaft_length>, "between the supports"},
     {"life_basis", always<&SizedCandidate::life_basis>, "maker | threads"},
+    {"basis", always<&SizedCandidate::basis>,
+     "maker | computed | threads: life by the catalogues' formula with a printed or a computed C_a, or by the loads of "
+     "the threads"},
+    {"rated_dynamic_capacity_N", of<&SizedCandidate::rated_dynamic_capacity>, "C_a in the catalogues' formula"},
+    {"rated_static_capacity_N", of<&SizedCandidate::rated_static_capacity>, "C_0 in the catalogues' formula"},
+    {"assumed", always<&SizedCandidate::assumed>, "dimensions by the rules of `prs new`: the source states none"},
     {"life_revolutions", life_of<&SizedLife::revolutions>, "rated, of all travel", source::kLife},
     {"life_hours", life_of<&SizedLife::hours>, "clock time, rests included"},
     {"life_km", life_of<&SizedLife::travel>, "of all travel"},
-    {"static_safety", of<&SizedCandidate::static_safety>, "maker's C_0, or by threads"},
+    {"static_safety", of<&SizedCandidate::static_safety>, "by C_0, or by threads"},
     {"computed", of<&SizedCandidate::by_threads>, "the same by the loads of the threads"},
     {"dynamic_capacity_N", of<&SizedCandidate::dynamic_capacity>, "of the row"},
     {"static_capacity_N", of<&SizedCandidate::static_capacity>, "of the row"},
@@ -170,7 +178,12 @@ constexpr Quantity<SizedCandidate> kCandidate[] = {
     {"temperature_degC", of<[](const SizedCandidate& c) {
        return c.temperature ? std::optional(celsius_of(*c.temperature)) : std::nullopt;
      }>,
-     "mean of the cycle"},
+     "mean of the cycle; absent without `heat`"},
+    {"hottest_part_degC", of<[](const SizedCandidate& c) {
+       const auto hottest = c.hottest_part();
+       return hottest ? std::optional(*hottest - kZeroCelsius) : std::nullopt;
+     }>,
+     "largest of these"},
     {"conductance_W_per_K", of<&SizedCandidate::conductance>, "between parts and surroundings"},
     {"power_lost_W", of<&SizedCandidate::power_lost>, "mean of the cycle"},
     {"inertia_kg_mm2", of<&SizedCandidate::inertia>, "at the part that turns"},
@@ -218,12 +231,25 @@ constexpr Quantity<Relaxation> kRelaxation[] = {
 
 Record<Relaxation> record_of(Type<Relaxation>) { return {"Relaxation", "What a limit would have to be.", kRelaxation}; }
 
+constexpr Quantity<SizeCurve::Required> kRequired[] = {
+    {"name", always<&SizeCurve::Required::segment>, "of the motion"},
+    {"speed_mm_per_s", of<&SizeCurve::Required::speed>, "largest of the segment"},
+    {"force_N", always<&SizeCurve::Required::force>, "axial, without sense"},
+    {"driven_by", of<&SizeCurve::Required::driven_by>, "screw | load; absent at rest"},
+};
+
+Record<SizeCurve::Required> record_of(Type<SizeCurve::Required>) {
+  return {"RequiredForce", "A force that the motion asks for at its speed.", kRequired};
+}
+
 constexpr Quantity<SizeCurve> kCurve[] = {
     {"rank", always<&SizeCurve::rank>, "of the candidate"},
     {"speed_mm_per_s", of<&SizeCurve::speed>, "constant, in one sense"},
     {"efficiency", of<&SizeCurve::efficiency>, "under the mean load"},
     {"force_N", of<&SizeCurve::force>,
-     "that the candidate carries on and on; envelope: the least of all but motor_peak"},
+     "that the candidate carries on and on; envelope: the least of all but motor_peak. NAME_in_cycle: mean load with "
+     "the rests and changes of the cycle, that meets the limit at the mean speed if the candidate does"},
+    {"required", always<&SizeCurve::required>, "segments of the motion under force"},
 };
 
 Record<SizeCurve> record_of(Type<SizeCurve>) { return {"SizeCurve", "Force over speed.", kCurve}; }
@@ -372,29 +398,51 @@ Figures map(const SizeResult& r) {
   return {std::move(figure)};
 }
 
-/// Forces that a candidate carries on and on over the speed.
+/// Forces that a candidate carries over the speed, and those that the motion asks for: single ones below the lines of
+/// strength and peak torque, their mean below that of the cycle.
 Figures curve(const SizeResult& r) {
   if (!r.curve) return {};
   const SizeCurve& c = *r.curve;
+  const MotionCycle& cycle = r.input.cycle;
   const SizedCandidate& chosen = r.candidates[static_cast<std::size_t>(c.rank) - 1];
   Figure figure{"size_curve", shown_name(chosen.name) + ": force over speed"};
   figure.x = {"Speed", "mm/s"};
   figure.aspect = 0.7;
   Panel panel;
   Range range;
+  constexpr std::string_view kInCycle = "_in_cycle";
   for (const auto& [limit, forces] : c.force) {
-    const bool all = limit == "envelope";
-    Series line{
-        figure.add(all ? "on and on" : words_of(limit), all ? line_of(Colour::ink, Dash::solid, Weight::strong)
-                                                            : line_of(palette(figure.styles.size()), Dash::dashed))};
+    const bool in_cycle = limit.ends_with(kInCycle);
+    if (!in_cycle && limit != "static" && limit != "buckling" && limit != "motor_peak") continue;
+    const bool all = limit.starts_with("envelope");
+    const std::string_view of = std::string_view(limit).substr(0, limit.size() - (in_cycle ? kInCycle.size() : 0));
+    Series line{figure.add(all ? "mean load in this cycle" : words_of(of) + (in_cycle ? ", mean load" : ""),
+                           all ? line_of(Colour::ink, Dash::solid, Weight::strong)
+                               : line_of(palette(figure.styles.size()), in_cycle ? Dash::dotted : Dash::dashed))};
     for (std::size_t k = 0; k < forces.size(); ++k) {
       const double kilonewtons = forces[k] * per_si::kilonewton;
       line.add(1e3 * c.speed[k], std::isfinite(kilonewtons) ? std::optional(kilonewtons) : std::nullopt);
-      if (all) range.include(2.5 * kilonewtons);  // Far limits would press what matters together.
+      if (all && c.speed[k] >= cycle.driving_speed()) range.include(1.2 * kilonewtons);
     }
     panel.series.push_back(std::move(line));
   }
-  if (range.empty()) range = range_of_y(panel.series);
+  const auto points = [&](std::string title, const Style& style, auto belongs) {
+    Series marks{figure.styles.size()};
+    for (const SizeCurve::Required& point : c.required)
+      if (belongs(point)) marks.add(1e3 * point.speed, per_si::kilonewton * point.force);
+    if (marks.parts.empty()) return;
+    figure.add(std::move(title), style);
+    panel.series.push_back(std::move(marks));
+  };
+  const auto by_load = [](const SizeCurve::Required& point) { return point.driven_by == DrivenBy::load; };
+  points("required", points_of(Colour::ink, Mark::circle), std::not_fn(by_load));
+  points("required, the load drives", points_of(Colour::muted, Mark::triangle), by_load);
+  if (cycle.mean_load) {
+    Series mean{figure.add("required, mean load", points_of(Colour::vermillion, Mark::diamond))};
+    mean.add(1e3 * cycle.driving_speed(), per_si::kilonewton * *cycle.mean_load);
+    panel.series.push_back(std::move(mean));
+  }
+  range.include(1.2 * per_si::kilonewton * cycle.largest_force);
   panel.y = fitted({"Axial force", "kN"}, {0.0, range.to}, true);
   figure.panels = {std::move(panel)};
   return {std::move(figure)};
@@ -445,15 +493,22 @@ Pictures size_pictures(const SizeResult& r) {
 
 namespace {
 
-constexpr std::size_t kNameWidth = 16, kVerdictWidth = 8, kCellWidth = 10;
+constexpr std::size_t kNameWidth = 22;
 
-/// A row of the list of candidates.
-std::string line_of(const std::string& rank, std::string_view name, std::string_view verdict,
-                    const std::vector<std::string>& cells, std::string_view limited_by) {
-  std::string line = padded(rank, 5, false) + "  " + fitted(name, kNameWidth, true) +
-                     padded(std::string(verdict), kVerdictWidth, true);
-  for (const std::string& cell : cells) line += padded(cell, kCellWidth, false);
-  return ended(line + "  " + std::string(limited_by));
+using Cells = std::vector<std::string>;
+
+/// Rows of columns as wide as their texts, to the left where `sides` has an `l`.
+std::string aligned(const std::vector<Cells>& rows, std::string_view sides) {
+  std::vector<std::size_t> widths(sides.size(), 0);
+  for (const Cells& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], width(row[k]));
+  std::string text;
+  for (const Cells& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) line += "  " + padded(row[k], widths[k], sides[k] == 'l');
+    text += ended(std::move(line));
+  }
+  return text;
 }
 
 std::string asked(const SizeResult& r) {
@@ -486,28 +541,67 @@ std::string verdict(const SizeResult& r) {
 
 /// Whether temperatures rest on conductances of still air.
 bool is_rough(const SizeResult& r) {
-  const auto& k = r.input.values.conductance;
-  return !(k.screw_ambient && k.nut_ambient);
+  const auto& heat = r.input.values.heat;
+  return heat && !(heat->conductance.screw_ambient && heat->conductance.nut_ambient);
 }
 
-std::string row(const SizeResult& r, const SizedCandidate& c) {
+/// What lives and safeties of the list rest on.
+std::string basis_note(const SizeResult& r) {
+  const auto from = [&](std::string_view basis) {
+    return std::ranges::any_of(r.candidates, [&](const SizedCandidate& c) { return c.basis() == basis; });
+  };
+  if (from("threads"))
+    return "All by the loads of their threads, with profiles as `prs new` assumes them; life.basis: maker takes the "
+           "formulas of catalogues";
+  std::string text = "All by the formulas of catalogues, with C_a and C_0 ";
+  text += !from("computed") ? "of the source" : from("maker") ? "of the source, else computed" : "computed";
+  return text + "; makers print different ones for one size, so compare with yours";
+}
+
+Cells first_cells(const SizedCandidate& c) {
+  return {fmt::format("{}", c.rank), shortened(printable(c.name), kNameWidth)};
+}
+
+/// How the screws meet the requirement.
+Cells screw_row(const SizedCandidate& c) {
+  Cells cells = first_cells(c);
+  for (std::string text : {std::string(c.passes ? "passes" : "fails"), significant(c.life.hours, 4),
+                           std::string(c.basis()), fixed(c.static_safety, 1.0, 2), fixed(c.buckling_safety, 1.0, 2),
+                           fixed(c.weight, "kg", 2), words_of(c.limited_by)})
+    cells.push_back(std::move(text));
+  return cells;
+}
+
+/// What they are, what they ask of motor and cooling, and where they come from.
+Cells drive_row(const SizeResult& r, const SizedCandidate& c) {
   const std::optional<double> heat = c.hottest_part();
-  return line_of(fmt::format("{}", c.rank), c.name, c.passes ? "passes" : "fails",
-                 {significant(c.life.hours, 4), fixed(c.static_safety, 1.0, 2), fixed(c.buckling_safety, 1.0, 2),
-                  fixed(c.motor_rms_torque, "N m", 2),
-                  heat ? fmt::format("{:.0f}{}", *heat - 273.15, is_rough(r) ? "*" : "") : std::string(kAbsent),
-                  fixed(c.weight, "kg", 2)},
-                 words_of(c.limited_by));
+  Cells cells = first_cells(c);
+  for (std::string text :
+       {std::string(type_name(c.screw.type)), fmt::format("{}", c.starts), fixed(c.motor_rms_torque, "N m", 2),
+        fixed(c.motor_peak_torque, "N m", 2), fixed(c.motor_largest_speed, per_si::revolution_per_minute, 0),
+        fixed(c.motor_peak_power, 1e-3, 2),
+        heat ? fmt::format("{:.0f}{}", *heat - kZeroCelsius, is_rough(r) ? "*" : "") : std::string(kAbsent),
+        std::string(c.brake_needed ? "yes" : "no"), printable(c.list)})
+    cells.push_back(std::move(text));
+  return cells;
 }
 
 std::string candidate_rows(const SizeResult& r, std::size_t count) {
-  std::string text =
-      line_of("", "", "", {"L10", "static", "buckling", "T rms", "hottest", "weight"}, "limited by") +
-      line_of("rank", "screw", "", {"h", "safety", "safety", with_table_unit("N m"), "°C", with_table_unit("kg")}, "");
-  for (std::size_t k = 0; k < std::min(count, r.candidates.size()); ++k) text += row(r, r.candidates[k]);
+  const std::string torque = with_table_unit("N m");
+  std::vector<Cells> screws{{"", "", "", "L10", "", "static", "buckling", "weight", "limited"},
+                            {"rank", "screw", "", "h", "basis", "safety", "safety", with_table_unit("kg"), "by"}};
+  std::vector<Cells> drives{{"", "", "", "", "T rms", "T peak", "motor", "peak", "hottest", "", ""},
+                            {"rank", "screw", "type", "starts", torque, torque, "rpm", "kW", "°C", "brake", "source"}};
+  for (std::size_t k = 0; k < std::min(count, r.candidates.size()); ++k) {
+    screws.push_back(screw_row(r.candidates[k]));
+    drives.push_back(drive_row(r, r.candidates[k]));
+  }
+  std::string text = aligned(screws, "rllrlrrrl");
   if (count < r.candidates.size())
     text += fmt::format("  … of {}; more with --top N, {}\n", r.candidates.size(), all_in("size.csv"));
-  if (is_rough(r) && r.candidates.front().temperature) text += "  * of bare parts in still air: see `heat`\n";
+  text += "\n" + aligned(drives, "rllrrrrrrll") + hanging("  ", 2, basis_note(r));
+  if (is_rough(r)) text += "  * of bare parts in still air: a bolted housing takes several times as much, see `heat`\n";
+  if (!r.input.values.heat) text += "  Temperatures are not known: `heat` would say what seat, bearings and air take\n";
   return text;
 }
 

@@ -633,7 +633,7 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
   constexpr int kDecades = 4, kPerDecade = 10;
   const LoadCaseResult& loaded = result.load_cases[load_case];
   Conditions warm = c;
-  if (loaded.heat) warm.deviations.temperature = loaded.heat->temperature;
+  if (loaded.heat && warms(c.heat)) warm.deviations.temperature = loaded.heat->temperature;
   const SlipModels models(warm, result.contacts, oils_of(c, loaded));
   LoadCase at = loaded.load_case;
   const double speed = models.unloaded(at).speed;

@@ -462,6 +462,124 @@ TEST(Size, DesignsAreAllCombinationsOfTheirLists) {
   EXPECT_EQ(std::ranges::count(in.fields, "candidates.designs.starts[2]", &input::EchoEntry::path), 1);
 }
 
+constexpr std::string_view kPressing =
+    "motion: {segments: [{duration: 0.5 s, end_speed: 20 mm/s, force: 40 kN}, {duration: 5 s, end_speed: 20 mm/s, "
+    "force: "
+    "40 kN}, {duration: 1 s, end_speed: 0 mm/s, force: 40 kN}, {duration: 1 s, end_speed: -40 mm/s}, {duration: 2.25 "
+    "s, "
+    "end_speed: -40 mm/s}, {duration: 1 s, end_speed: 0 mm/s}]}\nload: {moved_mass: 50 kg}\nlife: {hours: 100 h}\n";
+
+SizeResult sized_with(std::string_view text, const char* csv) {
+  input::Source source = input::source_of_text("press.yaml", std::string(text), {});
+  source.files.emplace()["own.csv"] = csv;
+  return size_screws(read_requirement(source));
+}
+
+// The same screw as a row and as a design.
+TEST(SizeBasis, OneScrewHasOneSetOfNumbers) {
+  const std::string both = std::string(kPressing) +
+                           "candidates: {catalogue: {file: own.csv}, designs: {screw_diameter: 30 mm, lead: 10 mm, "
+                           "starts: 5}}\n";
+  const SizeResult r =
+      sized_with(both, "screw_diameter_mm,lead_mm,starts,dynamic_capacity_kN,static_capacity_kN\n30,10,5,145,281\n");
+  ASSERT_EQ(r.candidates.size(), 2);
+  const SizedCandidate &a = r.candidates[0], &b = r.candidates[1];
+  EXPECT_NE(a.name, b.name);
+  EXPECT_NE(a.list, b.list);
+  for (const SizedCandidate* c : {&a, &b}) EXPECT_EQ(c->basis(), "threads");
+  EXPECT_EQ(a.passes, b.passes);
+  for (const auto member : {&SizedCandidate::static_safety, &SizedCandidate::efficiency, &SizedCandidate::stiffness,
+                            &SizedCandidate::buckling_safety, &SizedCandidate::weight})
+    EXPECT_EQ((a.*member).value(), (b.*member).value());
+  EXPECT_EQ(a.life.hours.value(), b.life.hours.value());
+}
+
+// L = 10^6 (C_a/F_m)^3 and C_0/F_max for all, with the capacities that each has.
+TEST(SizeBasis, CatalogueFormulasHoldForScrewsWithoutPrintedCapacities) {
+  const SizeResult r =
+      sized_with(std::string(kPressing) + "candidates: {catalogue: {file: own.csv}}\n",
+                 "name,screw_diameter_mm,lead_mm,starts,dynamic_capacity_kN,static_capacity_kN,maker\na,30,10,5,145,"
+                 "281,M\nb,30,10,5,-"
+                 ",-,-\n");
+  const SizedCandidate &a = named(r, "a"), &b = named(r, "b");
+  EXPECT_EQ(a.basis(), "maker");
+  EXPECT_EQ(b.basis(), "computed");
+  EXPECT_EQ(a.list, "M, own.csv");
+  EXPECT_EQ(b.list, "own.csv");
+  const double mean = *r.input.cycle.mean_load, most = r.input.cycle.largest_force;
+  expect_near_relative(*a.life.revolutions, 1e6 * std::pow(145e3 / mean, 3), 1e-12);
+  expect_near_relative(*a.static_safety, 281e3 / most, 1e-12);
+  expect_near_relative(*b.life.revolutions, 1e6 * std::pow(*b.by_threads.capacity / mean, 3), 1e-12);
+  expect_near_relative(*b.static_safety, *b.rated_static_capacity / most, 1e-12);
+  EXPECT_THAT(b.assumed(), ElementsAre("rollers", "nut_diameter", "nut_length", "profile"));
+}
+
+TEST(Size, NoTwoCandidatesHaveOneName) {
+  const SizeResult r = sized_with(std::string(kPressing) +
+                                      "candidates: {catalogue: {file: own.csv}, designs: {type: [standard, inverted], "
+                                      "screw_diameter: 30 mm, lead: [5 "
+                                      "mm, 5 mm], starts: [3, 4]}}\n",
+                                  "screw_diameter_mm,lead_mm,starts\n30,5,3\n30,5,4\n");
+  std::set<std::string> names;
+  for (const SizedCandidate& c : r.candidates) names.insert(c.name);
+  for (const InvalidCandidate& c : r.invalid) names.insert(c.name);
+  EXPECT_EQ(names.size(), r.candidates.size() + r.invalid.size());
+  EXPECT_TRUE(names.contains("30x5"));
+  EXPECT_TRUE(names.contains("30x5 (row 2)"));
+  EXPECT_TRUE(names.contains("30x5 inverted 3-start"));
+}
+
+TEST(Size, TemperaturesAreNotKnownWithoutHeat) {
+  const SizeResult r = sized(std::string(kPressing) + "limits: {temperature: 80 degC}\n");
+  for (const SizedCandidate& c : r.candidates) {
+    EXPECT_FALSE(c.temperature);
+    EXPECT_EQ(criterion(c, "temperature").status, CriterionStatus::not_computed);
+    EXPECT_THAT(criterion(c, "temperature").reason, HasSubstr("`heat`"));
+  }
+}
+
+// By threads the parts stand at the temperatures that are printed: what they lose there keeps them there.
+TEST(Size, LifeByThreadsIsThatOfPartsAtTheirTemperatures) {
+  std::string text = example();
+  text.replace(text.find("life: {hours: 20000 h}"), 22, "life: {hours: 20000 h, basis: threads}");
+  const SizeResult r = sized(text);
+  const SizedCandidate& c = named(r, "30x10");
+  ASSERT_TRUE(c.parts_at);
+  EXPECT_NEAR(c.parts_at->screw, c.temperature->screw, 0.01);
+  EXPECT_NEAR(c.parts_at->nut, c.temperature->nut, 0.01);
+  Case warm = sized_case(r.input, c).c;
+  const double cold = analyze_life(warm).system_life;
+  warm.deviations.temperature = c.parts_at;
+  const double travel = r.input.cycle.travel / r.input.cycle.loaded_travel;
+  expect_near_relative(*c.life.revolutions, analyze_life(warm).system_life * travel, 1e-12);
+  EXPECT_GT(std::abs(*c.life.revolutions / (cold * travel) - 1.0), 1e-3);
+}
+
+// The curve of the cycle passes the mean load at its speed exactly where the criteria of the mean do.
+TEST(SizeCurve, TheCurveOfTheCycleLiesAboveTheMeanLoadOfAScrewThatPasses) {
+  for (const char* torque : {"15 N m", "12 N m"}) {
+    std::string text = example();
+    text.replace(text.find("15 N m"), 6, torque);
+    const SizeInput in = read(text);
+    const SizeResult r = size_screws(in);
+    const SizedCandidate& c = named(r, "30x10");
+    const SizeCurve curve = force_over_speed(in, c).value();
+    const auto series = [&](std::string_view name) -> const std::vector<double>& {
+      return std::ranges::find(curve.force, name, [](const auto& s) { return s.first; })->second;
+    };
+    const std::vector<double>& all = series("envelope_in_cycle");
+    const double v = *in.cycle.mean_speed;
+    std::size_t k = 0;
+    while (curve.speed[k + 1] < v) ++k;
+    const double share = (v - curve.speed[k]) / (curve.speed[k + 1] - curve.speed[k]);
+    const double allowed = all[k] + share * (all[k + 1] - all[k]);
+    EXPECT_EQ(allowed >= *in.cycle.mean_load, c.passes) << torque;
+    expect_near_relative(allowed / *in.cycle.mean_load, *criterion(c, "motor_torque").margin, 1e-3);
+    ASSERT_EQ(curve.required.size(), in.cycle.shown.size());
+    for (const SizeCurve::Required& point : curve.required) EXPECT_LT(point.force, series("static").front());
+  }
+}
+
 struct Wrong {
   const char* text;
   const char* place;
