@@ -36,7 +36,7 @@ DocumentInfo document_info(const input::Source& source, Command command) {
   return {
       kVersion,
       kSchemaVersion,
-      file ? input::input_sha256(source, file->files(source)) : input::input_sha256(source, command == Command::fit),
+      file ? input::input_sha256(source, file->files(source)) : input::input_sha256(source, command),
       source.overrides,
       std::string(name(command)),
       source.name,
