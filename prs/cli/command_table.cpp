@@ -62,9 +62,10 @@ void add_restart(CLI::App& command, Options& options, const char* help) {
 
 void add_compare_options(CLI::App& compare, Options& options) {
   add_value(compare, "other", options.other, "FILE", "A second case: its inputs and results beside those of the first");
-  take_each(add_value(compare, "--reference", options.references, "FILE",
-                      "A CSV of another program or a test, in place of `references` of the case: `thread` or `force_kN`, "
-                      "`load_case`, and responses by their names; repeatable"));
+  take_each(
+      add_value(compare, "--reference", options.references, "FILE",
+                "A CSV of another program or a test, in place of `references` of the case: `thread` or `force_kN`, "
+                "`load_case`, and responses by their names; repeatable"));
   compare
       .add_flag_callback(
           "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },

@@ -242,7 +242,7 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
 }
 
 ModelComparison compared(const input::Source& source, const input::CaseInput& in) {
-  std::vector<Reference> references = read_references(source, in.values);
+  std::vector<ReferenceCurve> references = read_references(source, in.values);
   ModelComparison result = compare_models(in.values);
   compare_references(source, in.values, std::move(references), result);
   add_preload_note(in.values, result.warnings);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prs/loads/result.h"
-#include "prs/reference/deviations.h"
+#include "prs/reference/curve_deviations.h"
 #include "prs/reference/reference.h"
 
 namespace prs {
@@ -9,7 +9,7 @@ namespace prs {
 /// What a model of the bodies says in the places of a reference's readings.
 struct ReferenceAnswer {
   std::vector<double> computed;  ///< In the response's unit; NaN where there is no answer.
-  std::optional<Deviations> deviations;
+  std::optional<CurveDeviations> deviations;
   std::optional<double> slope;  ///< Over the force, in the response's unit per N.
   std::optional<double>
       tolerance_use;  ///< Largest deviation over the tolerance at its point; infinite without an answer.
@@ -19,7 +19,7 @@ struct ReferenceAnswer {
 
 /// A reference and all models.
 struct ReferenceComparison {
-  Reference reference;
+  ReferenceCurve reference;
   std::vector<ReferenceAnswer> models;  ///< As those of the comparison.
   std::size_t stated = 0;               ///< The model that the case states: by it the tolerance is met or not.
   /// Sum over a complete set of threads, and what the load makes of it.
@@ -52,7 +52,7 @@ Case case_of(const Case& c, const Result& model);
 
 /// Adds the references of a case with what each model says of them, and warnings on sums that the load
 /// does not explain. Throws InputError.
-void compare_references(const input::Source& source, const Case& c, std::vector<Reference> references,
+void compare_references(const input::Source& source, const Case& c, std::vector<ReferenceCurve> references,
                         ModelComparison& comparison);
 
 }  // namespace prs

@@ -47,7 +47,7 @@ class References {
   References(const input::Source& source, const Case& c, const ModelComparison& comparison)
       : source_(source), case_(c), comparison_(comparison), solved_(comparison.models.size()), slip_(solved_.size()) {}
 
-  ReferenceAnswer answer(const Reference& reference, std::size_t model) {
+  ReferenceAnswer answer(const ReferenceCurve& reference, std::size_t model) {
     ReferenceAnswer answer;
     answer.computed = reference.cases.empty() ? in_load_case(reference, model) : over_input(reference, model);
     const std::vector<double> values = reference.values();
@@ -63,12 +63,12 @@ class References {
   }
 
   /// Forces of the readings [N].
-  static std::vector<double> forces_of(const Reference& reference) {
+  static std::vector<double> forces_of(const ReferenceCurve& reference) {
     return each(reference.cases, [](const Case& c) { return c.load_cases.front().axial_force; });
   }
 
  private:
-  std::vector<double> in_load_case(const Reference& reference, std::size_t model) {
+  std::vector<double> in_load_case(const ReferenceCurve& reference, std::size_t model) {
     const Answers& answers = answers_of_model(reference, model);
     const auto found = std::ranges::find(answers.result.load_cases, reference.load_case,
                                          [](const LoadCaseResult& r) { return r.load_case.name; });
@@ -87,11 +87,11 @@ class References {
     return values;
   }
 
-  const Answers& answers_of_model(const Reference& reference, std::size_t model) {
-    std::optional<Answers>& kept = (reference.is_of_slip() ? slip_ : solved_)[model];
+  const Answers& answers_of_model(const ReferenceCurve& reference, std::size_t model) {
+    std::optional<Answers>& kept = (is_of_slip(reference.response) ? slip_ : solved_)[model];
     if (kept) return *kept;
     const Result& result = comparison_.models[model];
-    if (!reference.is_of_slip()) return kept.emplace(answers_of(result, false));
+    if (!is_of_slip(reference.response)) return kept.emplace(answers_of(result, false));
     if (const std::vector<Problem> lacks = missing(case_, Command::slip); !lacks.empty())
       input::fail_at(source_, reference.at + ".file", "got {} of a case that `prs slip` cannot run: {}: {}",
                      reference.response, lacks[0].path, lacks[0].message);
@@ -99,14 +99,14 @@ class References {
   }
 
   /// Each reading is a case of its own; those that differ in their load case alone are solved as one.
-  std::vector<double> over_input(const Reference& reference, std::size_t model) {
+  std::vector<double> over_input(const ReferenceCurve& reference, std::size_t model) {
     const bool of_load = reference.along.find_first_of(".[") == std::string::npos;
     std::vector<Case> cases = of_load ? std::vector{reference.cases[0]} : reference.cases;
     for (std::size_t k = 1; of_load && k < reference.cases.size(); ++k)
       cases[0].load_cases.push_back(reference.cases[k].load_cases[0]);
     std::vector<double> values;
     for (const Case& c : cases) {
-      const Answers answers = computed(source_, case_of(c, comparison_.models[model]), reference.is_of_slip());
+      const Answers answers = computed(source_, case_of(c, comparison_.models[model]), is_of_slip(reference.response));
       for (const Json& json : answers.load_cases)
         values.push_back(number_at(json, "." + reference.response).value_or(kNoAnswer));
     }
@@ -121,7 +121,7 @@ class References {
 
 /// What a complete set of threads adds up to; nothing of partial sets and of other responses.
 void set_sums(const Case& c, ReferenceComparison& compared) {
-  const Reference& reference = compared.reference;
+  const ReferenceCurve& reference = compared.reference;
   const auto threads = static_cast<std::size_t>(c.mechanism.contacts_per_roller);
   if (!reference.is_over_threads() || reference.readings.size() != threads ||
       c.model.mechanism == ModelOptions::Mechanism::full)
@@ -150,11 +150,11 @@ std::optional<Warning> warning_on_sum(const ReferenceComparison& r) {
 
 }  // namespace
 
-void compare_references(const input::Source& source, const Case& c, std::vector<Reference> references,
+void compare_references(const input::Source& source, const Case& c, std::vector<ReferenceCurve> references,
                         ModelComparison& comparison) {
   References all(source, c, comparison);
   std::vector<ReferenceComparison> found;
-  for (Reference& reference : references) {
+  for (ReferenceCurve& reference : references) {
     ReferenceComparison compared{std::move(reference), {}, comparison.stated, {}, {}, {}};
     for (std::size_t m = 0; m < comparison.models.size(); ++m)
       compared.models.push_back(all.answer(compared.reference, m));

@@ -12,7 +12,7 @@ struct ReferenceModel {
   ComparedReference of;
   std::size_t model = 0;
 
-  const Reference& reference() const { return of.reference(); }
+  const ReferenceCurve& reference() const { return of.reference(); }
   const ReferenceAnswer& answer() const { return of.found().models[model]; }
   std::string_view bodies() const { return name_of_model(of.comparison->models[model].model); }
   /// A number of the deviations.
@@ -66,7 +66,7 @@ std::optional<std::string> slope_unit(const ComparedReference& r) {
 }
 
 /// Stiffness of a curve of displacements over the force [N/m].
-std::optional<double> stiffness(const Reference& reference, std::optional<double> slope) {
+std::optional<double> stiffness(const ReferenceCurve& reference, std::optional<double> slope) {
   if (reference.response != "axial_displacement_um" || !slope || *slope == 0.0) return std::nullopt;
   return per_si::micrometre / *slope;
 }
@@ -83,9 +83,9 @@ Record<ComparedReading> record_of(Type<ComparedReading>);
 
 namespace {
 
-constexpr auto kMean = &Deviations::mean;
-constexpr auto kRms = &Deviations::rms;
-constexpr auto kLargest = &Deviations::largest;
+constexpr auto kMean = &CurveDeviations::mean;
+constexpr auto kRms = &CurveDeviations::rms;
+constexpr auto kLargest = &CurveDeviations::largest;
 
 constexpr Quantity<ReferenceModel> kReferenceModel[] = {
     {"bodies", of<&ReferenceModel::bodies>, "bars | refined | influence of one sector, or full: all rollers"},
@@ -161,7 +161,9 @@ std::string with_sign(const std::string& text) { return text.starts_with('-') ||
 /// What a table says of a model: mean, rms and largest deviation, its place, the last two in % of the mean, verdict.
 std::vector<std::string> cells_of(const ReferenceModel& m) {
   const double factor = table_response(m.reference().response).factor;
-  const auto number = [&](std::optional<double> value) { return digits(scaled(value, factor), 3); };
+  const double largest = std::abs(m.deviation(kLargest).value_or(0.0) * factor);
+  const int decimals = largest > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(largest))), 0, 9) : 0;
+  const auto number = [&](std::optional<double> value) { return fixed(value, factor, decimals); };
   const auto percent = [&](std::optional<double> value) { return fixed(value, 1.0, 1); };
   std::string verdict;
   if (m.reference().tolerance) verdict = m.answer().met() ? "met" : "not met";
@@ -175,13 +177,13 @@ std::vector<std::string> cells_of(const ReferenceModel& m) {
 }
 
 /// `fe, push: screw share of the load, %`
-std::string title_of(const Reference& r) {
+std::string title_of(const ReferenceCurve& r) {
   return fmt::format("{}, {}: {}", printable(r.name), shown_name(r.load_case), table_response(r.response).text());
 }
 
 /// What belongs to the reference alone.
 std::string facts_of(const ComparedReference& of) {
-  const Reference& r = of.reference();
+  const ReferenceCurve& r = of.reference();
   const double factor = table_response(r.response).factor;
   std::string text = fmt::format("{} point{}", r.readings.size(), r.readings.size() == 1 ? "" : "s");
   text += fmt::format(", mean {}", digits(r.mean_magnitude() * factor, 4));
@@ -224,7 +226,7 @@ std::string reference_table(const ModelComparison& c) {
       std::vector<std::string> cells = cells_of(m);
       const std::string verdict = std::move(cells.back());
       cells.pop_back();
-      text += kRow("    " + model_cell(m), cells, verdict);
+      text += kRow("    " + model_cell(m), cells, "  " + verdict);
     }
   }
   if (shown < c.references.size())
@@ -254,7 +256,7 @@ std::string references_csv(const ModelComparison& c, const CsvStyle& style) {
   for (const Result& model : c.models) csv.text(name_of_model(model.model));
   csv.end_row();
   for (const ComparedReference& of : references_of(c)) {
-    const Reference& r = of.reference();
+    const ReferenceCurve& r = of.reference();
     for (std::size_t k = 0; k < r.readings.size(); ++k) {
       const ReferenceReading& reading = r.readings[k];
       csv.fields(r.name, r.file, r.load_case, r.response, r.unit, r.along, r.along_unit,

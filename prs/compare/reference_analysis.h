@@ -11,7 +11,7 @@ struct ComparedReference {
   std::size_t index = 0;
 
   const ReferenceComparison& found() const { return comparison->references[index]; }
-  const Reference& reference() const { return found().reference; }
+  const ReferenceCurve& reference() const { return found().reference; }
 };
 
 Record<ComparedReference> record_of(Type<ComparedReference>);

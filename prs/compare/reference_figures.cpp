@@ -51,15 +51,17 @@ void add_curves(Panel& panel, const Look& look, const ReferenceComparison& r, bo
 }
 
 /// `Roller-screw` where the response is one of an interface's threads.
-std::string place_of(const Reference& r) {
+std::string place_of(const ReferenceCurve& r) {
   for (const Interface i : kInterfaces)
     if (r.response.find(fmt::format("{}.", name(i))) != r.response.npos) return interface_title(i);
   return response_title(r.response).name;
 }
 
-std::string_view last_key(const Reference& r) { return std::string_view(r.response).substr(r.response.rfind('.') + 1); }
+std::string_view last_key(const ReferenceCurve& r) {
+  return std::string_view(r.response).substr(r.response.rfind('.') + 1);
+}
 
-Axis y_axis(const Reference& r) {
+Axis y_axis(const ReferenceCurve& r) {
   std::string words = last_key(r) == "load_rate_percent" ? "share of the load" : words_of(last_key(r));
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   return {words, std::string(unit_at(r.response).text)};
@@ -69,21 +71,21 @@ std::size_t thread_count(const ModelComparison& c) {
   return static_cast<std::size_t>(c.best().contacts.mechanism.contacts_per_roller);
 }
 
-Axis x_axis(const ModelComparison& c, const Reference& r) {
+Axis x_axis(const ModelComparison& c, const ReferenceCurve& r) {
   if (r.is_over_threads()) return thread_axis(thread_count(c));
   return {r.is_over_force() ? "Axial force" : r.along, r.along_unit};
 }
 
-bool is_of_one_panel(const Reference& a, const Reference& b) {
+bool is_of_one_panel(const ReferenceCurve& a, const ReferenceCurve& b) {
   return a.load_case == b.load_case && a.response == b.response && a.along == b.along && a.along_unit == b.along_unit;
 }
 
-bool is_of_one_figure(const Reference& a, const Reference& b) {
+bool is_of_one_figure(const ReferenceCurve& a, const ReferenceCurve& b) {
   return a.unit == b.unit && last_key(a) == last_key(b) && a.along == b.along && a.along_unit == b.along_unit;
 }
 
 /// The mean share of a thread.
-void add_mean_share(Figure& figure, const ModelComparison& c, const Reference& r) {
+void add_mean_share(Figure& figure, const ModelComparison& c, const ReferenceCurve& r) {
   if (last_key(r) == "load_rate_percent") add_mean(figure, per_si::percent / static_cast<double>(thread_count(c)));
 }
 
@@ -95,17 +97,17 @@ Figures reference_figures(const ModelComparison& c, const FigureOptions&) {
   for (const ReferenceComparison& r : c.references)
     if (!r.reference.along.empty()) left.push_back(&r);
   while (!left.empty()) {
-    const Reference& first = left.front()->reference;
+    const ReferenceCurve& first = left.front()->reference;
     Figure figure{figures.empty() ? "references" : fmt::format("references-{}", figures.size() + 1),
                   "Reference and models"};
     figure.x = x_axis(c, first);
     figure.y = y_axis(first);
     const Look look(figure, c);
-    std::vector<const Reference*> shown;
+    std::vector<const ReferenceCurve*> shown;
     for (const ReferenceComparison* r : left) {
       if (!is_of_one_figure(first, r->reference)) continue;
-      const auto known =
-          std::ranges::find_if(shown, [&](const Reference* other) { return is_of_one_panel(*other, r->reference); });
+      const auto known = std::ranges::find_if(
+          shown, [&](const ReferenceCurve* other) { return is_of_one_panel(*other, r->reference); });
       const auto panel = static_cast<std::size_t>(known - shown.begin());
       const bool is_new = known == shown.end();
       if (is_new) {
@@ -127,7 +129,7 @@ Figures reference_figures(const ModelComparison& c, const FigureOptions&) {
 
 Figures reference_butterfly(const ModelComparison& c, const FigureOptions&) {
   const auto stem = [](const std::string& load_case) { return load_case.substr(0, load_case.find_last_of("- _")); };
-  const auto direction = [&](const Reference& r) {
+  const auto direction = [&](const ReferenceCurve& r) {
     const auto load =
         std::ranges::find(c.best().load_cases, r.load_case, [](const LoadCaseResult& l) { return l.load_case.name; });
     return load == c.best().load_cases.end() ? std::nullopt : load->load_case.direction;
@@ -135,10 +137,10 @@ Figures reference_butterfly(const ModelComparison& c, const FigureOptions&) {
   Figure figure{"reference_butterfly", "Reference and models, compression to the left, tension to the right"};
   const Look look(figure, c);
   std::vector<std::pair<std::string, std::string>> panels;
-  const Reference* first = nullptr;
+  const ReferenceCurve* first = nullptr;
   double largest = 0.0;
   for (const ReferenceComparison& r : c.references) {
-    const Reference& its = r.reference;
+    const ReferenceCurve& its = r.reference;
     const bool has_other = std::ranges::any_of(c.references, [&](const ReferenceComparison& other) {
       return other.reference.response == its.response && other.reference.load_case != its.load_case &&
              stem(other.reference.load_case) == stem(its.load_case) && direction(other.reference) != direction(its);

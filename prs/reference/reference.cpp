@@ -6,13 +6,13 @@ double Spread::at(double number, double mean) const {
   return of == Of::value ? amount : 0.01 * amount * std::abs(of == Of::mean ? mean : number);
 }
 
-std::vector<double> Reference::values() const {
+std::vector<double> ReferenceCurve::values() const {
   std::vector<double> all;
   for (const ReferenceReading& reading : readings) all.push_back(reading.value);
   return all;
 }
 
-double Reference::mean_magnitude() const {
+double ReferenceCurve::mean_magnitude() const {
   double sum = 0.0;
   for (const ReferenceReading& reading : readings) sum += std::abs(reading.value);
   return sum / static_cast<double>(readings.size());

@@ -29,9 +29,14 @@ struct ReferenceReading {
   std::size_t line = 0;             ///< Line of the file.
 };
 
+/// Whether `prs slip` has a response of a load case.
+inline bool is_of_slip(std::string_view response) {
+  return response.starts_with("slip.") || response.starts_with("heat.");
+}
+
 /// What another program or a test found for a response of one load case: over the threads, over an
 /// input, or as one number.
-struct Reference {
+struct ReferenceCurve {
   std::string name, file;
   std::string at;  ///< Path in the document: `references[0]`.
   std::string load_case;
@@ -45,8 +50,6 @@ struct Reference {
 
   bool is_over_threads() const { return along == "thread"; }
   bool is_over_force() const { return along == "axial_force"; }
-  /// Whether `prs slip` has the response.
-  bool is_of_slip() const { return response.starts_with("slip.") || response.starts_with("heat."); }
   std::vector<double> values() const;
   double mean_magnitude() const;
 };
@@ -54,6 +57,6 @@ struct Reference {
 /// Reads the block `references` of a source and opens its files; `c` is the case of the source. A file
 /// gives one reference for each load case and, without `response`, for each column that is one. Throws
 /// InputError, with file, line and column of what is wrong in a file.
-std::vector<Reference> read_references(const input::Source& source, const Case& c);
+std::vector<ReferenceCurve> read_references(const input::Source& source, const Case& c);
 
 }  // namespace prs

@@ -6,6 +6,7 @@
 #include "prs/input/field.h"
 #include "prs/input/reader.h"
 #include "prs/input/readings.h"
+#include "prs/input/varied_input.h"
 #include "prs/losses/slip_analysis.h"
 #include "prs/record/record_table.h"
 #include "prs/record/response_path.h"
@@ -77,8 +78,8 @@ class ReferenceReader {
     errors_.throw_if_any();
   }
 
-  std::vector<Reference> read() {
-    std::vector<Reference> all;
+  std::vector<ReferenceCurve> read() {
+    std::vector<ReferenceCurve> all;
     for (std::size_t k = 0; k < items_.size(); ++k) {
       at_ = fmt::format("references[{}]", k);
       item_ = &items_[k];
@@ -93,10 +94,10 @@ class ReferenceReader {
     input::fail_at(source_, fmt::format("{}.{}", at_, key), fmt::format(message, std::forward<Args>(args)...));
   }
 
-  std::vector<Reference> of_file() {
+  std::vector<ReferenceCurve> of_file() {
     Readings table(item_->file, at_, source_);
     find_columns(table);
-    std::vector<Reference> all;
+    std::vector<ReferenceCurve> all;
     std::set<std::pair<std::string, double>> threads;
     std::size_t rows = 0;
     while (table.next()) {
@@ -107,7 +108,7 @@ class ReferenceReader {
       std::optional<Case> row_case;
       if (!input_path_.empty()) row_case = case_at(table, load, reading.along);
       for (const Column& column : columns_) {
-        Reference& reference = of_column(all, column, load);
+        ReferenceCurve& reference = of_column(all, column, load);
         reading.value = column.to_unit(table.number(column.field));
         if (deviation_) reading.deviation = std::abs(deviation_->second.factor * table.number(deviation_->first));
         if (along_ == npos && !reference.readings.empty())
@@ -117,7 +118,7 @@ class ReferenceReader {
       }
     }
     if (rows == 0) table.refuse_file("which has no rows");
-    for (Reference& reference : all) finish(reference);
+    for (ReferenceCurve& reference : all) finish(reference);
     return all;
   }
 
@@ -291,8 +292,8 @@ class ReferenceReader {
   Case case_at(const Readings& table, const LoadCase& load, double value) const {
     const bool of_load = input_path_.find_first_of(".[") == std::string::npos;
     const std::string path = of_load ? path_in(load, input_path_) : with_indices(root_, input_path_);
-    const bool with_slip = std::ranges::any_of(
-        columns_, [](const Column& column) { return Reference{.response = column.response}.is_of_slip(); });
+    const bool with_slip =
+        std::ranges::any_of(columns_, [](const Column& column) { return is_of_slip(column.response); });
     const std::string text = input::with_unit(value, along_unit_);
     input::ErrorList found(source_);
     Node design = root_;
@@ -313,10 +314,10 @@ class ReferenceReader {
     return *std::move(c);
   }
 
-  Reference& of_column(std::vector<Reference>& all, const Column& column, const LoadCase& load) const {
-    for (Reference& reference : all)
+  ReferenceCurve& of_column(std::vector<ReferenceCurve>& all, const Column& column, const LoadCase& load) const {
+    for (ReferenceCurve& reference : all)
       if (reference.response == column.response && reference.load_case == load.name) return reference;
-    Reference& reference = all.emplace_back();
+    ReferenceCurve& reference = all.emplace_back();
     reference.name = item_->name.value_or(std::filesystem::path(item_->file).stem().string());
     reference.file = item_->file;
     reference.at = at_;
@@ -328,7 +329,7 @@ class ReferenceReader {
     return reference;
   }
 
-  void finish(Reference& reference) const {
+  void finish(ReferenceCurve& reference) const {
     std::vector<std::size_t> order(reference.readings.size());
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return reference.readings[k].along; });
@@ -345,7 +346,7 @@ class ReferenceReader {
       reading.deviation = own.at(reading.value, reference.mean_magnitude());
   }
 
-  Spread spread(const std::string& written, const char* key, const Reference& reference) const {
+  Spread spread(const std::string& written, const char* key, const ReferenceCurve& reference) const {
     std::string text = written;
     if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
     Spread result{.text = text};
@@ -353,7 +354,7 @@ class ReferenceReader {
          {std::pair{" of the mean", Spread::Of::mean}, std::pair{" of each value", Spread::Of::each}})
       if (text.ends_with(ending)) {
         result.of = of;
-        text.resize(text.size() - std::string_view(ending).size());
+        text.erase(text.size() - std::string_view(ending).size());
       }
     const auto number = input::split_unit(text);
     const bool is_share = result.of != Spread::Of::value;
@@ -387,7 +388,7 @@ class ReferenceReader {
 
 }  // namespace
 
-std::vector<Reference> read_references(const input::Source& source, const Case& c) {
+std::vector<ReferenceCurve> read_references(const input::Source& source, const Case& c) {
   return ReferenceReader(source, c).read();
 }
 

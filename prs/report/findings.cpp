@@ -16,9 +16,13 @@ namespace {
 
 std::vector<WarningGroup> warnings_of(const Findings& all) {
   std::vector<Warning> warnings = all.check.warnings();
-  for (const CommandAnswer& answer : all.answers)  // The page shows the loads of the case's model.
-    if (answer.command != Command::compare || !all.answer(Command::solve))
-      std::ranges::move(answer.delivery.warnings(), std::back_inserter(warnings));
+  for (const CommandAnswer& answer : all.answers) {
+    std::vector<Warning> its = answer.delivery.warnings();
+    if (answer.command == Command::compare &&
+        all.answer(Command::solve))  // The page shows the loads of the case's model.
+      std::erase_if(its, [](const Warning& warning) { return warning.code != "reference_sum"; });
+    std::ranges::move(its, std::back_inserter(warnings));
+  }
   return grouped(warnings);
 }
 

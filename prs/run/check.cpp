@@ -379,6 +379,8 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
   };
   if (!attempt(Command::measures) || takes_long) attempt(Command::solve);
   for (const Command command : {Command::slip, Command::life, Command::response}) attempt(command);
+  if (std::ranges::any_of(in.fields, [](const input::EchoEntry& f) { return f.path.starts_with("references["); }))
+    attempt(Command::compare);
   result.verdict = verdict_by(in, attempts);
   return result;
 }
@@ -397,6 +399,8 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
     facts.contacts = &measures->analysis.contacts;
   } else if (const auto* response = delivery.result<ResponseResult>()) {
     facts.response = response;
+  } else if (const auto* comparison = delivery.result<ModelComparison>()) {
+    facts.comparison = comparison;
   } else if (const auto* life = delivery.result<LifeResult>()) {
     facts.life = life;
   } else if (const auto* check = delivery.result<CheckResult>()) {

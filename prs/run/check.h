@@ -1,6 +1,7 @@
 #pragma once
 
 #include "modules/response/response.h"
+#include "prs/compare/compare_models.h"
 #include "prs/life/analyze_life.h"
 #include "prs/measures/measures.h"
 #include "prs/record/analysis.h"
@@ -74,6 +75,7 @@ struct VerdictFacts {
   const LifeResult* life = nullptr;
   const MeasuresResult* measures = nullptr;
   const ResponseResult* response = nullptr;
+  const ModelComparison* comparison = nullptr;  ///< With references.
   /// Why commands were not run: what to add, or what they found wrong. One that is neither here nor
   /// above was not asked; what it would have given is left out.
   std::map<Command, std::string> lacking = {};

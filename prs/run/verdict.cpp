@@ -690,6 +690,26 @@ void add_play(const VerdictFacts& f, CaseVerdict& verdict) {
   verdict.criteria.push_back(std::move(c));
 }
 
+/// The curve that leaves its tolerance most.
+void add_references(const VerdictFacts& f, CaseVerdict& verdict) {
+  const ReferenceComparison* worst = nullptr;
+  const auto use = [](const ReferenceComparison& r) { return r.models[r.stated].tolerance_use.value_or(0.0); };
+  if (f.comparison)
+    for (const ReferenceComparison& r : f.comparison->references)
+      if (r.reference.tolerance && (!worst || use(r) > use(*worst))) worst = &r;
+  if (!worst) return;
+  Criterion c = criterion("reference", "Deviation over tolerance", "");
+  c.sense = Sense::greatest;
+  if (std::isfinite(use(*worst))) c.value = use(*worst);
+  c.limit = 1.0;
+  c.source = LimitSource::stated;
+  c.standing = worst->met() ? Standing::green : Standing::red;
+  c.load_case = worst->reference.load_case;
+  c.reason = fmt::format("{} against {}, tolerance {}", worst->reference.response, worst->reference.name,
+                         worst->reference.tolerance->text);
+  verdict.criteria.push_back(std::move(c));
+}
+
 /// `Static safety, peak pressure` of a standing.
 std::string titles(const CaseVerdict& verdict, auto of) {
   std::string text;
@@ -730,6 +750,7 @@ CaseVerdict verdict_of(const VerdictFacts& f) {
   CaseVerdict verdict;
   verdict.not_built = f.not_built;
   for (const Row& row : kRows) add(row, f, verdict);
+  add_references(f, verdict);
   add_play(f, verdict);
   add_convergence(f, verdict);
   add_contacts(f, verdict);
@@ -783,6 +804,7 @@ std::string not_computed(const CaseVerdict& verdict) {
 }
 
 std::string origin(const Criterion& c) {
+  if (c.name == "reference") return "references[].tolerance";
   if (c.source == LimitSource::stated) return fmt::format("limits.{}", c.name);
   return c.source == LimitSource::physics ? "physical limit" : "recommended";
 }

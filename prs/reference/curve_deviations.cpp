@@ -1,12 +1,12 @@
-#include "prs/reference/deviations.h"
+#include "prs/reference/curve_deviations.h"
 
 #include <cmath>
 
 namespace prs {
 
-std::optional<Deviations> deviations(std::span<const double> computed, std::span<const double> reference) {
+std::optional<CurveDeviations> deviations(std::span<const double> computed, std::span<const double> reference) {
   if (computed.empty() || computed.size() != reference.size()) return std::nullopt;
-  Deviations d;
+  CurveDeviations d;
   const double share = 1.0 / static_cast<double>(computed.size());
   double squares = 0.0;
   for (std::size_t k = 0; k < computed.size(); ++k) {

@@ -6,7 +6,7 @@
 namespace prs {
 
 /// How far a computed curve lies from a reference: computed less reference, point by point.
-struct Deviations {
+struct CurveDeviations {
   double mean = 0.0;
   double mean_magnitude = 0.0;
   double rms = 0.0;            ///< Root mean square.
@@ -15,7 +15,7 @@ struct Deviations {
 };
 
 /// Nothing where a point has no number.
-std::optional<Deviations> deviations(std::span<const double> computed, std::span<const double> reference);
+std::optional<CurveDeviations> deviations(std::span<const double> computed, std::span<const double> reference);
 
 /// Slope of the straight line through points by least squares; nothing where all have one x.
 std::optional<double> slope(std::span<const double> x, std::span<const double> y);
