@@ -4,11 +4,11 @@
 #include "modules/fit/fit.h"
 #include "modules/response/response_analysis.h"
 #include "prs/heat/analyze_heat.h"
-#include "prs/input/csv_reader.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/field.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
+#include "prs/input/readings.h"
 #include "prs/input/schema.h"
 #include "prs/input/varied_input.h"
 #include "prs/losses/life_analysis.h"
@@ -16,57 +16,20 @@
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/record/record_table.h"
+#include "prs/record/response_path.h"
 
 namespace prs {
 namespace {
 
 using input::CaseFile, input::FitConditionItem, input::FitCurveItem, input::FitItem, input::FitParameterItem;
-using input::Node, input::shown;
+using input::Conversion, input::conversion, input::Node, input::Readings, input::shown, input::units_like;
+using input::with_unit;
 
 constexpr std::size_t kMostRows = 1'000'000;
-
-std::string with_unit(double number, std::string_view unit) {
-  return unit.empty() ? fmt::format("{}", number) : fmt::format("{} {}", number, unit);
-}
 
 /// As it was written: `460 J/(kg K)` of a value with brackets, which stands in quotes.
 std::string unquoted(const std::string& text) {
   return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
-}
-
-/// The dimension that has a unit, or null.
-const input::Dimension* dimension_with(std::string_view unit) {
-  for (const input::Dimension* d : input::dimensions())
-    if (input::find_unit(unit, *d)) return d;
-  return nullptr;
-}
-
-/// The unit of a response, as people write it: `um` of `axial_displacement_um`.
-std::string unit_of_response(std::string_view path) {
-  const std::string_view unit = unit_at(path).text;
-  for (const input::Dimension* d : input::dimensions())
-    if (const input::Unit* u = unit.empty() ? nullptr : input::find_unit(unit, *d)) return std::string(u->spellings[0]);
-  return std::string(unit);
-}
-
-/// Numbers of one unit in another.
-struct Conversion {
-  double factor = 1.0, offset = 0.0;
-
-  double operator()(double x) const { return factor * x + offset; }
-};
-std::optional<Conversion> conversion(std::string_view from, std::string_view to) {
-  if (from == to) return Conversion{};
-  if (to.empty()) return from == "%" ? std::optional(Conversion{0.01}) : std::nullopt;
-  const auto zero = input::number_in(with_unit(0.0, from), to), one = input::number_in(with_unit(1.0, from), to);
-  if (from.empty() || !zero || !one) return std::nullopt;
-  return Conversion{*one - *zero, *zero};
-}
-
-std::string units_like(std::string_view unit) {
-  if (unit.empty()) return "no unit, or \"%\"";
-  const input::Dimension* d = dimension_with(unit);
-  return d ? input::unit_list(*d) : std::string(unit);
 }
 
 /// Those that studies record.
@@ -88,90 +51,6 @@ void add_numbers(const Node& node, const std::string& path, std::vector<std::str
     add_numbers(child, path + (node.kind == Node::Kind::map ? dot + child.key : fmt::format("[{}]", k)), all);
   }
 }
-
-/// A table of a file, all fields as texts, and where they stand.
-class FitTable {
- public:
-  FitTable(const std::string& file, const std::string& at, const input::Source& source)
-      : at_(at),
-        source_(source),
-        text_(input::named_file_text(file, at + ".file", source, false)),
-        name_(input::name_in_messages(file, source)),
-        reader_(text_) {
-    if (!next()) refuse_file("which has no heading");
-    for (const std::string_view name : reader_.fields()) names_.emplace_back(name);
-  }
-
-  std::size_t column(const std::string& name, const std::string& key) const {
-    const auto found = std::ranges::find(names_, name);
-    if (found == names_.end() || std::ranges::count(names_, name) > 1)
-      input::fail_at(source_, key, "got {}; expected {} of {}: {}; {}", shown(name),
-                     found == names_.end() ? "a column" : "a name that stands once", name_,
-                     shown(fmt::format("{}", fmt::join(names_, ", "))),
-                     found == names_.end() ? "check the heading" : "rename the other column");
-    return static_cast<std::size_t>(found - names_.begin());
-  }
-  bool next() {
-    try {
-      if (!reader_.next()) return false;
-    } catch (const input::CsvError& error) {
-      throw input::InputError(
-          fmt::format("{}: error: {}", input::place_in(name_, text_, error.offset()), error.what()));
-    }
-    const std::size_t offset = reader_.row_offset();
-    line_ += static_cast<std::size_t>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(counted_),
-                                                 text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
-    counted_ = offset;
-    if (!names_.empty() && reader_.fields().size() > names_.size())
-      refuse(0, fmt::format("{} fields", reader_.fields().size()), "at most as many as in the heading");
-    return true;
-  }
-  std::size_t line() const { return line_; }
-  /// Column of the line, from 1, at which a field starts.
-  std::size_t column_at(std::size_t field) const {
-    return 1 + reader_.field_offset(reader_.row_offset(), field) - reader_.row_offset();
-  }
-
-  std::string text(std::size_t field) const {
-    if (field >= reader_.fields().size()) refuse(reader_.fields().size() - 1, "nothing", "a value in each column");
-    std::string_view text = reader_.fields()[field];
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return std::string(text);
-  }
-  double number(std::size_t field) const {
-    const std::string field_text = text(field);
-    const char *first = field_text.data(), *last = first + field_text.size();
-    double value = 0.0;
-    const bool has_plus = field_text.starts_with('+') && !field_text.starts_with("+-");
-    const auto [stop, error] = std::from_chars(first + (has_plus ? 1 : 0), last, value);
-    if (error != std::errc{} || stop != last || !(std::abs(value) <= 1e30))
-      refuse(field, field_text.empty() ? "nothing" : shown(field_text),
-             field_text.find(',') == field_text.npos ? "a finite number, without unit"
-                                                     : "a finite number, with a point as its decimal mark");
-    return value;
-  }
-  [[noreturn]] void refuse(std::size_t field, const std::string& got, const std::string& expected) const {
-    throw input::InputError(
-        fmt::format("{}: error: {}: got {}; expected {}; fix or delete the row",
-                    input::place_in(name_, text_, reader_.field_offset(reader_.row_offset(), field)),
-                    field < names_.size() ? names_[field] : "row", got, expected));
-  }
-  [[noreturn]] void refuse_file(const std::string& what) const {
-    input::fail_at(
-        source_, at_ + ".file",
-        "got {}, {}; expected a line with the names of the columns, then one row per reading; check the file", name_,
-        what);
-  }
-
- private:
-  const std::string& at_;
-  const input::Source& source_;
-  std::string text_, name_;
-  input::CsvReader reader_;
-  std::vector<std::string> names_;
-  std::size_t line_ = 1, counted_ = 0;
-};
 
 constexpr std::pair<std::string_view, Command> kCommands[] = {
     {"slip.", Command::slip},       {"heat.", Command::slip},       {"heat_cycle.", Command::slip},
@@ -425,7 +304,7 @@ class FitReader : input::VariedInput {
     c.has_offset = item.offset;
     read_loss(c, item);
     check_series(c, item);
-    FitTable table(item.file, at, source_);
+    Readings table(item.file, at, source_);
     const std::size_t measured = table.column(item.measured.column.value_or("measured"), at + ".measured.column");
     const Conversion to_unit = unit_at(item.measured.unit.value_or(""), c.unit, at + ".measured", c.response);
 
@@ -564,7 +443,7 @@ class FitReader : input::VariedInput {
          unit.empty() || unit == "%" ? "\"%\"" : unit, other);
   }
 
-  void read_deviation(const FitCurveItem& item, const FitCurve& c, const std::string& at, const FitTable& table,
+  void read_deviation(const FitCurveItem& item, const FitCurve& c, const std::string& at, const Readings& table,
                       std::optional<std::size_t>& column, std::optional<double>& fixed, bool& share,
                       Conversion& to_unit) const {
     if (!item.deviation || *item.deviation == "estimated") return;

@@ -62,6 +62,10 @@ void add_restart(CLI::App& command, Options& options, const char* help) {
 
 void add_compare_options(CLI::App& compare, Options& options) {
   add_value(compare, "other", options.other, "FILE", "A second case: its inputs and results beside those of the first");
+  take_each(
+      add_value(compare, "--reference", options.references, "FILE",
+                "A CSV of another program or a test, in place of `references` of the case: `thread` or `force_kN`, "
+                "`load_case`, and responses by their names; repeatable"));
   compare
       .add_flag_callback(
           "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
@@ -239,8 +243,8 @@ constexpr CaseRow kCaseRows[] = {
     {Command::check, kAnalyse, "List every value, with its default, too"},
     {Command::solve, kAnalyse, "Say which library factorized, too"},
     {Command::compare, kAnalyse, nullptr, add_compare_options, compare,
-     "prs compare case.yaml\nprs compare before.yaml after.yaml\nprs compare case.yaml --influence "
-     "--output results"},
+     "prs compare case.yaml\nprs compare case.yaml --reference fe.csv --output results\n"
+     "prs compare before.yaml after.yaml\nprs compare case.yaml --influence --output results"},
     {Command::slip, kAnalyse, kEstimates},
     {Command::life, kAnalyse, kEstimates},
     {Command::measures, kAnalyse, kEstimates, nullptr, nullptr,
@@ -441,7 +445,31 @@ int run_case(const AnyAnalysis& row, const Options& options) {
   return deliver(delivery, document_info(source, row.command), options);
 }
 
+namespace {
+
+/// `references=[..]` of files that stand relative to the current folder.
+std::string override_of(const Options& options) {
+  const std::filesystem::path folder = std::filesystem::path(case_name(options)).parent_path();
+  Json items = Json::array();
+  for (const std::string& file : options.references) {
+    if (std::error_code error; !std::filesystem::is_regular_file(file, error))
+      fail_option("--reference", "got {}; expected a CSV file; check the path", input::shown(file));
+    items.push_back({{"file", folder.empty() ? file : std::filesystem::proximate(file, folder).string()}});
+  }
+  return "references=" + items.dump();
+}
+
+}  // namespace
+
 int compare(const Options& options) {
+  if (!options.references.empty()) {
+    if (!options.other.empty())
+      fail_option("--reference", "got it with a second case; expected one case; delete one of the two");
+    Options with = options;
+    with.references.clear();
+    with.overrides.push_back(override_of(options));
+    return run_case(analysis_of(Command::compare), with);
+  }
   if (options.other.empty()) return run_case(analysis_of(Command::compare), options);
   if (options.other == kStandardInput)
     throw UsageError("OTHER: got -; expected a file; standard input may be the first of the two");

@@ -22,6 +22,7 @@ constexpr std::pair<const char*, const char*> kExitStatuses[] = {
     {"1", "failed, or a result could not be written"},
     {"2", "the input or the command line is wrong"},
     {"3", "a load case, a study or a fit did not converge"},
+    {"4", "a reference lies beyond its tolerance (`compare`)"},
     {"130", "interrupted by Ctrl-C"},
     {"143", "ended by SIGTERM"}};
 

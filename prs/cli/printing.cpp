@@ -124,7 +124,7 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
     const bool more_than_document = delivery.files || delivery.pictures;
     if (options.output && more_than_document) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  if (delivery.wrong_input.empty()) return exit_status(delivery.converged);
+  if (delivery.wrong_input.empty()) return status_of(delivery);
   say(delivery.wrong_input + '\n');
   return kWrongInput;
 }

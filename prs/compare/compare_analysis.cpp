@@ -1,5 +1,6 @@
 #include "prs/compare/compare_analysis.h"
 
+#include "prs/compare/reference_analysis.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_record.h"
@@ -174,7 +175,7 @@ std::string comparison_table(const ModelComparison& c) {
       text += model_row(cell(m == 0 ? case_name_cell(c.best().load_cases[k]) : ""), {&c, k, m});
   if (shown < c.load_cases())
     text += fmt::format("  … {} of {} load cases; {}\n", shown, c.load_cases(), all_in("comparison.csv"));
-  return text + warning_section(all_warnings(c.warnings, c.best().load_cases));
+  return text + reference_table(c) + warning_section(all_warnings(c.warnings, c.best().load_cases));
 }
 
 std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
@@ -240,8 +241,10 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   return {std::move(figure)};
 }
 
-ModelComparison compared(const input::Source&, const input::CaseInput& in) {
+ModelComparison compared(const input::Source& source, const input::CaseInput& in) {
+  std::vector<ReferenceCurve> references = read_references(source, in.values);
   ModelComparison result = compare_models(in.values);
+  compare_references(source, in.values, std::move(references), result);
   add_preload_note(in.values, result.warnings);
   return result;
 }
@@ -256,7 +259,9 @@ std::vector<std::string> notes(const ModelComparison& r) {
 }  // namespace
 
 const Analysis<ModelComparison>& compare_analysis() {
-  static const std::vector<Place> places = with_contacts({{"comparison", describe<ModelComparison>}});
+  static const std::vector<Place> places =
+      with_contacts({{"comparison", describe<ModelComparison>},
+                     {"references[]", describe<ComparedReference>, false, "with `references` or `--reference`"}});
   static const Analysis<ModelComparison> analysis{
       .command = Command::compare,
       .help = "The models of the bodies side by side, or two cases",
@@ -267,17 +272,25 @@ const Analysis<ModelComparison>& compare_analysis() {
           [](nlohmann::ordered_json& document, const ModelComparison& r) {
             put_contacts(document, r.best().contacts);
             document["comparison"] = object_of(r);
+            put_references(document, r);
           },
       .table = comparison_table,
       .notes = notes,
       .files =
           [](const ModelComparison& r, const CsvStyle& style) {
-            return std::vector<OutputFile>{{"comparison.csv", comparison_csv(r, style)}};
+            std::vector<OutputFile> files{{"comparison.csv", comparison_csv(r, style)}};
+            if (!r.references.empty()) files.push_back({"references.csv", references_csv(r, style)});
+            return files;
           },
       .pictures = [](const ModelComparison& r, const Case&) -> Pictures {
-        return {{"loads_by_model", "a load case that converged with every model", of_result(r, loads_by_model)}};
+        return {{"loads_by_model", "a load case that converged with every model", of_result(r, loads_by_model)},
+                {"references", "references, and answers to their load cases", of_result(r, reference_figures)},
+                {"reference_butterfly", "references over the threads in tension and compression",
+                 of_result(r, reference_butterfly)}};
       },
       .converged = [](const ModelComparison& r) { return std::ranges::all_of(r.models, all_converged); },
+      .within_tolerance =
+          [](const ModelComparison& r) { return std::ranges::all_of(r.references, &ReferenceComparison::met); },
       .all_warnings = warnings_of,
       .takes_load_cases_apart = true};
   return analysis;

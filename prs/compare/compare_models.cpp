@@ -72,6 +72,7 @@ ModelComparison compare_bodies(const Case& c) {
       if (!stated) require_sound(variant);
       if (!stated && bodies == Bodies::influence && !is_at_hand(variant)) continue;
       comparison.models.push_back(analyze(variant));
+      if (stated) comparison.stated = comparison.models.size() - 1;
     } catch (const CaseError& error) {
       if (stated) throw;
       if (bodies != Bodies::influence)
@@ -92,12 +93,16 @@ ModelComparison compare_models(const Case& c) {
   std::erase_if(solved.load_cases, [](const LoadCase& load) { return load.share == LoadCase::Share::equal; });
   ModelComparison comparison;
   if (c.model.mechanism == ModelOptions::Mechanism::full)
-    comparison.models = {analyze(as_sector(solved)), analyze(solved)};
+    comparison.models = {analyze(as_sector(solved)), analyze(solved)}, comparison.stated = 1;
   else
     comparison = compare_bodies(solved);
   const std::vector<Warning>& geometry = comparison.best().warnings;
   comparison.warnings.insert(comparison.warnings.begin(), geometry.begin(), geometry.end());
   return comparison;
+}
+
+Case case_of(const Case& c, const Result& model) {
+  return c.model.mechanism == model.model.mechanism ? with_bodies(c, model.model.bodies) : as_sector(c);
 }
 
 }  // namespace prs

@@ -1,13 +1,40 @@
 #pragma once
 
 #include "prs/loads/result.h"
+#include "prs/reference/curve_deviations.h"
+#include "prs/reference/reference.h"
 
 namespace prs {
+
+/// What a model of the bodies says in the places of a reference's readings.
+struct ReferenceAnswer {
+  std::vector<double> computed;  ///< In the response's unit; NaN where there is no answer.
+  std::optional<CurveDeviations> deviations;
+  std::optional<double> slope;  ///< Over the force, in the response's unit per N.
+  std::optional<double>
+      tolerance_use;  ///< Largest deviation over the tolerance at its point; infinite without an answer.
+
+  bool met() const { return !tolerance_use || *tolerance_use <= 1.0; }
+};
+
+/// A reference and all models.
+struct ReferenceComparison {
+  ReferenceCurve reference;
+  std::vector<ReferenceAnswer> models;  ///< As those of the comparison.
+  std::size_t stated = 0;               ///< The model that the case states: by it the tolerance is met or not.
+  /// Sum over a complete set of threads, and what the load makes of it.
+  std::optional<double> sum, expected_sum;
+  std::optional<double> slope;
+
+  bool met() const { return models[stated].met(); }
+};
 
 /// The load cases of a case, solved with each model of the bodies.
 struct ModelComparison {
   std::vector<Result> models;     ///< The best model last; load cases alike in all.
   std::vector<Warning> warnings;  ///< Warnings of the geometry, and why a model is left out.
+  std::size_t stated = 0;         ///< The model that the case states.
+  std::vector<ReferenceComparison> references = {};
 
   const Result& best() const { return models.back(); }
   std::size_t load_cases() const { return best().load_cases.size(); }
@@ -19,5 +46,13 @@ struct ModelComparison {
 /// knows the axial force and the parts that all rollers have in common. Load cases of equal shares
 /// are left out. Throws as `analyze` does.
 ModelComparison compare_models(const Case& c);
+
+/// The case as one of its models has it.
+Case case_of(const Case& c, const Result& model);
+
+/// Adds the references of a case with what each model says of them, and warnings on sums that the load
+/// does not explain. Throws InputError.
+void compare_references(const input::Source& source, const Case& c, std::vector<ReferenceCurve> references,
+                        ModelComparison& comparison);
 
 }  // namespace prs

@@ -241,7 +241,7 @@ void put_lines(std::vector<std::string>& messages, std::string_view text, std::s
 /// All forms of the answer to a command, and which command.
 Answer delivered_answer(const Question& question, Command command, const Delivery& delivery) {
   Answer answer;
-  answer.status = delivery.converged ? kDone : kNotConverged;
+  answer.status = status_of(delivery);
   answer.document = delivery.document(document_info(question.source, command));
   if (question.figures && delivery.pictures) answer.figures = to_json(figures(delivery.pictures()));
   for (const std::string& note : delivery.notes) put_lines(answer.messages, note);

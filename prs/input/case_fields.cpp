@@ -1253,6 +1253,36 @@ void fields(const Fields& io, FitItem& f) {
   io("bands", f.bands, List{Block{}}, "Responses that are computed with their uncertainty");
 }
 
+void fields(const Fields& io, ReferenceItem::Column& c) {
+  io("column", c.column, Text{"share"},
+     "Its name in the heading of the file; by default the first that is neither `along` nor `load_case`");
+  io("unit", c.unit, Text{"\"%\""}, "Of its numbers; by default that of the response");
+}
+
+void fields(const Fields& io, ReferenceItem::Along& a) {
+  io("column", a.column, Text{"thread"}, required, "Its name in the heading of the file");
+  io("input", a.input, Text{"operation.speed"},
+     "`thread`, or the input that each row sets: a key of the load case (`axial_force`), or a path as `--set` names "
+     "it; by the column's name if that is `thread` or begins with `force` or `axial_force`");
+  io("unit", a.unit, Text{"kN"}, "Of its numbers; by default what the column's name ends in: `kN` of `force_kN`");
+}
+
+void fields(const Fields& io, ReferenceItem& r) {
+  io("file", r.file, Text{"fe.csv"}, required,
+     "Comma-separated values with a heading, relative to this file. Without `response` its columns are `thread` or "
+     "`force_kN`, `load_case`, and responses by their names");
+  io("name", r.name, Text{"3D FE"}, "Of the reference; that of the file by default");
+  io("load_case", r.load_case, Text{"push"}, "Its load case; by default the column `load_case`, or the only one");
+  io("response", r.response, Text{"screw.load_rate_percent"},
+     "Of the load case, by `prs solve` or `prs slip`: an array over threads, else a number");
+  io("measured", r.measured, Block{}, "The reference's numbers");
+  io("along", r.along, Block{}, "What the rows stand over; by default `thread` or `force_kN`, where there is such a column");
+  io("deviation", r.deviation, Verbatim{"1 % of each value"},
+     "Of the reference itself: as `tolerance`, or `{column: .., unit: ..}`");
+  io("tolerance", r.tolerance, Verbatim{"10 % of the mean"},
+     "Largest deviation that is allowed: `10 % of the mean`, `10 % of each value`, or a value in the response's unit");
+}
+
 void fields(const Fields& io, ReportTexts& r) {
   io("title", r.title, Text{"\"Press 40 kN\""}, "What was calculated");
   io("customer", r.customer, Text{"\"Customer\""}, "For whom");
@@ -1534,6 +1564,7 @@ void fields(const Fields& io, CaseFile& file) {
   io("study", file.study, Block{}, "What `prs study` varies");
   io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");
   io("fit", file.fit, Block{}, "What `prs fit` finds from measured curves");
+  io("references", file.references, List{Block{}, 1, 100}, "Curves of other programs or tests, for `prs compare`");
   io("report", file.report, Block{}, "Title block of `prs report`");
 }
 

@@ -188,6 +188,22 @@ struct FitItem {
   std::vector<FitBandItem> bands;
 };
 
+/// A curve of another program or a test that `prs compare` holds the case against, as it is written.
+struct ReferenceItem {
+  struct Column {
+    std::optional<std::string> column, unit;
+  };
+  struct Along {
+    std::string column;
+    std::optional<std::string> input, unit;
+  };
+
+  std::string file;
+  std::optional<std::string> name, load_case, response, deviation, tolerance;
+  std::optional<Column> measured;
+  std::optional<Along> along;
+};
+
 /// What a report says of itself.
 struct ReportTexts {
   std::optional<std::string> title, customer, author, number, revision;
@@ -202,6 +218,7 @@ struct CaseFile {
   std::optional<StudyItem> study;
   std::optional<OptimizeItem> optimize;
   std::optional<FitItem> fit;
+  std::vector<ReferenceItem> references;
   bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
   std::optional<ReportTexts> report;
 };

@@ -489,7 +489,7 @@ Json resolved_input(const Source& source) {
   return json;
 }
 
-std::string input_sha256(const Source& source, bool with_curves) {
+std::string input_sha256(const Source& source, std::optional<Command> command) {
   ErrorList errors(source);
   CaseFile file = read_case_file(read_document(source, errors), errors);
   std::vector<std::string> texts;
@@ -502,9 +502,12 @@ std::string input_sha256(const Source& source, bool with_curves) {
         } catch (const InputError&) {  // What the command tells.
         }
     });
-  if (with_curves && file.fit)
-    for (std::size_t k = 0; k < file.fit->curves.size(); ++k)
-      texts.push_back(named_file_text(file.fit->curves[k].file, fmt::format("fit.curves[{}].file", k), source, false));
+  const auto add = [&](const auto& items, const char* list) {
+    for (std::size_t k = 0; k < items.size(); ++k)
+      texts.push_back(named_file_text(items[k].file, fmt::format("{}[{}].file", list, k), source));
+  };
+  if (command == Command::fit && file.fit) add(file.fit->curves, "fit.curves");
+  if (command == Command::compare) add(file.references, "references");
   return input_sha256(source, texts);
 }
 

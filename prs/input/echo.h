@@ -3,6 +3,7 @@
 #include "prs/input/document.h"
 #include "prs/input/units.h"
 #include "prs/json_type.h"
+#include "prs/model/command.h"
 #include "prs/model/warning.h"
 
 namespace prs::input {
@@ -53,8 +54,8 @@ nlohmann::ordered_json resolved_input(const Source& source);
 
 /// SHA-256 of what is computed, hexadecimal: of the file; with overrides, or a history that it
 /// names, of the file, then of each of these and of the SHA-256 of the history, with a NUL before.
-/// The files of a fit's curves follow it where they count.
-std::string input_sha256(const Source& source, bool with_curves = false);
+/// The files of a fit's curves and of references follow it for the commands that read them.
+std::string input_sha256(const Source& source, std::optional<Command> command = {});
 /// The same of a source that names these files, by their texts.
 std::string input_sha256(const Source& source, const std::vector<std::string>& files);
 

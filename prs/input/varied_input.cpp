@@ -49,7 +49,7 @@ void VariedInput::refuse_at(std::string_view key, std::string_view message) cons
 }
 
 bool VariedInput::check_outside(std::string_view key, std::string_view path) const {
-  for (const std::string_view block : {"study", "optimize", "fit"})
+  for (const std::string_view block : {"study", "optimize", "fit", "references"})
     if (path == block || is_part_of(path, block)) {
       refuse_at(key, fmt::format("got {}; expected a value outside `{}`; write for example `path: "
                                  "mechanism.rollers`",

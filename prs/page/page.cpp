@@ -104,6 +104,9 @@ Json case_of(const input::Source& source) {
   json["histories"] = Json::object();
   if (in.values.life && in.values.life->history)
     json["histories"][in.values.life->history->file] = input::force_history_text(*in.values.life->history, source);
+  for (const input::EchoEntry& field : in.fields)
+    if (field.path.starts_with("references[") && field.path.ends_with("].file"))
+      json["histories"][field.value] = input::named_file_text(field.value, field.path, source);
   return json;
 }
 

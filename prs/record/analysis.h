@@ -50,6 +50,7 @@ struct Analysis {
   Pictures (*pictures)(const R&, const Case&) = nullptr;
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
+  bool (*within_tolerance)(const R&) = nullptr;  ///< Of what the result is held against.
   std::string (*wrong_input)(const R&) = nullptr;  ///< Error of the input that the result only reports; empty: none.
   std::vector<Headline> (*headlines)(const R&) = nullptr;
   OwnWarnings<R> warnings = [](auto& result) -> decltype(auto) { return (result.warnings); };
@@ -128,6 +129,7 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in, cons
     };
   if (analysis.without_figure) d.without_figure = analysis.without_figure(*result);
   if (analysis.converged) d.converged = analysis.converged(*result);
+  if (analysis.within_tolerance) d.within_tolerance = analysis.within_tolerance(*result);
   if (analysis.wrong_input) d.wrong_input = analysis.wrong_input(*result);
   if (analysis.section) d.section = [&analysis, result] { return analysis.section(*result); };
   if (analysis.headlines) d.headlines = [&analysis, result] { return analysis.headlines(*result); };

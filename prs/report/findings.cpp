@@ -16,9 +16,13 @@ namespace {
 
 std::vector<Warning> warnings_of(const Findings& all) {
   std::vector<Warning> warnings = all.check.warnings();
-  for (const CommandAnswer& answer : all.answers)  // The page shows the loads of the case's model.
-    if (answer.command != Command::compare || !all.answer(Command::solve))
-      std::ranges::move(answer.delivery.warnings(), std::back_inserter(warnings));
+  for (const CommandAnswer& answer : all.answers) {
+    std::vector<Warning> its = answer.delivery.warnings();
+    if (answer.command == Command::compare &&
+        all.answer(Command::solve))  // The page shows the loads of the case's model.
+      std::erase_if(its, [](const Warning& warning) { return warning.code != "reference_sum"; });
+    std::ranges::move(its, std::back_inserter(warnings));
+  }
   return warnings;
 }
 
@@ -145,7 +149,7 @@ std::string card_html(const Findings& all, const Criterion& c) {
   // Its worst load is one of `life`, in a spectrum or history of its own.
   if (c.load_case.starts_with("life.") && all.unmoved.contains(Command::life))
     return tile_html(c.name, kStale, c.title, value_html(c), before, where_html(kStays));
-  if (c.limit) below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c.standing));
+  if (c.limit) below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c));
   return tile_html(c.name, name(c.standing), c.title, value_html(c), before, below + where_html(place_of(all, c)));
 }
 

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "prs/compare/compare_analysis.h"
+#include "prs/compare/reference_analysis.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_record.h"
 #include "prs/report/findings.h"
@@ -27,7 +28,7 @@ std::string data_url(std::string_view type, std::string_view content) {
   return url;
 }
 
-constexpr std::size_t kMostColumns = 6;  ///< Load cases side by side in a table.
+constexpr std::size_t kMostColumns = 10;  ///< Load cases side by side in a table.
 
 // Load cases
 
@@ -236,11 +237,26 @@ std::string loads_html(Findings& all) {
   return text + loads_table_html(solve->document);
 }
 
+bool is_of_references(std::string_view name) { return name.starts_with("reference"); }
+
 std::string models_html(Findings& all) {
   const CommandAnswer* compare = all.answer(Command::compare);
   if (!compare) return {};
-  return pictures_html(all, compare, [](std::string_view) { return true; }) +
+  return pictures_html(all, compare, [](std::string_view name) { return !is_of_references(name); }) +
          comparison_html(*all.result<ModelComparison>(Command::compare));
+}
+
+std::string table_html(const PageTable& table) {
+  std::vector<std::vector<std::string>> texts = table.rows;
+  for (std::vector<std::string>& row : texts) std::ranges::transform(row, row.begin(), html);
+  return plain_table(each(table.head, html), texts, true);
+}
+
+std::string references_html(Findings& all) {
+  const CommandAnswer* compare = all.answer(Command::compare);
+  if (!compare || all.result<ModelComparison>(Command::compare)->references.empty()) return {};
+  return pictures_html(all, compare, is_of_references) +
+         table_html(reference_page_table(*all.result<ModelComparison>(Command::compare)));
 }
 
 std::string heading_html(std::string_view title) {
@@ -294,11 +310,7 @@ std::string answer_html(Findings& all, Command command) {
   const auto add = [&](const std::string& heading, const std::string& table) {
     if (!table.empty()) text += heading_html(heading) + table;
   };
-  for (const auto& [heading, head, rows] : section.tables) {
-    std::vector<std::vector<std::string>> texts = rows;
-    for (std::vector<std::string>& row : texts) std::ranges::transform(row, row.begin(), html);
-    add(heading, plain_table(each(head, html), texts, true));
-  }
+  for (const PageTable& table : section.tables) add(table.heading, table_html(table));
   for (const auto& [key, only, heading] : section.in_cases)
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
       add(heading, record_table(*info, columns_in(cases, key), {.only = only, .hidden = section.estimates}));
@@ -574,7 +586,7 @@ std::string warnings_html(Findings& all) {
   std::string refused;
   for (const std::string& note : all.notes) refused += fmt::format("<p>{}</p>\n", html(note));
   const std::string assumptions = warning_list(all, true);
-  return warning_list(all, false) + refused + (assumptions.empty() ? "" : folded_html(kAssumptionsTitle, assumptions));
+  return warning_list(all, false) + refused + (assumptions.empty() ? "" : folded_html(kAssumptionsTitle, assumptions, true));
 }
 
 /// The values of the case, of a document's head, and documents by their commands under `results`, as
@@ -620,7 +632,8 @@ std::span<const SectionRow> section_rows() {
         {"stiffness", "Stiffness", stiffness_html, true},
     };
     std::ranges::move(analysis_rows(), std::back_inserter(rows));
-    std::ranges::move(std::vector<SectionRow>{{"models", "The models side by side", models_html},
+    std::ranges::move(std::vector<SectionRow>{{"references", "References", references_html},
+                                              {"models", "The models side by side", models_html},
                                               {"contacts", "Contacts", contact_html},
                                               {"studies", "Studies", studies_html},
                                               {"data", "Data", files_html},

@@ -199,9 +199,10 @@ std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns, s
   return all;
 }
 
-std::string folded_html(std::string_view title, const std::string& body) {
+std::string folded_html(std::string_view title, const std::string& body, bool is_printed) {
   if (body.empty()) return {};
-  return fmt::format("<details><summary>{}</summary>\n{}</details>\n", html(title), body);
+  return fmt::format("<details{}><summary>{}</summary>\n{}</details>\n", is_printed ? " class=\"printed\" open" : "",
+                     html(title), body);
 }
 
 const RecordInfo* record_in(const RecordInfo& info, std::string_view key) {

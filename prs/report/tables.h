@@ -52,7 +52,7 @@ std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns, s
 const RecordInfo* record_in(const RecordInfo& info, std::string_view key);
 
 /// What folds under a heading; empty where there is nothing. On paper only what was opened stands.
-std::string folded_html(std::string_view title, const std::string& body);
+std::string folded_html(std::string_view title, const std::string& body, bool is_printed = false);
 
 /// A table of texts that are HTML; the first cell of each row is its heading. A row of one cell is
 /// a heading over the next ones.

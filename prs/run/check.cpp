@@ -188,7 +188,7 @@ std::string verdict_table(const CaseVerdict& verdict) {
     std::string line = padded("  " + std::string(c.title), kTitleWidth, true) +
                        padded(c.value ? number(*c.value) : "", 9, false) + ' ' +
                        padded(std::string(is_known ? table_unit(*documents).text : unit), 9, true) +
-                       padded(limit, 33, true) + ' ' + padded(words(c.standing), 13, true);
+                       padded(limit, 33, true) + ' ' + padded(words(c), 13, true);
     // What is too long for the line stands below it.
     if (width(line) + width(where) <= kTableWidth) line += std::exchange(where, "");
     text += ended(line);
@@ -380,6 +380,8 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
   };
   if (!attempt(Command::measures) || takes_long) attempt(Command::solve);
   for (const Command command : {Command::slip, Command::life, Command::response}) attempt(command);
+  if (std::ranges::any_of(in.fields, [](const input::EchoEntry& f) { return f.path.starts_with("references["); }))
+    attempt(Command::compare);
   result.verdict = verdict_by(in, attempts);
   return result;
 }
@@ -398,6 +400,8 @@ void put_facts(const Delivery& delivery, Command command, VerdictFacts& facts) {
     facts.contacts = &measures->analysis.contacts;
   } else if (const auto* response = delivery.result<ResponseResult>()) {
     facts.response = response;
+  } else if (const auto* comparison = delivery.result<ModelComparison>()) {
+    facts.comparison = comparison;
   } else if (const auto* life = delivery.result<LifeResult>()) {
     facts.life = life;
   } else if (const auto* check = delivery.result<CheckResult>()) {
@@ -428,6 +432,17 @@ std::optional<MeasuresResult> warm_measures(const input::CaseInput& in, const Ve
     warm.analysis.load_cases[k] = std::move(one.analysis.load_cases.front());
   }
   return warm;
+}
+
+/// Films at the mean temperatures of a duty: those at steady temperatures, which it never reaches, say nothing.
+std::optional<Result> films_over_duty(const input::CaseInput& in, const VerdictFacts& facts) {
+  if (!facts.slip || !facts.slip->heat_cycle || !in.values.lubricant || !in.values.roughness) return std::nullopt;
+  const std::optional<PerPart<double>> mean = temperature_of(facts, 0);
+  if (!mean) return std::nullopt;
+  Conditions c = in.values;
+  c.heat.reset();
+  c.deviations.temperature = mean;
+  return analyze_slip(c, facts.slip->contacts, kManyDesigns, warm_oils(in.values, oil_temperatures(of_parts(*mean))));
 }
 
 /// Load cases at rest under preload, and their static ratings.
@@ -530,6 +545,8 @@ CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> atte
     facts.measures = &*warm;
     facts.loads = &warm->analysis;
   }
+  const std::optional<Result> films = films_over_duty(in, facts);
+  if (films) facts.films = &*films;
   const std::optional<Result> preloaded = loads_under_preload(in, facts);
   if (preloaded) facts.preloaded = &*preloaded;
   return verdict_of(facts);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "modules/response/response.h"
+#include "prs/compare/compare_models.h"
 #include "prs/life/analyze_life.h"
 #include "prs/measures/measures.h"
 #include "prs/model/motor_duty.h"
@@ -69,12 +70,14 @@ struct VerdictFacts {
   const Contacts* contacts = nullptr;
   const Result* loads = nullptr;
   const Result* slip = nullptr;
+  const Result* films = nullptr;  ///< Slip at the mean temperatures of a duty.
   /// Load cases at rest under preload, which `loads` lack, and the static limits of each.
   const Result* preloaded = nullptr;
   std::vector<StaticForces> preloaded_forces = {};
   const LifeResult* life = nullptr;
   const MeasuresResult* measures = nullptr;
   const ResponseResult* response = nullptr;
+  const ModelComparison* comparison = nullptr;  ///< With references.
   /// Why commands were not run: what to add, or what they found wrong. One that is neither here nor
   /// above was not asked; what it would have given is left out.
   std::map<Command, std::string> lacking = {};
@@ -85,7 +88,7 @@ struct VerdictFacts {
 
 CaseVerdict verdict_of(const VerdictFacts& facts);
 
-std::string words(Standing standing);  ///< `met`, `not computed`
+std::string words(const Criterion& c);  ///< Its standing: `met`, `below recommended`, `not computed`
 
 /// How tables and pages show value and limit: shown = value * factor.
 struct ShownCriterion {

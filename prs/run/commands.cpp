@@ -33,14 +33,13 @@ Delivery run(const AnyAnalysis& analysis, const input::Source& source) {
 
 DocumentInfo document_info(const input::Source& source, Command command) {
   const OtherFile* const file = other_file(source);
-  return {
-      kVersion,
-      kSchemaVersion,
-      file ? input::input_sha256(source, file->files(source)) : input::input_sha256(source, command == Command::fit),
-      source.overrides,
-      std::string(name(command)),
-      source.name,
-      [source, file] { return file ? file->resolved_input(source) : input::resolved_input(source); }};
+  return {kVersion,
+          kSchemaVersion,
+          file ? input::input_sha256(source, file->files(source)) : input::input_sha256(source, command),
+          source.overrides,
+          std::string(name(command)),
+          source.name,
+          [source, file] { return file ? file->resolved_input(source) : input::resolved_input(source); }};
 }
 
 }  // namespace prs

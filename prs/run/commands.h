@@ -38,6 +38,9 @@ Delivery run(const AnyAnalysis& analysis, const input::Source& source);
 DocumentInfo document_info(const input::Source& source, Command command);
 
 /// How a run ended: exit statuses of the programs, statuses of answers.
-enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
+enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3, kBeyondTolerance = 4 };
+constexpr Exit status_of(const Delivery& delivery) {
+  return !delivery.converged ? kNotConverged : delivery.within_tolerance ? kDone : kBeyondTolerance;
+}
 
 }  // namespace prs

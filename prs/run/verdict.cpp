@@ -67,9 +67,10 @@ Found life(const VerdictFacts& f) {
   // A maker's capacity comes from real screws: uneven sharing is in it.
   const LifeInUse in = in_use(r, r.lemor ? r.system_life : r.catalogue_life);
   const std::string note =
-      fmt::format("{:g} % reach it; {}", r.life.reliability * per_si::percent,
+      fmt::format("{:g} % reach it; {}{}", r.life.reliability * per_si::percent,
                   r.lemor ? r.life.share == LoadCase::Share::solved ? "real thread loads" : "equal thread loads"
-                          : "stated C_a already includes uneven sharing");
+                          : "stated C_a already includes uneven sharing",
+                  r.modified ? fmt::format("; {:.3g} times as long with film and dirt by ISO 281", r.modified->factor) : "");
   const bool as_travel = f.limits.life ? f.limits.life->travel.has_value() : !in.hours.has_value();
   if (as_travel)
     found.take(in.rated * in.travel * per_si::kilometre, loads_of(r), note);
@@ -120,6 +121,12 @@ double rise_elsewhere(const LoadCaseResult& r) {
   return rise;
 }
 
+/// The static safety by the contact pressure beside that by a stated capacity.
+std::string by_pressure(const FlankLife& flank) {
+  if (flank.static_rating->limit != StaticLimit::given || !flank.static_capacity) return {};
+  return fmt::format("; {:.4g} by the contact pressure of the first thread", *flank.static_capacity / flank.largest_force);
+}
+
 Found static_safety(const VerdictFacts& f) {
   if (!f.measures && !f.life) return without(f, Command::measures, Sense::least);
   if (auto none = without_fit(f, Sense::least)) return *std::move(none);
@@ -128,7 +135,7 @@ Found static_safety(const VerdictFacts& f) {
     for (const Direction d : kDirections)
       if (const auto& flank = f.life->flanks[d]; flank && flank->static_safety())
         found.take(*flank->static_safety(), loads_of(*f.life),
-                   fmt::format("{} in {}", describe(flank->static_rating->limit), name(d)));
+                   fmt::format("{} in {}{}", describe(flank->static_rating->limit), name(d), by_pressure(*flank)));
   for (std::size_t k = 0; f.preloaded && k < f.preloaded_forces.size(); ++k)
     if (const auto& rating = f.preloaded_forces[k].rating) {
       const LoadCase& load = f.preloaded->load_cases[k].load_case;
@@ -180,7 +187,7 @@ Found flank_edge(const VerdictFacts& f) {
   if (f.life && f.life->converged())
     for (const Direction d : kDirections)
       if (const auto& flank = f.life->flanks[d]; flank)
-        found.take(flank->flank_edge_margin(), loads_of(*f.life), fmt::format("in {}", name(d)));
+        found.take(flank->flank_edge_margin(), loads_of(*f.life), fmt::format("in {}, at rest", name(d)));
   for (std::size_t k = 0; f.preloaded && k < f.preloaded_forces.size(); ++k)
     if (const auto& edge = f.preloaded_forces[k].flank_edge_load) {
       const LoadCase& load = f.preloaded->load_cases[k].load_case;
@@ -494,17 +501,18 @@ Found film(const VerdictFacts& f) {
   Found found;
   found.applies = f.c.lubricant.has_value();
   found.why = !found.applies ? "no lubricant" : !f.c.roughness ? "add roughness" : "the slip did not converge";
-  if (f.slip->heat_cycle) {  // Films of steady temperatures, which a duty never reaches, say nothing.
-    found.why = "not computed over a duty";
+  if (f.slip->heat_cycle && !f.films) {  // Films of steady temperatures, which a duty never reaches, say nothing.
+    if (f.c.roughness) found.why = "the temperatures of the duty did not converge";
     return found;
   }
-  for (const LoadCaseResult& r : f.slip->load_cases)
+  for (const LoadCaseResult& r : (f.films ? f.films : f.slip)->load_cases)
     if (r.slip && r.slip->converged())
       for (const Interface i : kInterfaces)
         for (const double ratio : r.slip->threads[i].film_ratio)
           if (ratio > 0.0)
             found.take(ratio, r.load_case.name,
-                       fmt::format("roller-{}{}", name(i), f.c.life ? "; life is that of full, clean films" : ""));
+                       fmt::format("roller-{}{}{}", name(i), f.films ? ", at the mean temperatures of the duty" : "",
+                                   f.c.life ? "; the life above is that of full, clean films" : ""));
   return found;
 }
 
@@ -766,6 +774,26 @@ void add_play(const VerdictFacts& f, CaseVerdict& verdict) {
   verdict.criteria.push_back(std::move(c));
 }
 
+/// The curve that leaves its tolerance most.
+void add_references(const VerdictFacts& f, CaseVerdict& verdict) {
+  const ReferenceComparison* worst = nullptr;
+  const auto use = [](const ReferenceComparison& r) { return r.models[r.stated].tolerance_use.value_or(0.0); };
+  if (f.comparison)
+    for (const ReferenceComparison& r : f.comparison->references)
+      if (r.reference.tolerance && (!worst || use(r) > use(*worst))) worst = &r;
+  if (!worst) return;
+  Criterion c = criterion("reference", "Deviation over tolerance", "");
+  c.sense = Sense::greatest;
+  if (std::isfinite(use(*worst))) c.value = use(*worst);
+  c.limit = 1.0;
+  c.source = LimitSource::stated;
+  c.standing = worst->met() ? Standing::green : Standing::red;
+  c.load_case = worst->reference.load_case;
+  c.reason = fmt::format("{} against {}, tolerance {}", worst->reference.response, worst->reference.name,
+                         worst->reference.tolerance->text);
+  verdict.criteria.push_back(std::move(c));
+}
+
 /// `Static safety, peak pressure` of a standing.
 std::string titles(const CaseVerdict& verdict, auto of) {
   std::string text;
@@ -807,6 +835,7 @@ CaseVerdict verdict_of(const VerdictFacts& f) {
   verdict.not_built = f.not_built;
   for (const Row& row : kRows) add(row, f, verdict);
   add_motor(f, verdict);
+  add_references(f, verdict);
   add_play(f, verdict);
   add_convergence(f, verdict);
   add_contacts(f, verdict);
@@ -814,9 +843,10 @@ CaseVerdict verdict_of(const VerdictFacts& f) {
   return verdict;
 }
 
-std::string words(Standing standing) {
+std::string words(const Criterion& c) {
+  const Standing standing = c.standing;
   if (standing == Standing::green) return "met";
-  if (standing == Standing::amber) return "below recommended";
+  if (standing == Standing::amber) return c.sense == Sense::least ? "below recommended" : "above recommended";
   if (standing == Standing::red) return "not met";
   std::string text(name(standing));
   std::ranges::replace(text, '_', ' ');
@@ -836,7 +866,7 @@ std::string summary(const CaseVerdict& verdict) {
     if (!what.empty()) text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", words, what);
   };
   tell("Not met", of(Standing::red));
-  tell("Short of what is recommended", of(Standing::amber));
+  tell("Not as recommended", of(Standing::amber));
   tell("Not computed, so not met", titles(verdict, is_unknown));
   tell("Not assessed because of an error in the input", fmt::format("{}", fmt::join(verdict.failed, ", ")));
   tell("Not judged, because not built", fmt::format("{}", fmt::join(verdict.not_built, ", ")));
@@ -863,6 +893,7 @@ std::string origin(const Criterion& c) {
   if (c.source == LimitSource::stated &&
       (c.name.starts_with("motor_") || c.name == "brake" || c.name == "back_driving"))
     return "motor";
+  if (c.name == "reference") return "references[].tolerance";
   if (c.source == LimitSource::stated) return fmt::format("limits.{}", c.name);
   return c.source == LimitSource::physics ? "physical limit" : "recommended";
 }

@@ -598,8 +598,9 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       warn_of_film(model, *loaded.slip, loaded.warnings);
       warn_of_flashes(*loaded.slip, loaded.warnings);
       warn_of_lifted_rollers(loaded, loaded.warnings);
-      if (auto note = unknown_heat_flow(c, result.contacts.mechanism, loaded.slip->power.total()))
-        loaded.warnings.push_back(std::move(*note));
+      if (loaded.load_case.name != kBackDriving)
+        if (auto note = unknown_heat_flow(c, result.contacts.mechanism, loaded.slip->power.total()))
+          loaded.warnings.push_back(std::move(*note));
     }
     warn_of_running_pressure(*loaded.threads, loaded.load_case, result.contacts, loaded.warnings);
   }

@@ -9,44 +9,11 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/record/response_path.h"
 #include "prs/study/design_engine.h"
 
 namespace prs {
 namespace {
-
-/// Numbers, or rows of numbers.
-bool is_series(const Json& json) {
-  return json.is_array() && !json.empty() &&
-         std::ranges::all_of(json, [](const Json& entry) { return entry.is_number() || is_series(entry); });
-}
-
-void collect(const Json& series, std::vector<double>& values) {
-  for (const Json& entry : series)
-    if (entry.is_array())
-      collect(entry, values);
-    else
-      values.push_back(entry.get<double>());
-}
-
-/// The path begins with `.KEY` or `[k]`.
-std::optional<double> number_at(const Json& json, std::string_view path) {
-  if (path.empty()) return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
-  if (path.starts_with('[')) {
-    const std::optional<std::size_t> index = take_index(path);
-    const bool there = index && json.is_array() && *index < json.size();
-    return there ? number_at(json[*index], path) : std::nullopt;
-  }
-  if (const SeriesReader summary = summary_named(path, 1.0); summary && is_series(json)) {
-    std::vector<double> values;
-    collect(json, values);
-    return summary(values);
-  }
-  if (!path.starts_with('.') || !json.is_object()) return std::nullopt;
-  path.remove_prefix(1);
-  const std::size_t length = std::min(path.find_first_of(".["), path.size());
-  const auto found = json.find(std::string(path.substr(0, length)));
-  return found == json.end() ? std::nullopt : number_at(*found, path.substr(length));
-}
 
 const Json* first_load_case(const Json& document) {
   const auto cases = document.is_object() ? document.find("load_cases") : document.end();

@@ -36,6 +36,7 @@ from rollerscrew.record import Record, Result
 from rollerscrew.records import Command
 from rollerscrew.results import (
     Analyses,
+    CompareResult,
     DerivativesResult,
     FitResult,
     LifeResult,
@@ -391,6 +392,31 @@ class Case(Analyses):
         changed = [*overrides, f"life={override_text({**life, **kept, 'history': block})}"]
         return self._from_source(_source(name, case, changed, folder, {_HISTORY: text.encode()}))
 
+    def compare(self, reference: Any = None, **options: Any) -> CompareResult:
+        """The models of the bodies side by side, and against references.
+
+        `influence` is among them where the case asks for it, or where its matrices are kept.
+        `reference` takes the place of the block `references` of the case: a frame, or arrays by the
+        names of columns, `thread` or `force_kN`, `load_case`, and responses; several in a list.
+        `options` are the keys of that block: `tolerance="10 % of the mean"`.
+
+        >>> case.compare({"thread": [1, 2], "screw.load_rate_percent": [7.9, 6.9]})
+        """
+        return CompareResult._answer(
+            self if reference is None else self._with_references(reference, options), "compare"
+        )
+
+    def _with_references(self, reference: Any, options: Mapping[str, Any]) -> Self:
+        name, text, overrides, folder, files = self._parts()
+        frames = reference if isinstance(reference, list) else [reference]
+        given, blocks = dict(files or {}), []
+        for k, columns in enumerate(frames, start=1):
+            file = "reference.csv" if len(frames) == 1 else f"reference {k}.csv"
+            given[file] = _csv_of("reference", columns)
+            blocks.append({"file": file, **options})
+        changed = [*overrides, f"references={override_text(blocks)}"]
+        return self._from_source(_source(name, text, changed, folder, given))
+
     def fit(self, data: Mapping[str, Any] | None = None) -> FitResult:
         """Unknown inputs from measured curves, with their uncertainty: the block `fit`.
 
@@ -410,15 +436,8 @@ class Case(Analyses):
         for curve, columns in data.items():
             if curve not in names:
                 raise ValueError(f"{curve}: got no curve; expected one of {', '.join(names)}")
-            arrays = {str(key): list(columns[key]) for key in columns}
-            if len({len(values) for values in arrays.values()}) > 1:
-                lengths = ", ".join(f"{key} has {len(values)}" for key, values in arrays.items())
-                raise ValueError(f"{curve}: got {lengths} values; expected as many of each column")
-            rows = zip(*arrays.values(), strict=True)
-            table = io.StringIO()
-            csv.writer(table, lineterminator="\n").writerows([list(arrays), *rows])
             file = f"data of curve {names.index(curve) + 1}.csv"
-            given[file] = table.getvalue().encode()
+            given[file] = _csv_of(curve, columns)
             changed.append(f"fit.curves[{names.index(curve)}].file={override_text(file)}")
         return self._from_source(_source(name, text, changed, folder, given))
 
@@ -580,6 +599,18 @@ def _restore(
     files: dict[str, bytes] | None,
 ) -> Case:
     return kind._from_source(_source(name, text, overrides, folder, files))
+
+
+def _csv_of(name: str, columns: Any) -> bytes:
+    """Arrays by the names of columns, or a frame, as a CSV file."""
+    arrays = {str(key): list(columns[key]) for key in columns}
+    if len({len(values) for values in arrays.values()}) > 1:
+        lengths = ", ".join(f"{key} has {len(values)}" for key, values in arrays.items())
+        raise ValueError(f"{name}: got {lengths} values; expected as many of each column")
+    table = io.StringIO()
+    rows = zip(*arrays.values(), strict=True)
+    csv.writer(table, lineterminator="\n").writerows([list(arrays), *rows])
+    return table.getvalue().encode()
 
 
 def _source(

@@ -80,6 +80,7 @@ class CompareResult(views.CompareViews):
     contact: records.Contacts
     threads: records.Threads | None
     comparison: records.Comparison
+    references: list[records.ComparedReference] | None
 
 
 class SlipResult(views.SlipViews, SolveResult):

@@ -22,6 +22,7 @@ from rollerscrew.frames import Kinds, array_kinds, flat, frame_of, kinds_of
 from rollerscrew.record import Look, Record, Result, Values
 from rollerscrew.records import (
     ComparedModel,
+    ComparedReference,
     Comparison,
     Contacts,
     Fit,
@@ -219,9 +220,24 @@ class LoadCasesResult(Result):
         return self._by_case(((case, case) for case in self._load_cases), InterfaceLoads)
 
     def plot_load_distribution(
-        self, load_cases: Which | None = None, ax: Axes | None = None, **look: Unpack[Look]
+        self,
+        load_cases: Which | None = None,
+        ax: Axes | None = None,
+        reference: Any = None,
+        **look: Unpack[Look],
     ) -> Axes:
-        """Share of each thread in the load."""
+        """Share of each thread in the load.
+
+        With a `reference`, as `Case.compare` takes it: its points, and a line for each model of the
+        bodies.
+        """
+        if reference is not None:
+            if load_cases is not None:
+                raise ValueError("load_cases: got it with a reference, whose load cases are drawn")
+            if self._case is None:
+                raise ValueError("reference: got it of a result without its case; compute it anew")
+            compared: Result = self._case.compare(reference)
+            return compared.plot_figure("references", ax, **look)
         return self.plot_figure(
             "load_distribution", ax, **look, load_cases=self._places(load_cases)
         )
@@ -490,6 +506,24 @@ class CompareViews(Result):
 
     __slots__ = ()
     comparison: Comparison
+    references: list[ComparedReference] | None
+
+    def references_frame(self) -> pd.DataFrame:
+        """Deviations of each model from each reference, a row each."""
+        import pandas as pd
+
+        own = ("name", "load_case", "response", "unit")
+        return pd.DataFrame(
+            [
+                {key: reference[key] for key in own} | dict(flat(model))
+                for reference in self.get("references", [])
+                for model in reference["models"]
+            ]
+        )
+
+    def plot_references(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
+        """References as points and models as lines, a panel per load case and response."""
+        return self.plot_figure("references", ax, **look)
 
     def to_frame(self) -> pd.DataFrame:
         """Stiffness, displacement, largest shares, pressures: one row per load case and model."""

@@ -37,7 +37,7 @@ const table = {
   ofCase: ['Of the whole case', 'Des ganzen Falls'],
   verdict: ['Verdict', 'Urteil'],
   verdictGreen: ['Meets its limits', 'Hält die Grenzen ein'],
-  verdictAmber: ['Short of what is recommended', 'Unter den Empfehlungen'],
+  verdictAmber: ['Not as recommended', 'Nicht wie empfohlen'],
   verdictRed: ['Misses a limit', 'Verletzt eine Grenze'],
   verdictOpen: ['Something is not computed', 'Etwas ist nicht berechnet'],
   criterion: ['Criterion', 'Kriterium'],

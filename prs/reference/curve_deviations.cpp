@@ -1,0 +1,40 @@
+#include "prs/reference/curve_deviations.h"
+
+#include <cmath>
+
+namespace prs {
+
+std::optional<CurveDeviations> deviations(std::span<const double> computed, std::span<const double> reference) {
+  if (computed.empty() || computed.size() != reference.size()) return std::nullopt;
+  CurveDeviations d;
+  const double share = 1.0 / static_cast<double>(computed.size());
+  double squares = 0.0;
+  for (std::size_t k = 0; k < computed.size(); ++k) {
+    const double difference = computed[k] - reference[k];
+    if (!std::isfinite(difference)) return std::nullopt;
+    d.mean += share * difference;
+    d.mean_magnitude += share * std::abs(difference);
+    squares += share * difference * difference;
+    if (std::abs(difference) <= std::abs(d.largest)) continue;
+    d.largest = difference;
+    d.largest_at = k;
+  }
+  d.rms = std::sqrt(squares);
+  return d;
+}
+
+std::optional<double> slope(std::span<const double> x, std::span<const double> y) {
+  const auto count = static_cast<double>(x.size());
+  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    mean_x += x[k] / count;
+    mean_y += y[k] / count;
+  }
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mean_x) * (x[k] - mean_x);
+    xy += (x[k] - mean_x) * (y[k] - mean_y);
+  }
+  return xx > 0.0 && std::isfinite(xy) ? std::optional(xy / xx) : std::nullopt;
+}
+
+}  // namespace prs

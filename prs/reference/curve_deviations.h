@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace prs {
+
+/// How far a computed curve lies from a reference: computed less reference, point by point.
+struct CurveDeviations {
+  double mean = 0.0;
+  double mean_magnitude = 0.0;
+  double rms = 0.0;            ///< Root mean square.
+  double largest = 0.0;        ///< With its sign.
+  std::size_t largest_at = 0;  ///< Index of that point.
+};
+
+/// Nothing where a point has no number.
+std::optional<CurveDeviations> deviations(std::span<const double> computed, std::span<const double> reference);
+
+/// Slope of the straight line through points by least squares; nothing where all have one x.
+std::optional<double> slope(std::span<const double> x, std::span<const double> y);
+
+}  // namespace prs
