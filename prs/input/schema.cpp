@@ -231,7 +231,8 @@ namespace {
 
 std::string text_of(double value, const Quantity& q) { return format_quantity(value, q.dimension); }
 std::string text_of(const LeastLife& life, const EitherQuantity& kind) {
-  return life.duration ? fmt::format("{:.12g} h", *life.duration / 3600.0) : text_of(life.travel.value_or(0.0), kind.second);
+  return life.duration ? fmt::format("{:.12g} h", *life.duration / 3600.0)
+                       : text_of(life.travel.value_or(0.0), kind.second);
 }
 std::string text_of(double value, const Held& held) {
   if (value == kRigid) return "rigid";

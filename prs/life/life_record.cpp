@@ -148,8 +148,9 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
      kPalmgrenMean},
     {"largest_force_N", of_flank<&FlankLife::largest_force>, "of this direction"},
     {"static_capacity_N", of_flank<&FlankLife::static_capacity>,
-     "force at which the first thread has the peak pressure of 4.0 GPa, of steel, or of materials.static_pressure_limit", "ISO 76:2006",
-     "static capacity, real thread loads"},
+     "force at which the first thread has the peak pressure of 4.0 GPa, of steel, or of "
+     "materials.static_pressure_limit",
+     "ISO 76:2006", "static capacity, real thread loads"},
     {"flank_edge_load_N", of_flank<&FlankLife::flank_edge_load>,
      "force at which the first ellipse reaches a crest or root", source::kHertz,
      "load at the edge of a flank, real thread loads"},
@@ -228,8 +229,9 @@ constexpr Quantity<Capacity> kCapacity[] = {
     {"roller_failure_share", of<[](auto& c) { return c.life->roller_shares; }>,
      "part of the rollers in the failures of each interface; of a full mechanism", "Lundberg and Palmgren"},
     {"static_capacity_equal_shares_N", of<[](auto& c) { return c.life->equal_shares_static_capacity; }>,
-     "force at which equal thread loads have the peak pressure of 4.0 GPa, of steel, or of materials.static_pressure_limit", "ISO 76:2006",
-     "static capacity, equal thread loads"},
+     "force at which equal thread loads have the peak pressure of 4.0 GPa, of steel, or of "
+     "materials.static_pressure_limit",
+     "ISO 76:2006", "static capacity, equal thread loads"},
     {"flank_edge_load_equal_shares_N", of<[](auto& c) { return c.life->equal_shares_flank_edge_load; }>,
      "force at which ellipses of equal loads reach a crest or root", source::kHertz,
      "load at the edge of a flank, equal thread loads"},

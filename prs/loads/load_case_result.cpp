@@ -93,8 +93,7 @@ void warn_of_threads(const PerInterface<InterfaceLoads>& threads, const Contacts
     const auto& pressure = threads[i].peak_pressure;
     const auto highest = std::max_element(pressure.begin(), pressure.end());
     if (highest != pressure.end())
-      if (auto warning = static_pressure_warning(path, i, *highest, contacts))
-        warnings.push_back(*std::move(warning));
+      if (auto warning = static_pressure_warning(path, i, *highest, contacts)) warnings.push_back(*std::move(warning));
     warn_of_ellipse_beyond_flank(threads[i], contacts, i, path, warnings);
   }
 }

@@ -322,7 +322,7 @@ std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& conta
   return warnings;
 }
 
-std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& m, const LoadMeasures& load_measures,
+std::vector<Warning> unusual_load_measures(const Conditions& c, const Contacts& contacts, const Measures& m, const LoadMeasures& load_measures,
                                            const LoadCaseResult& result) {
   std::vector<Warning> warnings;
   const std::string path = path_in(result.load_case, "axial_force");
@@ -351,7 +351,7 @@ std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& 
   if (runs(c, result.load_case))
     for (const Interface i : kInterfaces)
       if (load_measures.largest_peak_pressure[i])
-        add(running_pressure_warning(path, i, *load_measures.largest_peak_pressure[i], result.contacts));
+        add(running_pressure_warning(path, i, *load_measures.largest_peak_pressure[i], contacts));
   if (load_measures.thread_stiffness && result.axial_stiffness &&
       *load_measures.thread_stiffness < *result.axial_stiffness)
     warnings.push_back(Warning{"measures.loaded_width", "soft_threads",
@@ -432,7 +432,7 @@ MeasuresResult measured(const Conditions& c, Result analysis, Detail detail) {
         *result.load_measures.emplace_back(load_measures_of(c, contacts, result.measures, load_case, detail));
     if (detail != Detail::complete) continue;
     ratings.rate(load_case.load_case, measures);
-    for (Warning& note : unusual_load_measures(c, result.measures, measures, load_case))
+    for (Warning& note : unusual_load_measures(c, result.analysis.contacts, result.measures, measures, load_case))
       load_case.warnings.push_back(std::move(note));
   }
   return result;

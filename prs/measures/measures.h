@@ -120,7 +120,7 @@ Measures measures_of(const Conditions& c, const Contacts& contacts);
 /// Warnings on measures that lie outside the range the formulas were made for.
 std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& contacts, const Measures& measures);
 /// What is unusual about a load case that converged and its measures.
-std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& measures,
+std::vector<Warning> unusual_load_measures(const Conditions& c, const Contacts& contacts, const Measures& measures,
                                            const LoadMeasures& load_measures, const LoadCaseResult& result);
 
 /// Measures under the solved or equal loads of one load case.

@@ -586,7 +586,8 @@ std::string warnings_html(Findings& all) {
   std::string refused;
   for (const std::string& note : all.notes) refused += fmt::format("<p>{}</p>\n", html(note));
   const std::string assumptions = warning_list(all, true);
-  return warning_list(all, false) + refused + (assumptions.empty() ? "" : folded_html(kAssumptionsTitle, assumptions, true));
+  return warning_list(all, false) + refused +
+         (assumptions.empty() ? "" : folded_html(kAssumptionsTitle, assumptions, true));
 }
 
 /// The values of the case, of a document's head, and documents by their commands under `results`, as

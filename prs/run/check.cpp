@@ -4,6 +4,7 @@
 
 #include "modules/fit/fit.h"
 #include "modules/module.h"
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/study_reader.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
@@ -220,6 +221,7 @@ void put_check(Json& document, const CheckResult& result) {
 std::vector<LoadCaseResult> solved_largest(const input::CaseInput& in, double largest) {
   Case c = in.values;
   std::erase_if(c.load_cases, [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
+  c.heat.reset();  // Its duty may name load cases that are gone.
   return analyze(c).load_cases;
 }
 

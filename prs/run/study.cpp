@@ -160,11 +160,12 @@ std::vector<Warning> assumed_value_warnings(const input::StudyInput& in, const S
   std::vector<Warning> warnings;
   for (const auto& [path, count] : refusals)
     if (assumed.contains(path))
-      warnings.push_back({path, "assumed_value",
-                          fmt::format("assumed for the values of the file, it does not follow the factors, and refuses {} "
-                                      "design{}",
-                                      count, count == 1 ? "" : "s"),
-                          "change it `with` the factor, or write each design by `prs new`"});
+      warnings.push_back(
+          {path, "assumed_value",
+           fmt::format("assumed for the values of the file, it does not follow the factors, and refuses {} "
+                       "design{}",
+                       count, count == 1 ? "" : "s"),
+           "change it `with` the factor, or write each design by `prs new`"});
   return warnings;
 }
 

@@ -66,11 +66,11 @@ Found life(const VerdictFacts& f) {
   }
   // A maker's capacity comes from real screws: uneven sharing is in it.
   const LifeInUse in = in_use(r, r.lemor ? r.system_life : r.catalogue_life);
-  const std::string note =
-      fmt::format("{:g} % reach it; {}{}", r.life.reliability * per_si::percent,
-                  r.lemor ? r.life.share == LoadCase::Share::solved ? "real thread loads" : "equal thread loads"
-                          : "stated C_a already includes uneven sharing",
-                  r.modified ? fmt::format("; {:.3g} times as long with film and dirt by ISO 281", r.modified->factor) : "");
+  const std::string note = fmt::format(
+      "{:g} % reach it; {}{}", r.life.reliability * per_si::percent,
+      r.lemor ? r.life.share == LoadCase::Share::solved ? "real thread loads" : "equal thread loads"
+              : "stated C_a already includes uneven sharing",
+      r.modified ? fmt::format("; {:.3g} times as long with film and dirt by ISO 281", r.modified->factor) : "");
   const bool as_travel = f.limits.life ? f.limits.life->travel.has_value() : !in.hours.has_value();
   if (as_travel)
     found.take(in.rated * in.travel * per_si::kilometre, loads_of(r), note);
@@ -124,7 +124,8 @@ double rise_elsewhere(const LoadCaseResult& r) {
 /// The static safety by the contact pressure beside that by a stated capacity.
 std::string by_pressure(const FlankLife& flank) {
   if (flank.static_rating->limit != StaticLimit::given || !flank.static_capacity) return {};
-  return fmt::format("; {:.4g} by the contact pressure of the first thread", *flank.static_capacity / flank.largest_force);
+  return fmt::format("; {:.4g} by the contact pressure of the first thread",
+                     *flank.static_capacity / flank.largest_force);
 }
 
 Found static_safety(const VerdictFacts& f) {

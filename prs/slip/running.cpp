@@ -709,13 +709,14 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
   const Guidance& guidance = c.structure->roller.guidance;
   const std::string_view kind = kGuidance[static_cast<std::size_t>(guidance.kind)];
   const bool loose = guidance.clearance > 0.0;
-  return Warning{"structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
-                 fmt::format("friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} % whatever guides the "
-                             "rollers, N = F/(cos psi - mu sin psi), the rest because friction presses them against "
-                             "their guides, {} {}; other guides give another rest",
-                             name(i), change(i) * per_si::percent, (over_static[i].all - 1.0) * per_si::percent, kind,
-                             loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
-                                   : "taken without play")}
+  return Warning{
+      "structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
+      fmt::format("friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} % whatever guides the "
+                  "rollers, N = F/(cos psi - mu sin psi), the rest because friction presses them against "
+                  "their guides, {} {}; other guides give another rest",
+                  name(i), change(i) * per_si::percent, (over_static[i].all - 1.0) * per_si::percent, kind,
+                  loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
+                        : "taken without play")}
       .with(std::abs(change(i)), kMuch, text_unit::percent)
       .as_assumption();
 }

@@ -313,7 +313,8 @@ void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const
                               const Contacts& contacts, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces)
     if (const auto& pressure = threads[i].peak_pressure; !pressure.empty())
-      if (auto warning = running_pressure_warning(path_in(load, "axial_force"), i, std::ranges::max(pressure), contacts))
+      if (auto warning =
+              running_pressure_warning(path_in(load, "axial_force"), i, std::ranges::max(pressure), contacts))
         warnings.push_back(std::move(*warning));
 }
 

@@ -26,7 +26,7 @@ struct InterfaceContact {
   contact::HertzConstants hertz;  ///< `not_computed` without materials.
   /// Below the centre of the ellipse; absent without Hertz contact and with Detail::numbers.
   std::optional<contact::SubsurfaceShear> shear;
-  double contact_modulus = 0.0;              ///< E* [Pa], 0 without materials.
+  double contact_modulus = 0.0;  ///< E* [Pa], 0 without materials.
   /// Peak pressure at rest [Pa], `static_pressure_limit` of the materials; absent where none is known.
   std::optional<double> pressure_limit = kStaticPressureLimit;
   std::optional<ThreadClearance> clearance;  ///< Absent without contact or thread heights.

@@ -45,8 +45,7 @@ class NewCase : public testing::Test {
   static std::vector<std::string> unusual(const nlohmann::json& documents) {
     std::vector<std::string> found;
     const auto note = [&](const nlohmann::json& warnings) {
-      for (const std::string text : warnings)
-        found.push_back(text);
+      for (const std::string text : warnings) found.push_back(text);
     };
     for (const auto& document : documents) {
       note(document["warnings"]);

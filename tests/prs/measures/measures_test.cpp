@@ -58,7 +58,7 @@ std::vector<std::string> load_warnings(const Case& c, double force) {
   LoadCaseResult result;
   result.load_case.axial_force = force;
   result = equal_share_result(result.load_case, contacts);
-  return sentences(unusual_load_measures(c, m, load_measures_of(c, contacts, m, result), result));
+  return sentences(unusual_load_measures(c, contacts, m, load_measures_of(c, contacts, m, result), result));
 }
 
 std::size_t defined(const Measures& m) { return object_of(m).size(); }
@@ -336,7 +336,7 @@ TEST(Measures, ThreadsAreStifferThanTheWholeScrewUnlessTeethCount) {
     const Result r = analyze(c);
     const Measures m = measures_of(c, r.contacts);
     const LoadMeasures l = load_measures_of(c, r.contacts, m, r.load_cases[0]);
-    const auto notes = unusual_load_measures(c, m, l, r.load_cases[0]);
+    const auto notes = unusual_load_measures(c, r.contacts, m, l, r.load_cases[0]);
     const bool softer = *l.thread_stiffness < *r.load_cases[0].axial_stiffness;
     const bool told = std::ranges::any_of(notes, [](const Warning& warning) { return warning.code == "soft_threads"; });
     EXPECT_EQ(softer, told);

@@ -123,6 +123,17 @@ TEST(WrittenCandidate, HasTheMotorOfAHistory) {
   expect_one_set_of_numbers(source);
 }
 
+/// Its duty names load cases, of which the largest alone are solved for what matters to the case.
+TEST(WrittenCandidate, HeatHidesNoAssumption) {
+  const SizeResult result = size_screws(read_requirement(input::source_of_text(
+      "need.yaml",
+      kPress + "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}}\n", {})));
+  const input::Source source =
+      input::source_of_text("written.yaml", written_candidate(result.input, result.candidates.front()), {});
+  const Json document = run(analysis_of(Command::check), source).document(document_info(source, Command::check));
+  EXPECT_NE(document["assumptions"].dump().find("parts are perfect"), std::string::npos);
+}
+
 TEST(WrittenCandidate, OfAShaftShorterThanStrokeAndNutIsRefused) {
   const SizeResult result = size_screws(read_requirement(input::source_of_text("need.yaml", kPress, {})));
   const std::string text = written_candidate(result.input, result.candidates.front());
