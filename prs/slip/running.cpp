@@ -711,14 +711,15 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
   const bool loose = guidance.clearance > 0.0;
   const std::string_view code = loose ? "guides_with_clearance" : "guides_without_play";
   const std::string guides =
-      loose ? fmt::format("{} with a clearance of {:g} um", kind, guidance.clearance * per_si::micrometre)
-            : fmt::format("{}) taken without play", kind);
+      loose ? fmt::format("({} with a clearance of {:g} um)", kind, guidance.clearance * per_si::micrometre)
+            : fmt::format("({}) taken without play", kind);
+  const double all = over_static[i].all, taken = 1.0 - std::pow(all, -3.0);
+  const std::string life = taken > 0.0 ? fmt::format(" or {:.0f} % of its life", taken * per_si::percent) : "";
   return Warning{"structure.roller.guidance", std::string(code),
-                 fmt::format("{}: friction moves the largest load of a {} thread by {:+.1f} %: all by {:+.1f} %, "
+                 fmt::format("{}: friction moves the largest load of a {} thread by {:+.1f} %: each by {:+.1f} %{}, "
                              "N = F/(cos psi - mu sin psi), whatever the guides; beyond that rollers are pressed "
-                             "against guides ({}{}; other guidance gives another share (5 to 146 % of one screw)",
-                             code, name(i), change(i) * per_si::percent, (over_static[i].all - 1.0) * per_si::percent,
-                             guides, loose ? ")" : "")}
+                             "against guides {}; other guidance gives another share (5 to 146 % of one screw)",
+                             code, name(i), change(i) * per_si::percent, (all - 1.0) * per_si::percent, life, guides)}
       .with(std::abs(change(i)), kMuch, text_unit::percent);
 }
 
