@@ -709,12 +709,14 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
   const Guidance& guidance = c.structure->roller.guidance;
   const std::string_view kind = kGuidance[static_cast<std::size_t>(guidance.kind)];
   const bool loose = guidance.clearance > 0.0;
+  const double all = over_static[i].all, taken = 1.0 - std::pow(all, -3.0);
   return Warning{
       "structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
-      fmt::format("friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} % whatever guides the "
-                  "rollers, N = F/(cos psi - mu sin psi), the rest because friction presses them against "
-                  "their guides, {} {}; other guides give another rest",
-                  name(i), change(i) * per_si::percent, (over_static[i].all - 1.0) * per_si::percent, kind,
+      fmt::format("friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} %{}, N = F/(cos psi - mu sin "
+                  "psi), whatever guides the rollers; the rest because friction presses them against their guides, {} "
+                  "{}; other guides give another rest",
+                  name(i), change(i) * per_si::percent, (all - 1.0) * per_si::percent,
+                  taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * per_si::percent) : "", kind,
                   loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
                         : "taken without play")}
       .with(std::abs(change(i)), kMuch, text_unit::percent)

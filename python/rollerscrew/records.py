@@ -1283,6 +1283,8 @@ class LoadCase(Record):
     static: the same case at rest, at the same temperatures; running loads
     screw: threads of one roller at the screw
     nut: threads of one roller at the nut
+    guide_displacement_um [um]: of guides with a clearance, of the roller's end nodes outwards: outer and inner of the first end, inner and outer of the last; roller after roller
+    guide_force_N [N]: of these guides on the roller, outwards
     flanks: under preload: both flanks of the threads, or both nuts; the lists above are those of the flank that the direction names
     dofs: freedoms of the model
     rollers: missing ones included
@@ -1320,6 +1322,8 @@ class LoadCase(Record):
     static: AtRest | None
     screw: InterfaceLoads | None
     nut: InterfaceLoads | None
+    guide_displacement_um: Array | None
+    guide_force_N: Array | None
     flanks: Flanks | None
     dofs: int | None
     rollers: int | None

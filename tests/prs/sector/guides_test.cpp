@@ -301,6 +301,55 @@ TEST(Guides, OfAllRunningRollersAreThoseOfTheSector) {
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(roller.force[k], one.guides[0].force[k], 1e-4);
 }
 
+/// Both flanks of a single nut push one roller, those of a double nut two.
+TEST(Guides, UnderPreloadHoldTheRollersInBalance) {
+  json all = json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/slip/running_cases.json"));
+  for (const char* loads : {"static", "running"})
+    for (const bool two_nuts : {false, true}) {
+      json c = all["cases"][3]["input"];
+      c.erase("deviations");
+      c["friction"] = {{"model", {{"coulomb", 0.1}}}};
+      c["operation"] = {{"speed", "300 rpm"}};
+      c["load_cases"][0]["axial_force"] = "1.5 kN";
+      c["structure"]["roller"]["guidance"] = {{"ring", "2e8 N/m"}, {"clearance", "0.1 um"}};
+      c["model"]["loads"] = loads;
+      if (two_nuts)
+        c["preload"].update(
+            {{"arrangement", "double_nut"},
+             {"distance", "60 mm"},
+             {"spacer", {{"length", "20 mm"}, {"inner_diameter", "36 mm"}, {"outer_diameter", "46 mm"}}}});
+      const LoadCaseResult r =
+          analyze_slip(input::read_case_text(c.dump(), "case", {}, Command::slip)).load_cases.at(0);
+      ASSERT_TRUE(r.converged() && r.other_flank);
+      ASSERT_EQ(r.guides.size(), two_nuts ? 2u : 1u);
+      double other = 0.0;
+      for (const Interface i : kInterfaces)
+        other += (i == Interface::screw ? 1.0 : -1.0) * std::sin((*r.threads)[i].normal_angle) *
+                 sum(r.other_flank->threads[i].normal_load);
+      if (r.running) continue;
+      if (two_nuts) {
+        expect_balance({r.guides[0]}, {2e8, 1e-7}, outwards(r), 1e-6);
+        expect_balance({r.guides[1]}, {2e8, 1e-7}, other, 1e-6);
+      } else {
+        expect_balance(r.guides, {2e8, 1e-7}, outwards(r) + other, 1e-6);
+      }
+    }
+}
+
+/// The common part of N = F/(cos psi - mu sin psi) follows from the axial balance alone.
+TEST(Guides, AreBlamedForWhatNormalLoadsHaveNotInCommon) {
+  json c = running("3 um");
+  c["friction"] = {{"model", {{"coulomb", 0.15}}}};
+  const LoadCaseResult r = slipped(c);
+  const InterfaceLoads& t = r.threads->screw;
+  const double all = std::cos(t.normal_angle) * sum(t.normal_load) / sum(t.axial_load);
+  const auto warning = std::ranges::find(r.warnings, "guides_with_clearance", &Warning::code);
+  ASSERT_NE(warning, r.warnings.end());
+  EXPECT_THAT(warning->what, testing::HasSubstr(fmt::format("each by {:+.1f} % or {:.0f} % of its life",
+                                                            100.0 * (all - 1.0), 100.0 * (1.0 - std::pow(all, -3.0)))));
+  EXPECT_THAT(warning->what, testing::HasSubstr("(ring with a clearance of 3 um)"));
+}
+
 // Input --------------------------------------------------------------------------------------
 
 std::string error_with(const json& c) {
