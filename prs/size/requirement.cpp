@@ -300,11 +300,12 @@ class Checker {
              "got {:.6g} N m; expected at least `rated_torque`, {:.6g} N m; exchange them, or check "
              "the units",
              *r_.motor.peak_torque, *r_.motor.rated_torque);
-    if (r_.limits.temperature && r_.heat && !(*r_.limits.temperature > r_.heat->ambient))
+    const double ambient = r_.heat.value_or(Requirement::Surroundings{}).ambient;
+    if (r_.limits.temperature && !(*r_.limits.temperature > ambient))
       refuse("limits.temperature",
              "got {:.6g} degC; expected more than the surroundings have, heat.ambient: {:.6g} "
              "degC; raise the limit",
-             *r_.limits.temperature - 273.15, r_.heat->ambient - 273.15);
+             *r_.limits.temperature - 273.15, ambient - 273.15);
     check_candidates();
   }
 

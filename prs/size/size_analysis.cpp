@@ -410,6 +410,7 @@ Figures curve(const SizeResult& r) {
   figure.aspect = 0.7;
   Panel panel;
   Range range;
+  double single = std::numeric_limits<double>::infinity();  ///< Least limit of a single force [kN].
   constexpr std::string_view kInCycle = "_in_cycle";
   for (const auto& [limit, forces] : c.force) {
     const bool in_cycle = limit.ends_with(kInCycle);
@@ -423,6 +424,7 @@ Figures curve(const SizeResult& r) {
       const double kilonewtons = forces[k] * per_si::kilonewton;
       line.add(1e3 * c.speed[k], std::isfinite(kilonewtons) ? std::optional(kilonewtons) : std::nullopt);
       if (all && c.speed[k] >= cycle.driving_speed()) range.include(1.2 * kilonewtons);
+      if (!in_cycle) single = std::fmin(single, kilonewtons);
     }
     panel.series.push_back(std::move(line));
   }
@@ -442,7 +444,8 @@ Figures curve(const SizeResult& r) {
     mean.add(1e3 * cycle.driving_speed(), per_si::kilonewton * *cycle.mean_load);
     panel.series.push_back(std::move(mean));
   }
-  range.include(1.2 * per_si::kilonewton * cycle.largest_force);
+  const double largest = per_si::kilonewton * cycle.largest_force;
+  range.include(std::max(1.2 * largest, std::min(1.1 * single, 3.0 * largest)));  // Lines far above press the others.
   panel.y = fitted({"Axial force", "kN"}, {0.0, range.to}, true);
   figure.panels = {std::move(panel)};
   return {std::move(figure)};

@@ -2652,13 +2652,30 @@ class Relaxation(Record):
     margin: float
 
 
+class RequiredForce(Record):
+    """A force that the motion asks for at its speed.
+
+    name: of the motion
+    speed_mm_per_s [mm/s]: largest of the segment
+    force_N [N]: axial, without sense
+    driven_by: screw | load; absent at rest
+    """
+
+    __slots__ = ()
+    name: str
+    speed_mm_per_s: float
+    force_N: float
+    driven_by: str | None
+
+
 class SizeCurve(Record):
     """Force over speed.
 
     rank: of the candidate
     speed_mm_per_s [mm/s]: constant, in one sense
     efficiency: under the mean load
-    force_N [N]: that the candidate carries on and on; envelope: the least of all but motor_peak
+    force_N [N]: that the candidate carries on and on; envelope: the least of all but motor_peak. NAME_in_cycle: mean load with the rests and changes of the cycle, that meets the limit at the mean speed if the candidate does
+    required: segments of the motion under force
     """
 
     __slots__ = ()
@@ -2666,13 +2683,15 @@ class SizeCurve(Record):
     speed_mm_per_s: Array
     efficiency: Array
     force_N: Array
+    required: list[RequiredForce]
 
 
 class InvalidCandidate(Record):
     """What cannot be made.
 
-    name: of the row, else diameter x lead in mm
+    name: as of a candidate
     source: catalogue | design
+    source_name: as of a candidate
     row: of the catalogue, from 1
     design: from 1
     reason: what is wrong
@@ -2681,6 +2700,7 @@ class InvalidCandidate(Record):
     __slots__ = ()
     name: str
     source: str
+    source_name: str
     row: int | None
     design: int | None
     reason: str
@@ -2768,8 +2788,9 @@ class SizedCandidate(Record):
     """A screw against the requirement.
 
     rank: from 1, over all
-    name: of the row, else diameter x lead in mm
+    name: of the row, else diameter x lead in mm; no two have one
     source: catalogue | design
+    source_name: maker or series, and file, of the row; the rules of a design
     row: of the catalogue, from 1
     design: from 1
     type: standard | inverted
@@ -2784,10 +2805,14 @@ class SizedCandidate(Record):
     weight_kg [kg]: nut, rollers, screw over the shaft's length
     shaft_length_mm [mm]: between the supports
     life_basis: maker | threads
+    basis: maker | computed | threads: life by the catalogues' formula with a printed or a computed C_a, or by the loads of the threads
+    rated_dynamic_capacity_N [N]: C_a in the catalogues' formula
+    rated_static_capacity_N [N]: C_0 in the catalogues' formula
+    assumed: dimensions by the rules of `prs new`: the source states none
     life_revolutions [revolutions]: rated, of all travel; Jung 2017, (8.25); ISO 281
     life_hours [h]: clock time, rests included
     life_km [km]: of all travel
-    static_safety: maker's C_0, or by threads
+    static_safety: by C_0, or by threads
     computed: the same by the loads of the threads
     dynamic_capacity_N [N]: of the row
     static_capacity_N [N]: of the row
@@ -2800,7 +2825,8 @@ class SizedCandidate(Record):
     efficiency: of the cycle, where the screw drives
     back_driving_efficiency: absent where the screw locks itself
     self_locking: by slip
-    temperature_degC [°C]: mean of the cycle
+    temperature_degC [°C]: mean of the cycle; absent without `heat`
+    hottest_part_degC [°C]: largest of these
     conductance_W_per_K [W/K]: between parts and surroundings
     power_lost_W [W]: mean of the cycle
     inertia_kg_mm2 [kg mm²]: at the part that turns
@@ -2823,6 +2849,7 @@ class SizedCandidate(Record):
     rank: int
     name: str
     source: str
+    source_name: str
     row: int | None
     design: int | None
     type: str
@@ -2837,6 +2864,10 @@ class SizedCandidate(Record):
     weight_kg: float | None
     shaft_length_mm: float | None
     life_basis: str
+    basis: str
+    rated_dynamic_capacity_N: float | None
+    rated_static_capacity_N: float | None
+    assumed: list[str]
     life_revolutions: float | None
     life_hours: float | None
     life_km: float | None
@@ -2854,6 +2885,7 @@ class SizedCandidate(Record):
     back_driving_efficiency: float | None
     self_locking: bool | None
     temperature_degC: PartNumbers | None
+    hottest_part_degC: float | None
     conductance_W_per_K: ThermalConductances
     power_lost_W: float | None
     inertia_kg_mm2: float | None

@@ -47,7 +47,8 @@ inline constexpr int kContacts = 500;
 std::array<Diameters, 10> case_1();
 std::array<Diameters, 10> case_2();
 
-/// The columns of table 7.1 as they were printed, slips included:
+/// The columns of tables 7.1 and 7.2 as they were printed, slips included; but table 7.2 divides C_a of table 7.1 by
+/// its own W:
 ///
 ///     T   = D_n - d_n                                                              (7.1)
 ///     V   = pi (D_n^2 + d_s^2 - d_n^2 + N_r d_r^2) L                               for (7.2)

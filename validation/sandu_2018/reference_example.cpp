@@ -3,6 +3,7 @@
 #include "contact/hertz_formulas.h"
 #include "prs/slip/slip.h"
 #include "validation/extensions.h"
+#include "validation/sandu_2018/profile_curvatures.h"
 
 namespace prs::sandu_2018 {
 
@@ -213,9 +214,11 @@ SourceExtension extension() {
           .tables = [](auto&) { return std::vector{ellipticity_approximations()}; },
           .supplement =
               [](const Case& reference, const Reference& thesis) {
-                return Supplement{
-                    .statements = compare_statements(reference, thesis),
-                    .tables = {printed_ellipses(reference), patch_convergence(reference), efficiency_fits(reference)}};
+                Supplement s = profile_curvatures(thesis);
+                std::ranges::move(compare_statements(reference, thesis), std::back_inserter(s.statements));
+                for (auto* table : {printed_ellipses, patch_convergence, efficiency_fits})
+                  s.tables.push_back(table(reference));
+                return s;
               },
           .subject = "reference_example.yaml"};
 }

@@ -348,36 +348,48 @@ double deflection_at_screw(const contact::ContactPoint& point) {
 
 Json derived(const Result& result) {
   const PerInterface<InterfaceContact>& interfaces = result.contacts.interfaces;
+  const contact::ContactPoint& at_screw = interfaces.screw.geometry.point;
+  const double roller = deflection_at_screw(at_screw) * per_si::degree;
+  const double body = at_screw.angle_on_body * per_si::degree;
   return {{"screw", ellipse(interfaces.screw)},
           {"nut", ellipse(interfaces.nut)},
-          {"roller_deflection_at_screw_deg", deflection_at_screw(interfaces.screw.geometry.point) * per_si::degree}};
+          {"roller_deflection_at_screw_deg", roller},
+          {"unsigned_at_screw_deg", {{"body", std::abs(body)}, {"roller", std::abs(roller)}}}};  // Table A4
 }
 
-/// A contact point as table 2 prints it: radius [mm] and deflection [deg] on body and roller.
+/// A contact point as tables 2, A3 and A4 print it: radius [mm] and deflection [deg] on body and roller.
 struct PrintedPoint {
   const char* label;
-  double side;  ///< Side of the roller's axis with the point: -1 at the screw, +1 at the nut.
+  double centre_distance;  ///< [mm]
+  double side;             ///< Side of the roller's axis with the point: -1 at the screw, +1 at the nut.
   double body_radius, body_angle, roller_radius, roller_angle;
 };
 
 /// Components of the gap between the two printed points, (25) and (26), lines 3 and 4 [mm].
 ValidationTable::Row closure(const PrintedPoint& p) {
-  constexpr double kCentreDistance = 32.0;
   const double across =
       p.body_radius * std::sin(p.body_angle * kDegree) - p.roller_radius * std::sin(p.roller_angle * kDegree);
   const double along = p.body_radius * std::cos(p.body_angle * kDegree) -
-                       p.side * p.roller_radius * std::cos(p.roller_angle * kDegree) - kCentreDistance;
+                       p.side * p.roller_radius * std::cos(p.roller_angle * kDegree) - p.centre_distance;
   return {p.label, {across, along, std::hypot(across, along)}};
 }
 
 ValidationTable closure_of_printed_points() {
-  ValidationTable table{"Tables 1 and 2: gap between the two printed contact points, which should be one, in mm",
-                        {"point", "across centres", "along centres", "distance"},
-                        {}};
-  for (const PrintedPoint& p : {PrintedPoint{"initial, screw-roller", -1, 24.1710, -3.6995, 8.0336, -11.2727},
-                                PrintedPoint{"initial, nut-roller", 1, 40, 0, 8, 0},
-                                PrintedPoint{"optimum, screw-roller", -1, 23.8722, -4.1559, 8.3843, -11.8005},
-                                PrintedPoint{"optimum, nut-roller", 1, 39.9948, -0.0090, 7.9434, -0.0242}})
+  ValidationTable table{
+      "Tables 1, 2, A3 and A4: gap between the two printed contact points, which should be one, in mm",
+      {"point", "across centres", "along centres", "distance"},
+      {}};
+  for (const PrintedPoint& p : {PrintedPoint{"initial, screw-roller", 32, -1, 24.1710, -3.6995, 8.0336, -11.2727},
+                                PrintedPoint{"initial, nut-roller", 32, 1, 40, 0, 8, 0},
+                                PrintedPoint{"optimum, screw-roller", 32, -1, 23.8722, -4.1559, 8.3843, -11.8005},
+                                PrintedPoint{"optimum, nut-roller", 32, 1, 39.9948, -0.0090, 7.9434, -0.0242},
+                                PrintedPoint{"A3, screw-roller", 32, -1, 24.0040, -4.0247, 8.2301, -11.6859},
+                                PrintedPoint{"A3, screw-roller, FE", 32, -1, 24.0208, -4.0408, 8.2359, -11.6373},
+                                PrintedPoint{"A3, nut-roller", 32, 1, 40.0840, -0.0121, 8.0871, 0.0242},
+                                PrintedPoint{"A3, nut-roller, FE", 32, 1, 40.0897, -0.0139, 8.0774, 0.0299},
+                                PrintedPoint{"A4, screw-roller", 13, -1, 9.8118, 3.6588, 3.2598, 11.6010},
+                                PrintedPoint{"A4, screw-roller, [21]", 13, -1, 9.8173, 3.6605, 3.2635, 11.7030},
+                                PrintedPoint{"A4, the same with 11.0730", 13, -1, 9.8173, 3.6605, 3.2635, 11.0730}})
     table.rows.push_back(closure(p));
   return table;
 }

@@ -152,15 +152,16 @@ TEST(Validation, EverySourceFolderHasItsReferenceAndSource) {
 SourceReport sandu_report() { return validate(kSources / "sandu_2018", {sandu_2018::extension()}).front(); }
 
 /// Two signs and one digit in chapter 1 and appendix B; chapters 2 and 3: (2.20), both films, the
-/// roller-nut speed, a mass printed as roughly, and the efficiency for want of the bearing's table.
-TEST(Validation, SandusNumbersReproduceButForNine) {
+/// roller-nut speed, a mass printed as roughly, and the efficiency for want of the bearing's table. Of other authors whom
+/// the thesis quotes: seven numbers of Jones, two of Fedosovsky, and three curvatures.
+TEST(Validation, SandusNumbersReproduceButForNineAndThoseOfOthers) {
   const SourceReport report = sandu_report();
   const std::map<Outcome, int> count = outcomes(report);
-  EXPECT_EQ(count.at(Outcome::differs), 9);
-  EXPECT_EQ(count.at(Outcome::reproduces) + 9, static_cast<int>(report.comparisons.size()));
+  EXPECT_EQ(count.at(Outcome::differs), 9 + 12);
+  EXPECT_EQ(count.at(Outcome::reproduces) + 9 + 12, static_cast<int>(report.comparisons.size()));
 }
 
-TEST(Validation, SandusStatementsHoldButForFour) {
+TEST(Validation, SandusStatementsHoldButForFive) {
   int not_held = 0;
   for (const ComparedStatement& s : sandu_report().statements) {
     if (s.verdict.kind == Verdict::Kind::holds) continue;
@@ -169,17 +170,18 @@ TEST(Validation, SandusStatementsHoldButForFour) {
     const bool known = s.text.find("increasing force") != std::string::npos ||
                        s.text.find("reference [44]") != std::string::npos ||
                        s.text.find("higher friction coefficients") != std::string::npos ||
-                       s.text.find("only increase slightly") != std::string::npos;
+                       s.text.find("only increase slightly") != std::string::npos ||
+                       s.text.find("table 1.8") != std::string::npos;
     EXPECT_TRUE(known) << s.text << ": " << s.verdict.evidence;
   }
-  EXPECT_EQ(not_held, 4);
+  EXPECT_EQ(not_held, 5);
 }
 
 /// With the absolute values of table 1.4 and (2.36) as printed, the printed films and speed come
 /// out; that is where they are from.
 TEST(Validation, SandusOwnFormulasGiveHisFilmsAndSpeeds) {
   const SourceReport report = sandu_report();
-  const ValidationTable& table = report.tables.at(1);
+  const ValidationTable& table = report.tables.at(2);
   ASSERT_EQ(table.rows.at(1).label, "thesis");
   const std::vector<std::string> texts{"438", "107", "495", "9.3"};
   for (std::size_t k = 0; k < texts.size(); ++k) {
@@ -192,7 +194,7 @@ TEST(Validation, SandusOwnFormulasGiveHisFilmsAndSpeeds) {
 /// reproduce them: they lie among those of five ranges, within what the range changes.
 TEST(Validation, SandusFitDependsOnItsRange) {
   const SourceReport report = sandu_report();
-  const ValidationTable& fits = report.tables.at(3);
+  const ValidationTable& fits = report.tables.at(4);
   ASSERT_EQ(fits.rows.size(), 6u);
   ASSERT_EQ(fits.rows.front().label, "printed");
   for (const std::size_t k : {0u, 1u}) {
@@ -219,7 +221,7 @@ TEST(Validation, StatementsWithoutTheirCaseAreLeftOut) {
 
 TEST(Validation, QuantitiesOfASourceAreMissingWithoutItsCode) {
   const std::map<Outcome, int> count = outcomes(validate(kSources / "yao_2023", {})[0]);
-  EXPECT_EQ(count.at(Outcome::missing), 8);
+  EXPECT_EQ(count.at(Outcome::missing), 14);
 }
 
 TEST(Validation, AWrongPrintedDigitIsUnexpected) {
