@@ -322,8 +322,8 @@ std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& conta
   return warnings;
 }
 
-std::vector<Warning> unusual_load_measures(const Conditions& c, const Contacts& contacts, const Measures& m, const LoadMeasures& load_measures,
-                                           const LoadCaseResult& result) {
+std::vector<Warning> unusual_load_measures(const Conditions& c, const Contacts& contacts, const Measures& m,
+                                           const LoadMeasures& load_measures, const LoadCaseResult& result) {
   std::vector<Warning> warnings;
   const std::string path = path_in(result.load_case, "axial_force");
   const auto add = [&](std::optional<Warning> warning, std::string_view before = {}) {

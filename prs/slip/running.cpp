@@ -712,13 +712,14 @@ std::optional<Warning> guides_press(const Conditions& c, const PerInterface<Over
   const double all = over_static[i].all, taken = 1.0 - std::pow(all, -3.0);
   return Warning{
       "structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
-      fmt::format("friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} %{}, N = F/(cos psi - mu sin "
-                  "psi), whatever guides the rollers; the rest because friction presses them against their guides, {} "
-                  "{}; other guides give another rest",
-                  name(i), change(i) * per_si::percent, (all - 1.0) * per_si::percent,
-                  taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * per_si::percent) : "", kind,
-                  loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
-                        : "taken without play")}
+      fmt::format(
+          "friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} %{}, N = F/(cos psi - mu sin "
+          "psi), whatever guides the rollers; the rest because friction presses them against their guides, {} "
+          "{}; other guides give another rest",
+          name(i), change(i) * per_si::percent, (all - 1.0) * per_si::percent,
+          taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * per_si::percent) : "", kind,
+          loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
+                : "taken without play")}
       .with(std::abs(change(i)), kMuch, text_unit::percent)
       .as_assumption();
 }

@@ -126,8 +126,8 @@ TEST(WrittenCandidate, HasTheMotorOfAHistory) {
 /// Its duty names load cases, of which the largest alone are solved for what matters to the case.
 TEST(WrittenCandidate, HeatHidesNoAssumption) {
   const SizeResult result = size_screws(read_requirement(input::source_of_text(
-      "need.yaml",
-      kPress + "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}}\n", {})));
+      "need.yaml", kPress + "heat: {ambient: 30 degC, conductance: {screw_ambient: 3 W/K, nut_ambient: 8 W/K}}\n",
+      {})));
   const input::Source source =
       input::source_of_text("written.yaml", written_candidate(result.input, result.candidates.front()), {});
   const Json document = run(analysis_of(Command::check), source).document(document_info(source, Command::check));
