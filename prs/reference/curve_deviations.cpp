@@ -8,18 +8,21 @@ std::optional<CurveDeviations> deviations(std::span<const double> computed, std:
   if (computed.empty() || computed.size() != reference.size()) return std::nullopt;
   CurveDeviations d;
   const double share = 1.0 / static_cast<double>(computed.size());
-  double squares = 0.0;
+  constexpr double kRounding = 1e-13;  // Of values, as of shares whose sum is the same on both sides.
+  double squares = 0.0, magnitude = 0.0;
   for (std::size_t k = 0; k < computed.size(); ++k) {
     const double difference = computed[k] - reference[k];
     if (!std::isfinite(difference)) return std::nullopt;
     d.mean += share * difference;
     d.mean_magnitude += share * std::abs(difference);
     squares += share * difference * difference;
+    magnitude += share * std::abs(computed[k]);
     if (std::abs(difference) <= std::abs(d.largest)) continue;
     d.largest = difference;
     d.largest_at = k;
   }
   d.rms = std::sqrt(squares);
+  if (std::abs(d.mean) <= kRounding * magnitude) d.mean = 0.0;
   return d;
 }
 

@@ -1208,7 +1208,7 @@ class LoadMeasures(Record):
     root_bending_stress_screw_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
     root_bending_stress_roller_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
     root_bending_stress_nut_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
-    solved_static_safety: the case's static capacity, else the force at which the first thread has a peak pressure of 4.0 GPa, with the thread loads there, over F; as that of `prs life`; not of a full mechanism; ISO 76:2006; Hertz
+    solved_static_safety: the case's static capacity, else the force at which the first thread has the pressure of 4.0 GPa (steel) or static_pressure_limit, with the thread loads there, over F; as that of `prs life`; not of a full mechanism; ISO 76:2006; Hertz
     flank_edge_margin: force at which the first ellipse reaches a crest or root, with the thread loads there, over F; below 1 flanks have edge stresses, which are no yield; not of a full mechanism; Hertz; geometry
     static_safety: the case's static capacity, else the smaller of both pressure capacities, over F; estimate of `prs life`'s static safety by threads; the same there with `share: equal`; ISO 76:2006; Hertz
     thread_static_safety: the smaller of both interfaces' static limits over N_r N times the largest axial thread load; estimate of `prs life`'s static safety, with the shares that the threads have under this load in place of those at the limit; ISO 76:2006; Hertz
@@ -1283,7 +1283,7 @@ class LoadCase(Record):
     static: the same case at rest, at the same temperatures; running loads
     screw: threads of one roller at the screw
     nut: threads of one roller at the nut
-    guide_displacement_um [um]: of guides with a clearance, of the roller's end nodes outwards: outer and inner of the first end, inner and outer of the last; roller after roller
+    guide_displacement_um [µm]: of guides with a clearance, of the roller's end nodes outwards: outer and inner of the first end, inner and outer of the last; roller after roller
     guide_force_N [N]: of these guides on the roller, outwards
     flanks: under preload: both flanks of the threads, or both nuts; the lists above are those of the flank that the direction names
     dofs: freedoms of the model
@@ -1417,6 +1417,96 @@ class Comparison(Record):
     __slots__ = ()
     models: list[str]
     load_cases: list[ComparedLoadCase]
+
+
+class ReferenceModel(Record):
+    """How far a model lies from a reference.
+
+    bodies: bars | refined | influence of one sector, or full: all rollers
+    mean_deviation: mean of computed less reference
+    rms_deviation: root mean square
+    largest_deviation: of largest magnitude, with its sign
+    largest_at: where that is, in `along_unit`
+    mean_deviation_percent_of_mean: of the mean magnitude of the reference
+    rms_deviation_percent_of_mean: of the same
+    largest_deviation_percent_of_mean: of the same
+    slope: over the force, by least squares, in `slope_unit`
+    stiffness_N_per_um [N/µm]: force over displacement, by the same line
+    met: whether no deviation is beyond the tolerance
+    """
+
+    __slots__ = ()
+    bodies: str
+    mean_deviation: float | None
+    rms_deviation: float | None
+    largest_deviation: float | None
+    largest_at: float | None
+    mean_deviation_percent_of_mean: float | None
+    rms_deviation_percent_of_mean: float | None
+    largest_deviation_percent_of_mean: float | None
+    slope: float | None
+    stiffness_N_per_um: float | None
+    met: bool | None
+
+
+class ReferencePoint(Record):
+    """A reading of a reference, and what is computed there.
+
+    along: where it stands, in `along_unit`; threads from 1
+    reference: the reference's number
+    reference_deviation: its own deviation, where it is stated
+    computed: by the names of the models
+    """
+
+    __slots__ = ()
+    along: float | None
+    reference: float
+    reference_deviation: float | None
+    computed: float
+
+
+class ComparedReference(Record):
+    """A curve of another program or a test against the case.
+
+    name: of the reference; by default that of its file
+    file: as the case names it
+    load_case: that it belongs to
+    response: path in the load case
+    unit: of the response and of all deviations; empty of ratios
+    along: `thread`, or the input that readings set; absent of a single number
+    along_unit: of the places
+    count: of readings
+    mean: mean magnitude of the reference
+    sum: over a complete set of threads, of shares and of axial loads
+    expected_sum: what the load of a roller makes of it
+    slope: of the reference over the force, by least squares
+    slope_unit: of slopes
+    stiffness_N_per_um [N/µm]: force over displacement, by the same line
+    tolerance: as the case has it
+    met: by the model of the bodies that the case states
+    models: as in `comparison`
+    points: readings, ascending
+    """
+
+    __slots__ = ()
+    name: str
+    file: str
+    load_case: str
+    response: str
+    unit: str
+    along: str | None
+    along_unit: str | None
+    count: int
+    mean: float
+    sum: float | None
+    expected_sum: float | None
+    slope: float | None
+    slope_unit: str | None
+    stiffness_N_per_um: float | None
+    tolerance: str | None
+    met: bool | None
+    models: list[ReferenceModel]
+    points: list[ReferencePoint]
 
 
 class PartSeries(Record):
@@ -1623,7 +1713,7 @@ class Capacity(Record):
     element_diameter_mm [mm]: diameter of the equivalent ball; Lemor, in Jung 2017, (6.1) to (6.3)
     failure_share: share of each interface in the failures under equal loads
     roller_failure_share: part of the rollers in the failures of each interface; of a full mechanism; Lundberg and Palmgren
-    static_capacity_equal_shares_N [N]: force at which equal thread loads have a peak pressure of 4.0 GPa; ISO 76:2006
+    static_capacity_equal_shares_N [N]: force at which equal thread loads have the peak pressure of 4.0 GPa, of steel, or of materials.static_pressure_limit; ISO 76:2006
     flank_edge_load_equal_shares_N [N]: force at which ellipses of equal loads reach a crest or root; Hertz with exact ellipticity
     static_capacity_given_N [N]: life.static_capacity
     """
@@ -1855,7 +1945,7 @@ class DirectionLife(Record):
     share_of_revolutions: under loads of this direction
     mean_load_N [N]: cubic mean over the revolutions of both directions; ISO 281; cubic mean
     largest_force_N [N]: of this direction
-    static_capacity_N [N]: force at which the first thread has a peak pressure of 4.0 GPa; ISO 76:2006
+    static_capacity_N [N]: force at which the first thread has the peak pressure of 4.0 GPa, of steel, or of materials.static_pressure_limit; ISO 76:2006
     flank_edge_load_N [N]: force at which the first ellipse reaches a crest or root; Hertz with exact ellipticity
     flank_edge_margin: that force over the largest force; Hertz with exact ellipticity
     static_safety: stated static capacity, else force at which the first thread has 4.0 GPa, over the largest force; ISO 76

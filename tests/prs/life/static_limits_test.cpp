@@ -64,7 +64,8 @@ TEST(StaticLimits, NotesSayWhatMakersDoNotBuild) {
   EXPECT_FALSE(dynamic_above_static(98e3, 130e3));
   EXPECT_TRUE(dynamic_above_static(131e3, 130e3));
   EXPECT_FALSE(beyond_static_rating(130e3, {130e3, StaticLimit::pressure}));
-  EXPECT_NE(beyond_static_rating(131e3, {130e3, StaticLimit::pressure})->what.find("4.0 GPa"), std::string::npos);
+  EXPECT_NE(beyond_static_rating(131e3, {130e3, StaticLimit::pressure})->what.find("contact pressure at its limit"),
+            std::string::npos);
 }
 
 TEST(PermanentDeformation, OnlyAConvexFlankHasARollingElement) {

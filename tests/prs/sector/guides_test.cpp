@@ -340,7 +340,7 @@ TEST(Guides, UnderPreloadHoldTheRollersInBalance) {
 /// The common part of N = F/(cos psi - mu sin psi) follows from the axial balance alone.
 TEST(Guides, AreBlamedForWhatNormalLoadsHaveNotInCommon) {
   json c = running("3 um");
-  c["friction"] = {{"model", {{"coulomb", 0.15}}}};
+  c["friction"] = {{"model", {{"coulomb", 0.3}}}};
   const LoadCaseResult r = slipped(c);
   const InterfaceLoads& t = r.threads->screw;
   const double all = std::cos(t.normal_angle) * sum(t.normal_load) / sum(t.axial_load);
