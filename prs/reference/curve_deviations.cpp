@@ -22,7 +22,7 @@ std::optional<CurveDeviations> deviations(std::span<const double> computed, std:
     d.largest_at = k;
   }
   d.rms = std::sqrt(squares);
-  if (std::abs(d.mean) <= kRounding * magnitude) d.mean = 0.0;
+  if (const double grain = kRounding * magnitude; grain > 0.0) d.mean = grain * std::round(d.mean / grain);
   return d;
 }
 

@@ -339,7 +339,7 @@ TEST(Guides, UnderPreloadHoldTheRollersInBalance) {
 
 /// The common part of N = F/(cos psi - mu sin psi) follows from the axial balance alone.
 TEST(Guides, AreBlamedForWhatNormalLoadsHaveNotInCommon) {
-  json c = running("3 um");
+  json c = running("0.1 um");
   c["friction"] = {{"model", {{"coulomb", 0.3}}}};
   const LoadCaseResult r = slipped(c);
   const InterfaceLoads& t = r.threads->screw;
@@ -348,7 +348,7 @@ TEST(Guides, AreBlamedForWhatNormalLoadsHaveNotInCommon) {
   ASSERT_NE(warning, r.warnings.end());
   EXPECT_THAT(warning->what, testing::HasSubstr(fmt::format("by {:+.1f} %, which takes {:.0f} % of its life",
                                                             100.0 * (all - 1.0), 100.0 * (1.0 - std::pow(all, -3.0)))));
-  EXPECT_THAT(warning->what, testing::HasSubstr("ring with a clearance of 3 um"));
+  EXPECT_THAT(warning->what, testing::HasSubstr("ring with a clearance of 0.1 um"));
 }
 
 // Input --------------------------------------------------------------------------------------
