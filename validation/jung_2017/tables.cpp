@@ -15,15 +15,12 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kContactAngle = pi / 4.0;
-constexpr double kLead = kStarts * kPitch;
 constexpr Material kSteel = {.youngs_modulus = 2.1e11, .poisson_ratio = 0.3, .density = {}};
 constexpr double kDensity = 7850.0;
 
 /// Table 3.1 prints 6.056 deg; with it four of the ten capacities of table 7.1 end in another
 /// digit, with 6.054 deg none does.
 constexpr double kPrintedHelixAngle = 6.054 * pi / 180.0;
-/// Axial load of a thread, nowhere printed: with these teeth the stiffnesses of table 7.1 leave 1476 to 1509 N.
-constexpr double kThreadLoad = 1500.0;
 
 double square(double x) { return x * x; }
 
@@ -43,9 +40,9 @@ double factor_of(const Diameters& d) {
   return geometry_factor(d.roller * std::cos(kContactAngle) / d.nut_inner()).value_or(std::nan(""));
 }
 
-double capacity(const Diameters& d, double helix_angle) {
-  return lemor_capacity(factor_of(d), kContactAngle, kContacts, rolling_element_diameter(kPitch, d.roller),
-                        helix_angle);
+double capacity(const Diameters& d, const Threads& t, double helix_angle) {
+  return lemor_capacity(factor_of(d), kContactAngle, static_cast<int>(std::lround(t.contacts())),
+                        rolling_element_diameter(t.pitch, d.roller), helix_angle);
 }
 
 /// Relative curvatures (3.27)-(3.38) of one contact [1/m], the equal ones of the ball first.
@@ -104,13 +101,13 @@ std::array<Diameters, 10> case_2() {
   return table([](int, double screw) { return screw / 3.0; });
 }
 
-ThreadCompliance compliance_as_printed(const Diameters& d) {
+ThreadCompliance compliance_as_printed(const Diameters& d, const Threads& t) {
   constexpr double kWidth = 1e-3;
-  const ToothSection tooth{.root_width = 7.0 / 8.0 * kPitch,
-                           .pitch_width = kPitch / 2.0,
-                           .height = kPitch / 8.0,
+  const ToothSection tooth{.root_width = 7.0 / 8.0 * t.pitch,
+                           .pitch_width = t.pitch / 2.0,
+                           .height = t.pitch / 8.0,
                            .flank_angle = kContactAngle,
-                           .pitch = kLead};
+                           .pitch = t.lead()};
   ThreadCompliance c = yamamoto(d, tooth, kWidth, kWidth);
   constexpr double kModulus = 4.333e-12, kApproach = 0.98;
   const auto approach = [](double sum) {  // (3.43), (3.44) [mm/N^(2/3)]
@@ -118,51 +115,51 @@ ThreadCompliance compliance_as_printed(const Diameters& d) {
     return kApproach * std::pow(1.5 * kModulus / sum, 2.0 / 3.0) * sum / 2.0;
   };
   const BothCurvatures rho = curvatures(d);
-  const double axial = std::sin(kContactAngle) * std::cos(kPrintedHelixAngle);
-  c.hertz = (approach(rho.nut.sum()) + approach(rho.screw.sum())) * std::cbrt(1.0 / kThreadLoad) *
+  const double axial = std::sin(kContactAngle) * std::cos(t.helix_angle.value_or(kPrintedHelixAngle));
+  c.hertz = (approach(rho.nut.sum()) + approach(rho.screw.sum())) * std::cbrt(1.0 / t.load) *
             std::pow(axial, -5.0 / 3.0) / per_si::millimetre;
   return c;
 }
 
-Measures as_printed(const Diameters& d) {
+Measures as_printed(const Diameters& d, const Threads& t) {
   Measures m;
   const double outer = d.nut_outer, inner = d.nut_inner();
   m.nut_thickness = outer - inner;
-  m.volume = pi * kLength * (square(outer) + square(d.screw) - square(inner) + kRollers * square(d.roller));
-  m.stiffness = 1.0 / compliance_as_printed(d).total();
-  m.load_capacity = capacity(d, kPrintedHelixAngle);
+  m.volume = pi * t.length * (square(outer) + square(d.screw) - square(inner) + t.rollers * square(d.roller));
+  m.stiffness = 1.0 / compliance_as_printed(d, t).total();
+  m.load_capacity = capacity(d, t, t.helix_angle.value_or(kPrintedHelixAngle));
   // In mm and in this order: a weight of table 7.2 ends in a rounded 5.
   const double d_r = per_si::millimetre * d.roller, d_n = per_si::millimetre * outer;
   const double wall = d_n - per_si::millimetre * d.screw - 2.0 * d_r;
-  m.weight = 0.006165 * square(d_r) * kRollers * kLength + 0.02466 * (d_n - wall) * wall * kLength;
+  m.weight = 0.006165 * square(d_r) * t.rollers * t.length + 0.02466 * (d_n - wall) * wall * t.length;
   return m;
 }
 
-ThreadCompliance right_compliance(const Diameters& d) {
-  const ToothSection tooth{.root_width = 7.0 / 8.0 * kPitch,
-                           .pitch_width = kPitch / 2.0,
-                           .height = 3.0 / 16.0 * kPitch,
+ThreadCompliance right_compliance(const Diameters& d, const Threads& t) {
+  const ToothSection tooth{.root_width = 7.0 / 8.0 * t.pitch,
+                           .pitch_width = t.pitch / 2.0,
+                           .height = 3.0 / 16.0 * t.pitch,
                            .flank_angle = kContactAngle,
-                           .pitch = kPitch};
-  ThreadCompliance c = yamamoto(d, tooth, pi * d.screw / kRollers, pi * d.nut_inner() / kRollers);
+                           .pitch = t.pitch};
+  ThreadCompliance c = yamamoto(d, tooth, pi * d.screw / t.rollers, pi * d.nut_inner() / t.rollers);
   const double modulus = contact::contact_modulus(kSteel, kSteel);
   const auto approach = [&](const Curvatures& rho, double diameter) {
-    const double axial = std::sin(kContactAngle) * std::cos(std::atan(kLead / (pi * diameter)));
+    const double axial = std::sin(kContactAngle) * std::cos(t.helix_angle_at(diameter));
     const contact::HertzContact contact =
-        contact::at_load(contact::hertz_constants(rho.along, rho.across, modulus), kThreadLoad / axial);
+        contact::at_load(contact::hertz_constants(rho.along, rho.across, modulus), t.load / axial);
     return contact.approach / axial;
   };
   const BothCurvatures rho = curvatures(d);
-  c.hertz = (approach(rho.nut, d.nut_inner()) + approach(rho.screw, d.screw)) / kThreadLoad;
+  c.hertz = (approach(rho.nut, d.nut_inner()) + approach(rho.screw, d.screw)) / t.load;
   return c;
 }
 
-Measures corrected(const Diameters& d) {
+Measures corrected(const Diameters& d, const Threads& t) {
   Measures m;
   m.nut_thickness = 0.5 * (d.nut_outer - d.nut_inner());
-  m.volume = 0.25 * pi * kLength * (square(d.nut_outer) - square(d.nut_inner()) + kRollers * square(d.roller));
-  m.stiffness = 1.0 / right_compliance(d).total();
-  m.load_capacity = capacity(d, std::atan(kLead / (pi * d.screw)));
+  m.volume = 0.25 * pi * t.length * (square(d.nut_outer) - square(d.nut_inner()) + t.rollers * square(d.roller));
+  m.stiffness = 1.0 / right_compliance(d, t).total();
+  m.load_capacity = capacity(d, t, t.helix_angle_at(d.screw));
   m.weight = kDensity * m.volume;
   return m;
 }
@@ -340,11 +337,11 @@ Json formulas(const Reference& thesis) {
 }
 
 ValidationTable measures_table(std::string title, const std::array<Diameters, 10>& rows,
-                               Measures (*measures)(const Diameters&)) {
+                               Measures (*measures)(const Diameters&, const Threads&)) {
   ValidationTable table{
       std::move(title), {"D_n, mm", "d_r, mm", "T, mm", "V, l", "k, N/mm", "C_a, kN", "W, kg", "C_a/W, kN/kg"}, {}};
   for (const Diameters& d : rows) {
-    const Measures m = measures(d);
+    const Measures m = measures(d, {});
     table.rows.push_back({fmt::format("{:g}", d.nut_outer * per_si::millimetre),
                           {d.roller * per_si::millimetre, m.nut_thickness * per_si::millimetre, 1e3 * m.volume,
                            m.stiffness / per_si::millimetre, m.load_capacity * per_si::kilonewton, m.weight,
@@ -521,7 +518,12 @@ double shown(const Column& c, const Diameters& d, const Measures& m) { return c.
 
 }  // namespace
 
-SourceExtension extension() { return {.folder = "jung_2017", .formulas = formulas, .tables = tables}; }
+SourceExtension extension() {
+  return {
+      .folder = "jung_2017", .formulas = formulas, .tables = tables, .supplement = [](const Case& c, const auto& r) {
+        return Supplement{.statements = compare_statements(c, r)};
+      }};
+}
 
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all = {
@@ -552,7 +554,7 @@ std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows
   std::vector<std::vector<std::string>> lines(1);
   for (const Column& c : kColumns) lines[0].emplace_back(c.heading);
   for (const Diameters& d : rows) {
-    const Measures m = recipe.measures(d);
+    const Measures m = recipe.measures(d, {});
     std::vector<std::string>& line = lines.emplace_back();
     for (const Column& c : kColumns) line.push_back(fmt::format(fmt::runtime(c.format), shown(c, d, m)));
   }
@@ -572,7 +574,7 @@ std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows,
   for (const Column& c : kColumns) csv.text(c.key);
   csv.end_row();
   for (const Diameters& d : rows) {
-    const Measures m = recipe.measures(d);
+    const Measures m = recipe.measures(d, {});
     for (const Column& c : kColumns) csv.number(c.value(d, m), c.factor);
     csv.end_row();
   }
@@ -580,7 +582,7 @@ std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows,
 }
 
 Json row_json(const Recipe& recipe, const Diameters& d) {
-  const Measures m = recipe.measures(d);
+  const Measures m = recipe.measures(d, {});
   Json row = Json::object();
   for (const Column& c : kColumns) row[c.key] = shown(c, d, m);
   return row;

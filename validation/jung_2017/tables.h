@@ -37,10 +37,26 @@ struct ThreadCompliance {
 // What the tables hold fixed: p = 2 mm, N_s = 5, N_r = 10, L = 100 mm, alpha_0 = 45 deg, 500
 // contacts.
 inline constexpr double kPitch = 2e-3;
-inline constexpr int kStarts = 5;
 inline constexpr int kRollers = 10;
 inline constexpr double kLength = 0.1;
-inline constexpr int kContacts = 500;
+
+/// What a sweep of chapters 3 to 6 changes besides diameters, by default as in tables 7.1 and 7.2. SI.
+struct Threads {
+  double pitch = kPitch;
+  double starts = 5;  ///< N_s
+  double rollers = kRollers;
+  double length = kLength;
+  /// Axial load of a thread, nowhere printed: with the teeth of the recipe table 7.1 leaves 1476 to 1509 N.
+  double load = 1500.0;
+  std::optional<double> helix_angle = {};  ///< beta_0 where it is changed alone [rad], as in table 3.9.
+
+  double lead() const { return starts * pitch; }
+  double contacts() const { return rollers * length / pitch; }  ///< N_c
+  /// beta_0 of a thread of that diameter.
+  double helix_angle_at(double diameter) const {
+    return helix_angle.value_or(std::atan(lead() / (std::numbers::pi * diameter)));
+  }
+};
 
 /// Rows of both tables: D_n = 54, 57 .. 81 mm, d_s = D_n/2; in case 1, table 7.1, d_r = 9, 10 ..
 /// 18 mm; in case 2, table 7.2, d_r = d_s/3.
@@ -57,25 +73,25 @@ std::array<Diameters, 10> case_2();
 ///     k   = 1/`compliance_as_printed`
 ///
 /// For `geometry_factor`'s range of d_r cos(alpha_0)/d_n and d_n < D_n.
-Measures as_printed(const Diameters& d);
+Measures as_printed(const Diameters& d, const Threads& t = {});
 
 /// Yamamoto's terms in their right form, on 1 mm of thread, with the lead N_s p where the pitch
 /// belongs (root shear and radial terms) and the crest's width p/8 where the tooth's height
 /// belongs; root width 7p/8, p/2 at the pitch line. Hertz's term for 1500 N with Y* = 4.333e-12
 /// 1/Pa used as if in mm^2/N, delta* = 0.98: 1e4 times too small, as is seen only in the last
 /// digits.
-ThreadCompliance compliance_as_printed(const Diameters& d);
+ThreadCompliance compliance_as_printed(const Diameters& d, const Threads& t = {});
 
 /// The same columns by the right formulas: the nut's wall T = (D_n - d_n)/2; volume of nut and
 /// rollers pi/4 (D_n^2 - d_n^2 + N_r d_r^2) L; C_a with tan(beta_0) = N_s p/(pi d_s); 7850 kg/m^3
 /// times the volume; 1/`right_compliance`.
-Measures corrected(const Diameters& d);
+Measures corrected(const Diameters& d, const Threads& t = {});
 
 /// (3.45) with Yamamoto's terms on the share of a roller in the thread's circumference,
 /// pi d/N_r, the least deflection that they can give, height 3p/16 from the pitch line to the root,
 /// and exact Hertz for 1500 N of axial load on the curvatures (3.27)-(3.38). As in (3.45) the
 /// roller's teeth are left out.
-ThreadCompliance right_compliance(const Diameters& d);
+ThreadCompliance right_compliance(const Diameters& d, const Threads& t = {});
 
 /// Dimensionless contact parameters of Hertz and Harris, table A1.
 struct ContactParameters {
@@ -141,7 +157,7 @@ std::vector<ValidationTable> fit_tables(const Reference& thesis);
 /// How the columns of tables 7.1 and 7.2 are computed from three diameters.
 struct Recipe {
   std::string_view name;
-  Measures (*measures)(const Diameters&);
+  Measures (*measures)(const Diameters&, const Threads&);
   std::string_view title;
 };
 
@@ -166,6 +182,10 @@ std::vector<Diameters> read_diameters(const std::string& file, const std::vector
 std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows);
 std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows, const CsvStyle& style = {});
 nlohmann::ordered_json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows, const DocumentInfo& info);
+
+/// Statements in words on maps and rules of chapters 3 to 8: tables 3.10, 4.10, 5.3, 6.2 and the text of 7.1 by the
+/// right formulas and by those with the slips of the tables; the rules of Ma et al. on the screw of table 3.1.
+std::vector<ComparedStatement> compare_statements(const Case& screw, const Reference& thesis);
 
 /// Value of each column of a row by its key, diameters first.
 nlohmann::ordered_json row_json(const Recipe& recipe, const Diameters& d);
