@@ -1413,6 +1413,96 @@ class Comparison(Record):
     load_cases: list[ComparedLoadCase]
 
 
+class ReferenceModel(Record):
+    """How far a model lies from a reference.
+
+    bodies: bars | refined | influence of one sector, or full: all rollers
+    mean_deviation: mean of computed less reference
+    rms_deviation: root mean square
+    largest_deviation: of largest magnitude, with its sign
+    largest_at: where that is, in `along_unit`
+    mean_deviation_percent_of_mean: of the mean magnitude of the reference
+    rms_deviation_percent_of_mean: of the same
+    largest_deviation_percent_of_mean: of the same
+    slope: over the force, by least squares, in `slope_unit`
+    stiffness_N_per_um [N/µm]: force over displacement, by the same line
+    met: whether no deviation is beyond the tolerance
+    """
+
+    __slots__ = ()
+    bodies: str
+    mean_deviation: float | None
+    rms_deviation: float | None
+    largest_deviation: float | None
+    largest_at: float | None
+    mean_deviation_percent_of_mean: float | None
+    rms_deviation_percent_of_mean: float | None
+    largest_deviation_percent_of_mean: float | None
+    slope: float | None
+    stiffness_N_per_um: float | None
+    met: bool | None
+
+
+class ReferencePoint(Record):
+    """A reading of a reference, and what is computed there.
+
+    along: where it stands, in `along_unit`; threads from 1
+    reference: the reference's number
+    reference_deviation: its own deviation, where it is stated
+    computed: by the names of the models
+    """
+
+    __slots__ = ()
+    along: float | None
+    reference: float
+    reference_deviation: float | None
+    computed: float
+
+
+class ComparedReference(Record):
+    """A curve of another program or a test against the case.
+
+    name: of the reference; by default that of its file
+    file: as the case names it
+    load_case: that it belongs to
+    response: path in the load case
+    unit: of the response and of all deviations; empty of ratios
+    along: `thread`, or the input that readings set; absent of a single number
+    along_unit: of the places
+    count: of readings
+    mean: mean magnitude of the reference
+    sum: over a complete set of threads, of shares and of axial loads
+    expected_sum: what the load of a roller makes of it
+    slope: of the reference over the force, by least squares
+    slope_unit: of slopes
+    stiffness_N_per_um [N/µm]: force over displacement, by the same line
+    tolerance: as the case has it
+    met: by the model of the bodies that the case states
+    models: as in `comparison`
+    points: readings, ascending
+    """
+
+    __slots__ = ()
+    name: str
+    file: str
+    load_case: str
+    response: str
+    unit: str
+    along: str | None
+    along_unit: str | None
+    count: int
+    mean: float
+    sum: float | None
+    expected_sum: float | None
+    slope: float | None
+    slope_unit: str | None
+    stiffness_N_per_um: float | None
+    tolerance: str | None
+    met: bool | None
+    models: list[ReferenceModel]
+    points: list[ReferencePoint]
+
+
 class PartSeries(Record):
     """Numbers of each part over time.
 

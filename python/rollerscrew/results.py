@@ -218,13 +218,6 @@ class Analyses:
         """
         return SolveResult._answer(self, "solve")
 
-    def compare(self) -> CompareResult:
-        """The models of the bodies side by side: stiffness, shares and pressures of each.
-
-        `influence` is among them where the case asks for it, or where its matrices are kept.
-        """
-        return CompareResult._answer(self, "compare")
-
     def slip(self) -> SlipResult:
         """Slip, friction, dissipated power, efficiency and torques."""
         return SlipResult._answer(self, "slip")
