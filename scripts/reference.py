@@ -227,7 +227,7 @@ def response_page(schema: dict) -> str:
     )
     others = [a["name"] for a in schema["analyses"] if "takes" in a]  # No study runs these.
     for place in schema["documents"]:
-        if place["path"] in others:
+        if place["path"] in others or place["path"] == "references[]":
             continue
         before = "" if place["path"] == "load_cases[]" else place["path"] + "."
         if rows := responses_in({"record": place["record"]}, before, schema["records"]):

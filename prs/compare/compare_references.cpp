@@ -51,7 +51,7 @@ class References {
     ReferenceAnswer answer;
     answer.computed = reference.cases.empty() ? in_load_case(reference, model) : over_input(reference, model);
     const std::vector<double> values = reference.values();
-    answer.deviations = deviations(answer.computed, values);
+    answer.deviations = curve_deviations(answer.computed, values);
     if (reference.is_over_force()) answer.slope = slope(forces_of(reference), answer.computed);
     if (!reference.tolerance) return answer;
     answer.tolerance_use = answer.deviations ? 0.0 : HUGE_VAL;

@@ -4,7 +4,7 @@
 
 namespace prs {
 
-std::optional<CurveDeviations> deviations(std::span<const double> computed, std::span<const double> reference) {
+std::optional<CurveDeviations> curve_deviations(std::span<const double> computed, std::span<const double> reference) {
   if (computed.empty() || computed.size() != reference.size()) return std::nullopt;
   CurveDeviations d;
   const double share = 1.0 / static_cast<double>(computed.size());
@@ -21,6 +21,8 @@ std::optional<CurveDeviations> deviations(std::span<const double> computed, std:
     d.largest = difference;
     d.largest_at = k;
   }
+  constexpr double kRounding = 1e-12;  // What shares that sum to one leave.
+  if (std::abs(d.mean) < kRounding * d.mean_magnitude) d.mean = 0.0;
   d.rms = std::sqrt(squares);
   if (const double grain = kRounding * magnitude; grain > 0.0) d.mean = grain * std::round(d.mean / grain);
   return d;

@@ -15,7 +15,7 @@ struct CurveDeviations {
 };
 
 /// Nothing where a point has no number.
-std::optional<CurveDeviations> deviations(std::span<const double> computed, std::span<const double> reference);
+std::optional<CurveDeviations> curve_deviations(std::span<const double> computed, std::span<const double> reference);
 
 /// Slope of the straight line through points by least squares; nothing where all have one x.
 std::optional<double> slope(std::span<const double> x, std::span<const double> y);

@@ -136,7 +136,7 @@ class ReferenceReader {
     load_case_ = found(kLoadCase);
     if (load_case_ != npos && item_->load_case)
       fail("load_case", "got {}, and {} has a column `load_case`; expected one of the two; delete one",
-           shown(*item_->load_case), item_->file);
+           shown(*item_->load_case), table.name());
     find_along(table);
     columns_.clear();
     deviation_.reset();
@@ -271,7 +271,7 @@ class ReferenceReader {
         case_.load_cases, [&](const LoadCase& load) { return load.input_path == case_.load_cases.front().input_path; });
     if (names.size() == 1 || (!input_path_.empty() && is_one)) return *find_load_or_first(names);
     fail("file", "got {}, which names no load case; expected a column `load_case`, or the key `load_case`: {}; add one",
-         item_->file, shown(fmt::format("{}", fmt::join(names, ", "))));
+         table.name(), shown(fmt::format("{}", fmt::join(names, ", "))));
   }
   const LoadCase* find_load_or_first(const std::vector<std::string>& names) const { return find_load(names.front()); }
 

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "prs/loads/analyze.h"
+#include "prs/reference/curve_deviations.h"
 #include "prs/validation/validate.h"
 
 namespace prs::reference_fe {
@@ -187,13 +188,11 @@ CurvePoint point_of(const LoadCaseResult& result) {
 }
 
 LoadDiscrepancy load_discrepancy(const std::vector<double>& rates, const std::vector<double>& reference) {
-  LoadDiscrepancy d{0.0, 0.0, 0.0, -HUGE_VAL, HUGE_VAL};
+  const CurveDeviations found = curve_deviations(rates, reference).value_or(CurveDeviations{});
+  LoadDiscrepancy d{found.mean_magnitude, std::abs(found.largest), 0.0, -HUGE_VAL, HUGE_VAL};
   const double share = 1.0 / static_cast<double>(rates.size());
   for (std::size_t k = 0; k < rates.size(); ++k) {
-    const double difference = rates[k] - reference[k];
-    d.mean += share * std::abs(difference);
-    d.largest = std::max(d.largest, std::abs(difference));
-    const double relative = difference / reference[k];
+    const double relative = (rates[k] - reference[k]) / reference[k];
     d.relative_mean += share * relative;
     d.relative_highest = std::max(d.relative_highest, relative);
     d.relative_lowest = std::min(d.relative_lowest, relative);

@@ -18,14 +18,14 @@ using testing::HasSubstr;
 
 TEST(CurveDeviations, AreThoseOfThreeNumbers) {
   const double computed[] = {1.0, 2.0, -3.0}, reference[] = {1.0, 1.0, 1.0};
-  const auto d = deviations(computed, reference);
+  const auto d = curve_deviations(computed, reference);
   ASSERT_TRUE(d);
   EXPECT_DOUBLE_EQ(d->mean, -1.0);
   EXPECT_DOUBLE_EQ(d->rms, std::sqrt(17.0 / 3.0));
   EXPECT_DOUBLE_EQ(d->largest, -4.0);
   EXPECT_EQ(d->largest_at, 2U);
   const double without[] = {1.0, NAN, 1.0};
-  EXPECT_FALSE(deviations(without, reference));
+  EXPECT_FALSE(curve_deviations(without, reference));
 }
 
 TEST(CurveDeviations, SlopeOfALineIsItsOwn) {

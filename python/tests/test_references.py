@@ -1,0 +1,67 @@
+"""References: `Case.compare` with data in place of files."""
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+import rollerscrew as rs
+from conftest import lesson
+
+mpl.use("agg")
+
+
+def table(case: rs.Case) -> dict[str, list[float] | list[str]]:
+    """The shares that the case itself finds for its first load."""
+    load = case.solve().load_cases[0]
+    shares = [float(share) for share in load.screw.load_rate_percent]
+    return {
+        "load_case": [load.name] * len(shares),
+        "thread": list(np.arange(1.0, len(shares) + 1)),
+        "screw.load_rate_percent": shares,
+    }
+
+
+def test_own_shares_lie_on_the_curve() -> None:
+    case = lesson(1)
+    result = case.compare(table(case), tolerance="0.01 % of the mean", name="own")
+    assert result.references is not None
+    (own,) = result.references
+    assert own.name == "own"
+    assert own.met
+    assert own.models[0].bodies == "bars"
+    assert own.models[0].rms_deviation == pytest.approx(0.0, abs=1e-9)
+    assert own.sum == pytest.approx(100.0)
+    frame = result.references_frame()
+    assert list(frame["bodies"]) == ["bars", "refined"] + ["influence"] * (len(frame) - 2)
+
+
+def test_several_references_stand_side_by_side() -> None:
+    case = lesson(1)
+    own, other = table(case), table(case)
+    other["screw.load_rate_percent"] = [5.0] * 20
+    result = case.compare([own, other])
+    assert [r.file for r in result.references or []] == ["reference 1.csv", "reference 2.csv"]
+
+
+def test_what_is_wrong_is_named_where_it_stands() -> None:
+    case = lesson(1)
+    wrong = table(case)
+    wrong["thread"][3] = 21.0  # type: ignore[call-overload]
+    with pytest.raises(rs.InputError, match=r"reference.csv:5:\d+: error: thread: got 21"):
+        case.compare(wrong)
+    with pytest.raises(ValueError, match="as many of each column"):
+        case.compare({"thread": [1.0], "screw.load_rate_percent": [5.0, 6.0]})
+
+
+def test_a_picture_has_the_points_of_the_reference() -> None:
+    case = lesson(1)
+    data = table(case)
+    ax = case.solve().plot_load_distribution(reference=data)
+    lines = [line for axes in ax.figure.axes for line in axes.get_lines()]
+    shares = np.array(data["screw.load_rate_percent"])
+    assert any(
+        len(line.get_ydata()) == len(shares)
+        and line.get_linestyle() == "None"
+        and np.allclose(np.asarray(line.get_ydata()), shares)
+        for line in lines
+    )
+    case.compare(data).plot_references()
