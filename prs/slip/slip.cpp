@@ -194,10 +194,10 @@ void set_drive(SlipResult& slip, const PowerFlow& flow, double axial_force, doub
   slip.holding_torque = std::copysign(1.0, slip.speed) * slip.torque_screw;
 }
 
+    if (!jacod && friction.coefficient[i] >= kTouchingFriction) continue;
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction, std::vector<Warning>& warnings) {
   if (friction.model == Friction::Model::mixed) return;
   const bool jacod = friction.model == Friction::Model::jacod;
-  if (!jacod && friction.coefficient >= kTouchingFriction) return;
   for (const Interface i : kInterfaces) {
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)

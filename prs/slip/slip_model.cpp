@@ -73,7 +73,7 @@ contact::FrictionLaw friction_of(const SlipModel& model, Interface i, const cont
       return contact::mixed_friction(*model.oils.threads[i], film,
                                      {friction.mixed.boundary, friction.mixed.exponent, *model.roughness[i]});
   }
-  return contact::coulomb_friction(friction.coefficient);
+  return contact::coulomb_friction(friction.coefficient[i]);
 }
 
 /// A patch under a normal load, by default that of its static axial one.
