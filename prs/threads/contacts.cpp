@@ -20,10 +20,11 @@ constexpr double kConformity = 0.01;
 void add_hertz(InterfaceContact& c, const Material& body, const Material& roller, Detail detail) {
   c.contact_modulus = contact::contact_modulus(body, roller);
   c.hertz = contact::hertz_constants(c.geometry.relative.first, c.geometry.relative.second, c.contact_modulus);
-  // Both bodies carry the same pressure; the larger shear stress is that of the smaller nu.
-  if (c.hertz.ok() && detail == Detail::complete)
-    c.shear =
-        contact::largest_subsurface_shear(c.hertz.ellipticity, std::min(body.poisson_ratio, roller.poisson_ratio));
+  if (!c.hertz.ok() || detail != Detail::complete) return;
+  // Both bodies carry the same pressure; the larger stresses are those of the smaller nu.
+  const double poisson_ratio = std::min(body.poisson_ratio, roller.poisson_ratio);
+  c.shear = contact::largest_subsurface_shear(c.hertz.ellipticity, poisson_ratio);
+  c.von_mises = contact::largest_subsurface_von_mises(c.hertz.ellipticity, poisson_ratio);
 }
 
 void warn_of_missing_contacts(const Contacts& c, std::vector<Warning>& warnings) {

@@ -26,8 +26,9 @@ struct InterfaceContact {
   contact::HertzConstants hertz;  ///< `not_computed` without materials.
   /// Below the centre of the ellipse; absent without Hertz contact and with Detail::numbers.
   std::optional<contact::SubsurfaceShear> shear;
-  double contact_modulus = 0.0;              ///< E* [Pa], 0 without materials.
-  std::optional<ThreadClearance> clearance;  ///< Absent without contact or thread heights.
+  std::optional<contact::SubsurfaceVonMises> von_mises;  ///< The same.
+  double contact_modulus = 0.0;                          ///< E* [Pa], 0 without materials.
+  std::optional<ThreadClearance> clearance;              ///< Absent without contact or thread heights.
 
   bool has_hertz() const { return geometry.ok() && hertz.ok(); }
   double normal_angle() const { return geometry.point.normal_angle(); }

@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "prs/input/reader.h"
+#include "prs/loads/load_record.h"
 #include "prs/model/problems.h"
+#include "prs/record/record_table.h"
 #include "prs/run/commands.h"
 #include "support/plain_contact.h"
+#include "support/slips.h"
 #include "support/sum.h"
 
-#include "support/slips.h"
 namespace prs {
 namespace {
 
@@ -141,8 +143,6 @@ TEST(Analyze, DesignThatDoesNotFitTheNutIsAnErrorOfTheCase) {
   EXPECT_THROW(analyze(c), CaseError);
 }
 
-TEST(Analyze, ThreadsWithoutPointContactNeedBothOverrides) {
-  Case c = lesson("01_config_1_to_3.yaml");
 /// Sandu 2018, (1.47): with crests where the flanks meet 11 rollers, with crests of 5.15 mm, below 20 mm sin(15
 /// deg), 12.
 TEST(Analyze, RollersThatOverlapAtTheirCrestsAreAnErrorOfTheCase) {
@@ -195,6 +195,8 @@ TEST(Analyze, PlacesAndDirectionsOfContactsFitTogether) {
   }
 }
 
+TEST(Analyze, ThreadsWithoutPointContactNeedBothOverrides) {
+  Case c = lesson("01_config_1_to_3.yaml");
   c.mechanism.profile.roller = {};
   const Result result = analyze(c);
   EXPECT_EQ(result.warnings.size(), 2u);
