@@ -78,11 +78,19 @@ void warn_of_kinematics(const Contacts& c, std::vector<Warning>& warnings) {
     warnings.push_back(
         Warning{"mechanism.pitch", "lead_difference", "the leads of nut and screw differ by {value}"}.with(
             k.lead_difference, {}, text_unit::millimetre));
-  if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
-    warnings.push_back(Warning{"mechanism.pitch_diameter", "migration",
-                               "the rollers migrate: the pitch diameters give the gear ratio "
-                               "{value}, the leads ask for {limit} (Sandu 2018, (2.14))"}
-                           .with(k.gear_ratio, k.gear_ratio_by_leads));
+  if (!has_gear_ratio(c))
+    warnings.push_back(Warning{"mechanism.pitch_diameter", "gear_ratio",
+                               "the pitch diameters give the gear ratio {value}, the gears by their teeth n_R/n_S = "
+                               "{limit}: pitch cylinders slide on each other (Sandu 2018, (2.14))"}
+                           .with(k.gear_ratio, gear_ratio(c.mechanism)));
+  const PerPart<double> pitch = axial_pitches(c.mechanism);
+  const Part geared = geared_part(c.mechanism.type);
+  if (pitch.roller != pitch[geared])
+    warnings.push_back(Warning{"mechanism.pitch", "migration",
+                               fmt::format("the rollers migrate along the {}: their pitch of {{value}} is not its "
+                                           "{{limit}}; `slip` has the way per turn",
+                                           name(geared))}
+                           .with(pitch.roller, pitch[geared], text_unit::millimetre));
 }
 
 void require_thickness(const Mechanism& m, Part part) {
@@ -190,6 +198,11 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
     c.interfaces[i].clearance = thread_clearance(c.threads, i, c.interfaces[i].geometry.point);
   if (detail == Detail::complete) warn(c);
   return c;
+}
+
+bool has_gear_ratio(const Contacts& c) {
+  return std::abs(contact::kinematic_consistency(c.threads).gear_ratio / gear_ratio(c.mechanism) - 1.0) <=
+         kGearRatioTolerance;
 }
 
 const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part part) {

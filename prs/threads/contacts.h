@@ -47,6 +47,8 @@ struct Contacts {
 /// Gear ratios by diameters and by leads that differ by less are those of a sound mechanism whose
 /// diameters were rounded to 1 um.
 inline constexpr double kGearRatioTolerance = 1e-4;
+/// Whether the pitch diameters have the ratio of the gears' teeth within the tolerance (Sandu 2018, (2.14)).
+bool has_gear_ratio(const Contacts& contacts);
 
 /// Resolves the mechanism, finds the contact points of both interfaces and, where materials are
 /// given, their Hertz contacts. An interface without contact is a result that says why. Throws
