@@ -74,23 +74,44 @@ AxisStress stress_on_axis(double semi_major, double semi_minor, double depth, do
   };
 }
 
-SubsurfaceShear largest_subsurface_shear(double ellipticity, double poisson_ratio) {
-  const auto shear = [&](double depth) {
-    return stress_on_axis(1.0 / ellipticity, 1.0, depth, poisson_ratio).largest_shear();
-  };
+double AxisStress::von_mises() const {
+  const double x = along_major - along_minor, y = along_minor - along_normal, z = along_normal - along_major;
+  return std::sqrt(0.5 * (x * x + y * y + z * z));
+}
+
+namespace {
+
+/// Largest value over p_0 of a stress on the normal, and its depth over b.
+template <class Stress>
+std::pair<double, double> largest_on_axis(double ellipticity, double poisson_ratio, Stress stress) {
+  const auto at = [&](double depth) { return stress(stress_on_axis(1.0 / ellipticity, 1.0, depth, poisson_ratio)); };
   // The curve is smooth but for a kink where the largest stress changes direction, and may have a
   // second maximum near the surface: look everywhere, then refine the best place.
   constexpr int kSamples = 12;
   constexpr double kSpacing = 1.2 / kSamples;  // of z/b
-  SubsurfaceShear best{shear(0.0), 0.0};
+  std::pair<double, double> best{at(0.0), 0.0};
   for (int i = 1; i <= kSamples; ++i) {
     const double depth = i * kSpacing;
-    if (const double there = shear(depth); there > best.shear_over_pressure) best = {there, depth};
+    if (const double there = at(depth); there > best.first) best = {there, depth};
   }
-  const auto [depth, minus_shear] = boost::math::tools::brent_find_minima(
-      [&](double z) { return -shear(z); }, std::max(0.0, best.depth_over_semi_minor - kSpacing),
-      best.depth_over_semi_minor + kSpacing, std::numeric_limits<double>::digits / 2);
-  return -minus_shear > best.shear_over_pressure ? SubsurfaceShear{-minus_shear, depth} : best;
+  const auto [depth, minus_stress] =
+      boost::math::tools::brent_find_minima([&](double z) { return -at(z); }, std::max(0.0, best.second - kSpacing),
+                                            best.second + kSpacing, std::numeric_limits<double>::digits / 2);
+  return -minus_stress > best.first ? std::pair(-minus_stress, depth) : best;
+}
+
+}  // namespace
+
+SubsurfaceShear largest_subsurface_shear(double ellipticity, double poisson_ratio) {
+  const auto [stress, depth] =
+      largest_on_axis(ellipticity, poisson_ratio, [](const AxisStress& s) { return s.largest_shear(); });
+  return {stress, depth};
+}
+
+SubsurfaceVonMises largest_subsurface_von_mises(double ellipticity, double poisson_ratio) {
+  const auto [stress, depth] =
+      largest_on_axis(ellipticity, poisson_ratio, [](const AxisStress& s) { return s.von_mises(); });
+  return {stress, depth};
 }
 
 }  // namespace contact

@@ -93,6 +93,7 @@ struct AxisStress {
   double along_normal = 0.0;
 
   double largest_shear() const;  ///< Half the largest difference of two of them.
+  double von_mises() const;
 };
 
 /// Frictionless elliptic Hertz contact, at the depth z below the centre. Over p_0, with
@@ -120,5 +121,15 @@ struct SubsurfaceShear {
 /// in between. For nu below about 0.2 long
 /// ellipses have it near the surface.
 SubsurfaceShear largest_subsurface_shear(double ellipticity, double poisson_ratio);
+
+/// The largest von Mises stress on that normal and where it acts.
+struct SubsurfaceVonMises {
+  double stress_over_pressure = 0.0;   ///< sigma_v/p_0 [-]
+  double depth_over_semi_minor = 0.0;  ///< z/b [-]
+};
+
+/// Largest von Mises stress on the same normal. For nu = 0.3: 0.620 p_0 at 0.48 b in a circular contact,
+/// 0.558 p_0 at 0.70 b in a line contact (Johnson 1985, sections 3.4 and 4.2).
+SubsurfaceVonMises largest_subsurface_von_mises(double ellipticity, double poisson_ratio);
 
 }  // namespace contact

@@ -50,9 +50,10 @@ struct PitchRadii {
 };
 PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts, int roller_starts);
 
-/// How far a mechanism is from rolling without penetration (Sandu 2018, section 2.2.2).
+/// How far a mechanism is from rolling without sliding of its pitch cylinders and without migration of
+/// its rollers (Sandu 2018, section 2.2.2).
 struct KinematicConsistency {
-  double lead_difference = 0.0;      ///< l_N - l_S [m], must be 0.
+  double lead_difference = 0.0;      ///< l_N - l_S [m]
   double gear_ratio = 0.0;           ///< Gamma by the pitch radii: r_R/r_N or r_R/r_S (2.1).
   double gear_ratio_by_leads = 0.0;  ///< |l_R/l_S|; (2.14) asks for equality.
 };

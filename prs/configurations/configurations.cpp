@@ -82,7 +82,7 @@ void describe(Configuration& c, const Contacts& contacts, double gap) {
     c.helix_angle[p] = contact::ThreadSurface(*thread[p]).helix_angle();
   }
   c.centre_distance = threads.centre_distance;
-  c.gear_ratio = static_cast<double>(c.mechanism.starts.roller) / c.mechanism.starts.screw;
+  c.gear_ratio = gear_ratio(c.mechanism);
   const double crest = contact::flank_limits(threads.roller).largest;
   c.most_rollers = most_rollers(c.centre_distance, crest, gap);
 }

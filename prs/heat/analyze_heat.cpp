@@ -382,7 +382,7 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
       return false;
     }
     slip_ratio_ = found.balance.motion.slip_ratio;
-    const PowerFlow of_nut = power_flow(model, drive_torques(model, found.balance));
+    const PowerFlow of_nut = power_flow(model, found.balance, drive_torques(model, found.balance));
     heat += heat_of(lost_power(model, found.balance));
     flow.shaft += of_nut.shaft;
     flow.load += of_nut.load;

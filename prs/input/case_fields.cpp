@@ -183,7 +183,7 @@ void alternatives(Choices& io, Preload::Arrangement& a) {
 
 void alternatives(Choices& io, Friction& f) {
   io("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
-  io("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative, "0.1"},
+  io("coulomb", f.model, Friction::Model::coulomb, f.coefficient, OneOrEach{Number{not_negative, "0.1"}},
      "a constant coefficient of friction");
   io("mixed", f.model, Friction::Model::mixed, f.mixed, Block{},
      "a film after Jacod through which flanks touch, by film over roughness");

@@ -116,7 +116,7 @@ struct Each {
 template <class Kind>
 Each(Kind, Presence) -> Each<Kind>;
 
-/// One value for screw, roller and nut, or a map {screw, roller, nut}.
+/// One value for screw, roller and nut, or a map {screw, roller, nut}; of interfaces {screw, nut}.
 template <class Kind>
 struct OneOrEach {
   Kind kind;
@@ -447,6 +447,14 @@ Value value_of(PerPart<T>& parts, const OneOrEach<Kind>& kind) {
                   return value_of(parts, Each{one, required});
                 },
                 ", or one each for {screw, roller, nut}", [&parts] { parts.roller = parts.nut = parts.screw; }}};
+}
+template <class T, class Kind>
+Value value_of(PerInterface<T>& sides, const OneOrEach<Kind>& kind) {
+  return {OneOr{OneOr::Form::parts, [&sides, one = kind.kind] { return value_of(sides.screw, one); },
+                [&sides, one = kind.kind] {
+                  return value_of(sides, Each{one, required});
+                },
+                ", or one each for {screw, nut}", [&sides] { sides.nut = sides.screw; }, sides.screw != sides.nut}};
 }
 template <class T, class Kind>
 Value value_of(PerEnd<T>& ends, const OneOrEnds<Kind>& kind) {

@@ -26,10 +26,14 @@ void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact, 
   contact::set_ellipses(contact.hertz, loads.normal_load, loads.semi_major, loads.semi_minor, loads.peak_pressure, set,
                         known);
   if (!contact.shear) return;
-  for (const double pressure : loads.peak_pressure)
+  for (const double pressure : loads.peak_pressure) {
     loads.max_shear_stress.push_back(contact.shear->shear_over_pressure * pressure);
-  for (const double semi_minor : loads.semi_minor)
+    loads.max_von_mises_stress.push_back(contact.von_mises->stress_over_pressure * pressure);
+  }
+  for (const double semi_minor : loads.semi_minor) {
     loads.max_shear_depth.push_back(contact.shear->depth_over_semi_minor * semi_minor);
+    loads.max_von_mises_depth.push_back(contact.von_mises->depth_over_semi_minor * semi_minor);
+  }
 }
 
 /// Numbers of an interface whose normal loads and angle are set.
@@ -43,8 +47,8 @@ void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const
   loads.load_rate.resize(detail.load_rate ? threads : 0);
   for (std::size_t k = 0; k < loads.load_rate.size(); ++k)
     loads.load_rate[k] = loads.normal_load[k] * cosine / roller_force;
-  for (auto* values :
-       {&loads.semi_major, &loads.semi_minor, &loads.peak_pressure, &loads.max_shear_stress, &loads.max_shear_depth})
+  for (auto* values : {&loads.semi_major, &loads.semi_minor, &loads.peak_pressure, &loads.max_shear_stress,
+                       &loads.max_shear_depth, &loads.max_von_mises_stress, &loads.max_von_mises_depth})
     values->clear();
   const InterfaceContact& contact = contacts.interfaces[i];
   if (detail.ellipses && contact.has_hertz()) add_hertz_contacts(loads, contact, set, known);

@@ -79,6 +79,11 @@ constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
     {"max_shear_depth_mm", of<&InterfaceLoads::max_shear_depth>,
      "where the largest shear stress acts, for the depth of hardening", source::kHertz,
      "depth of the largest shear stress", "", "", Reach::complete},
+    {"max_von_mises_stress_MPa", of<&InterfaceLoads::max_von_mises_stress>,
+     "largest von Mises stress below the centre of the ellipse", source::kHertz, "largest von Mises stress", "", "",
+     Reach::complete},
+    {"max_von_mises_depth_mm", of<&InterfaceLoads::max_von_mises_depth>, "where the largest von Mises stress acts",
+     source::kHertz, "depth of the largest von Mises stress", "", "", Reach::complete},
     {"friction_force_N", of<&InterfaceLoads::friction>, "of each thread on the roller; running loads"},
     {"running_over_static", of<&InterfaceLoads::running_over_static>,
      "largest normal load over the largest of the same case at rest; running loads"},
@@ -452,6 +457,39 @@ template <double contact::SubsurfaceShear::*get>
 constexpr auto shear = of<[](const ContactAt& c) { return (*c.contact().shear).*get; },
                           [](const ContactAt& c) { return c.contact().shear.has_value(); }>;
 
+template <double contact::SubsurfaceVonMises::*get>
+constexpr auto von_mises = of<[](const ContactAt& c) { return (*c.contact().von_mises).*get; },
+                              [](const ContactAt& c) { return c.contact().von_mises.has_value(); }>;
+
+std::array<double, 3> components(const contact::Vector3<double>& v) { return {v.x, v.y, v.z}; }
+
+/// Acute angle of the major axis from the first principal direction of a part.
+template <contact::PrincipalValues contact::InterfaceGeometry::*part>
+constexpr auto angle_to_major_axis = of<[](const ContactAt& c) {
+  const contact::InterfaceGeometry& g = c.contact().geometry;
+  return std::abs(std::remainder((g.*part).angle - g.relative.angle, std::numbers::pi));
+}>;
+
+/// The contact of tension; z from the origin of the roller's surface (Sandu 2018, (1.22)).
+std::array<double, 3> position(const ContactAt& c) {
+  const contact::ContactPoint& p = c.contact().geometry.point;
+  const contact::ThreadSurface roller(c.contacts->threads.roller);
+  const contact::RollerFace face = c.interface == Interface::screw
+                                       ? contact::roller_face_at_screw(contact::Configuration::i1_j2)
+                                       : contact::roller_face_at_nut(contact::Configuration::i1_j2);
+  return {p.position.x, p.position.y,
+          static_cast<int>(face) * roller.profile(p.radius_on_roller).height + roller.reduced_lead * p.angle_on_roller};
+}
+
+PerDirection<double> origin_heights(const ContactAt& c) {
+  const contact::MechanismContact contact{c.contacts->interfaces.screw.geometry, c.contacts->interfaces.nut.geometry};
+  const auto in = [&](contact::Configuration configuration) {
+    const contact::AxialPositions at = contact::axial_positions(c.contacts->threads, contact, configuration);
+    return c.interface == Interface::screw ? at.screw : at.nut;
+  };
+  return {in(contact::Configuration::i1_j2), in(contact::Configuration::i2_j1)};
+}
+
 template <auto get>
 constexpr auto clearance = of<[](const ContactAt& c) {
   return c.contact().clearance ? std::optional<double>((*c.contact().clearance).*get) : std::nullopt;
@@ -493,11 +531,23 @@ constexpr Quantity<ContactAt> kInterfaceContact[] = {
      "between the first principal directions of body and roller", "Sandu 2018, (1.61)",
      "angle of the first directions"},
     {"normal_angle_deg", point<&Point::normal_angle>, "psi = arccos|n_z|", kSandu, "normal against the axis"},
-    {"normal", of<[](const ContactAt& c) {
-       const contact::Vector3<double>& n = c.contact().geometry.point.normal;
-       return std::array{n.x, n.y, n.z};
-     }>,
+    {"normal", of<[](const ContactAt& c) { return components(c.contact().geometry.point.normal); }>,
      "unit vector, outward from the roller: radial, across, axial", kSandu},
+    {"position_mm", of<position>,
+     "contact point in tension: radial and across from the axis of screw and nut, axial from the origin of the "
+     "roller's surface; in compression across and axial change sign",
+     "Sandu 2018, (1.22)"},
+    {"origin_height_mm", of<origin_heights, [](const ContactAt& c) { return c.same_pitch(); }>,
+     "of the body's surface origin above the roller's, along the axis; needs equal pitches",
+     "Sandu 2018, (1.41) to (1.44)"},
+    {"major_axis", of<[](const ContactAt& c) { return components(c.contact().geometry.major_axis); }>,
+     "t_1, unit vector along the major axis of the ellipse: radial, across, axial", "Sandu 2018, (1.67)"},
+    {"major_axis_from_body_deg", angle_to_major_axis<&InterfaceGeometry::body>,
+     "phi_1, acute angle of the major axis from the body's first principal direction",
+     "Sandu 2018, (1.65); Yao 2023, (36)", "major axis from the body's first direction"},
+    {"major_axis_from_roller_deg", angle_to_major_axis<&InterfaceGeometry::roller>,
+     "phi_2, acute angle of the major axis from the roller's first principal direction",
+     "Sandu 2018, (1.62); Yao 2023, (36)", "major axis from the roller's first direction"},
     {"backlash_mm",
      of<[](const ContactAt& c) { return c.contact().geometry.point.backlash; },
         [](const ContactAt& c) { return c.same_pitch(); }>,
@@ -515,6 +565,12 @@ constexpr Quantity<ContactAt> kInterfaceContact[] = {
      "", Reach::complete},
     {"max_shear_depth_over_semi_minor", shear<&contact::SubsurfaceShear::depth_over_semi_minor>, "its depth over b",
      source::kHertz, "depth of the largest shear stress over semi-axis b", "", "", Reach::complete},
+    {"max_von_mises_over_peak_pressure", von_mises<&contact::SubsurfaceVonMises::stress_over_pressure>,
+     "largest von Mises stress below the centre of the ellipse over p_0", source::kHertz,
+     "largest von Mises stress over peak pressure", "", "", Reach::complete},
+    {"max_von_mises_depth_over_semi_minor", von_mises<&contact::SubsurfaceVonMises::depth_over_semi_minor>,
+     "its depth over b", source::kHertz, "depth of the largest von Mises stress over semi-axis b", "", "",
+     Reach::complete},
 };
 
 PerPart<double> of_threads(const MechanismGeometry& threads, auto value) {

@@ -438,7 +438,8 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
   const std::size_t minor = figure.add("along the minor axis", line_of(Colour::purple));
   const std::size_t shear =
       figure.add("largest shear stress", line_of(Colour::vermillion, Dash::solid, Weight::strong));
-  const std::size_t deepest = figure.add("its depth", kMeanStyle);
+  const std::size_t von_mises = figure.add("von Mises stress", line_of(Colour::vermillion, Dash::dashed));
+  const std::size_t deepest = figure.add("depth of the largest shear stress", kMeanStyle);
   const std::size_t zero = figure.add(kZeroStyle);
   for (const Interface i : kInterfaces) {
     if (!chosen->has_ellipse(i)) continue;
@@ -446,7 +447,7 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
     const double a = loads.semi_major[chosen->thread], b = loads.semi_minor[chosen->thread];
     const double peak = loads.peak_pressure[chosen->thread] * per_si::megapascal;
     const double nu = std::min((*c.materials)[body_of(i)].poisson_ratio, c.materials->roller.poisson_ratio);
-    Series of_normal{normal}, of_major{major}, of_minor{minor}, of_shear{shear};
+    Series of_normal{normal}, of_major{major}, of_minor{minor}, of_shear{shear}, of_von_mises{von_mises};
     for (int k = 0; k <= kSteps; ++k) {
       const double depth = kDepth * b * k / kSteps;
       const contact::AxisStress s = contact::stress_on_axis(a, b, depth, nu);
@@ -455,9 +456,10 @@ Figures thread_stress(const Case& c, const Result& result, const FigureOptions& 
       of_major.add(x, s.along_major * peak);
       of_minor.add(x, s.along_minor * peak);
       of_shear.add(x, s.largest_shear() * peak);
+      of_von_mises.add(x, s.von_mises() * peak);
     }
     Panel& panel = figure.panels.emplace_back(Panel{interface_title(i)});
-    panel.series = {of_normal, of_major, of_minor, of_shear};
+    panel.series = {of_normal, of_major, of_minor, of_shear, of_von_mises};
     panel.references.push_back({zero, 0.0});
     if (!loads.max_shear_depth.empty())
       panel.references.push_back({deepest, loads.max_shear_depth[chosen->thread] * per_si::micrometre, true});

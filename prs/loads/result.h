@@ -38,9 +38,11 @@ struct InterfaceLoads {
   std::vector<double> approach;          ///< delta [m]
   std::vector<double> semi_major;        ///< Empty where the geometry gives no contact.
   std::vector<double> semi_minor;
-  std::vector<double> peak_pressure;     ///< [Pa]
-  std::vector<double> max_shear_stress;  ///< Largest below the surface [Pa].
-  std::vector<double> max_shear_depth;   ///< Depth at which it acts, for the case depth [m].
+  std::vector<double> peak_pressure;         ///< [Pa]
+  std::vector<double> max_shear_stress;      ///< Largest below the surface [Pa].
+  std::vector<double> max_shear_depth;       ///< Depth at which it acts, for the case depth [m].
+  std::vector<double> max_von_mises_stress;  ///< Largest below the surface [Pa].
+  std::vector<double> max_von_mises_depth;   ///< Depth at which it acts [m].
   // Of a running screw:
   std::optional<FrictionForces> friction;
   std::optional<double> running_over_static;  ///< Largest normal load over that at rest.

@@ -60,7 +60,8 @@ std::vector<OutputFile> slip_files(const Result& result, const CsvStyle& style) 
 }
 
 bool have_slip(const Result& r) {
-  return all_converged(r) && std::ranges::all_of(r.load_cases, has_slip) &&
+  const auto answered = [](const LoadCaseResult& load) { return has_slip(load) || is_held(load); };
+  return all_converged(r) && std::ranges::all_of(r.load_cases, answered) &&
          (!r.heat_cycle || r.heat_cycle->converged());
 }
 
@@ -239,6 +240,22 @@ constexpr Quantity<EqualShareSlip> kEqualShares[] = {
     {"max_power_density_W_per_mm2", of<&EqualShareSlip::max_power_density>, "power of a thread over its ellipse"},
 };
 
+constexpr Quantity<Holding::Bound> kHoldingBound[] = {
+    {"holding_torque_Nm", of<&Holding::Bound::holding_torque>,
+     "by the drive on the screw, > 0 against the load; inverted: the nut, which turns, has its reaction"},
+    {"torque_screw_Nm", of<&Holding::Bound::torque_screw>, "by the drive on the screw", "Sandu 2018, (3.30)"},
+    {"torque_nut_Nm", of<&Holding::Bound::torque_nut>, "on the nut", "Sandu 2018, (3.31)"},
+    {"slip_ratio", of<&Holding::Bound::slip_ratio>, "with which motion begins"},
+    {"roller_forces_N", of<&Holding::Bound::forces>, "on one roller across its axis, that on the carrier among them"},
+};
+
+constexpr Quantity<Holding> kHolding[] = {
+    {"self_locking", of<[](const Holding& h) { return h.with_load.holding_torque <= 0.0; }>,
+     "whether the screw holds its load without a torque"},
+    {"against_load", of<&Holding::against_load>, "beyond it the drive moves the load"},
+    {"with_load", of<&Holding::with_load>, "below it the load moves the screw"},
+};
+
 /// Getter of results whose search for the slip ratio converged.
 template <auto get>
 constexpr auto found = of<get, &SlipResult::converged>;
@@ -255,13 +272,24 @@ constexpr Quantity<Owner> kSlipOf[] = {
     {"relative_residue", of<&SlipResult::relative_residue>, "moment on a roller over radius and normal load",
      "Sandu 2018, (3.38)", "", "", "", Reach::document},
     {"speed_rpm", found<&SlipResult::speed>, "screw against nut"},
-    {"gear_ratio", found<&SlipResult::gear_ratio>, "Gamma = |l_R/l_S|", "Sandu 2018, (2.1)"},
+    {"gear_ratio", found<&SlipResult::gear_ratio>, "Gamma of the gears: n_R/n_S", "Sandu 2018, (2.1)"},
     {"slip_ratio", found<&SlipResult::slip_ratio>, "epsilon, carrier against nut over screw against nut",
      "Sandu 2018, (2.2)"},
     {"ideal_slip_ratio", found<&SlipResult::ideal_slip_ratio>, "epsilon* of least sliding",
      "Sandu 2018, (2.16), (2.17)"},
     {"optimality_percent", found<&SlipResult::optimality>, "100 % at the ideal slip ratio", "Sandu 2018, (2.19)",
      "nearness to the slip ratio of least sliding"},
+    {"travel_per_turn_mm", found<&SlipResult::travel_per_turn>,
+     "of the nut on the screw per turn of the screw against the nut; the lead where screw and nut have the same",
+     "Sandu 2018, (2.5)"},
+    {"migration_per_turn_um", found<&SlipResult::migration_per_turn>,
+     "of the rollers along the part that they are geared to, per turn of the screw against the nut, > 0 ahead of its "
+     "travel; 0 for equal pitches",
+     "Sandu 2018, (2.12)"},
+    {"pitch_sliding_per_turn_um", found<&SlipResult::pitch_sliding_per_turn>,
+     "circumferential, of the pitch cylinders of rollers and geared part, per turn of the screw against the nut; 0 for "
+     "diameters in the ratio of the gears",
+     "Sandu 2018, (2.14)"},
     {"driven_by", found<&SlipResult::driven_by>, "screw | load: force x speed x lead > 0 or < 0"},
     {"efficiency", found<&SlipResult::efficiency>,
      "power out over power in: of the load over the shaft, or of the shaft over the load that "
@@ -350,6 +378,9 @@ PRS_RECORD(RollerHeads, "RollerHeads", "The heads of a roller in the carrier, or
 PRS_RECORD(SlipEstimates, "SlipRatioEstimates", "Slip ratios by formulas of geometry alone.", kSlipEstimates);
 PRS_RECORD(HottestThread, "HottestThread", "The thread of the largest power density.", kHottestThread);
 PRS_RECORD(EqualShareSlip, "EqualShareSlip", "Slip if all threads carried the same load.", kEqualShares);
+PRS_RECORD(Holding::Bound, "HoldingBound", "Torques and forces at which a screw at rest begins to move.",
+           kHoldingBound);
+PRS_RECORD(Holding, "Holding", "A screw at rest under load: between its bounds static friction holds it.", kHolding);
 PRS_RECORD(SecondNut, "SecondNut", "Slip of the rollers of a second nut.", kSlipOf<SecondNut>);
 
 Record<SlipResult> record_of(Type<SlipResult>) {
@@ -359,6 +390,8 @@ Record<SlipResult> record_of(Type<SlipResult>) {
     quantities.push_back({"second_nut", found<[](const SlipResult& slip) { return slip.second_nut.get(); }>,
                           "rollers of the second nut of a double nut; powers, torques and efficiency here are of "
                           "both nuts, all else of the first"});
+    quantities.push_back(
+        {"holding", of<&SlipResult::holding>, "bounds of static friction of a screw that is held at rest, speed 0"});
     return quantities;
   }();
   return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", all};

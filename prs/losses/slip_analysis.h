@@ -90,6 +90,8 @@ Record<HottestThread> record_of(Type<HottestThread>);
 Record<EqualShareSlip> record_of(Type<EqualShareSlip>);
 Record<SlipResult> record_of(Type<SlipResult>);
 Record<SecondNut> record_of(Type<SecondNut>);
+Record<Holding::Bound> record_of(Type<Holding::Bound>);
+Record<Holding> record_of(Type<Holding>);
 
 /// The sources of friction, in the order of the documents; titles are those of tables and figures.
 struct PowerSource {
@@ -108,6 +110,8 @@ inline constexpr PowerSource kPowerSources[] = {
 
 /// Whether a load case has an answer to slip.
 inline bool has_slip(const LoadCaseResult& result) { return result.slip && result.slip->converged(); }
+
+inline bool is_held(const LoadCaseResult& result) { return result.slip && result.slip->is_held(); }
 
 /// How the search for the slip ratio ended or, where the loads are not known, their solve.
 inline std::string_view slip_status_name(const LoadCaseResult& result) {

@@ -11,6 +11,10 @@ constexpr TableRows kRows{30, 16};
 
 std::string failure(const LoadCaseResult& result) {
   if (has_slip(result)) return {};
+  if (is_held(result))
+    return fmt::format("at rest: held by {} to {}",
+                       fixed_with_unit(result.slip->holding->with_load.holding_torque, "N m", 3),
+                       fixed_with_unit(result.slip->holding->against_load.holding_torque, "N m", 3));
   std::string text = fmt::format("NOT CONVERGED ({})", slip_status_name(result));
   if (result.slip && result.slip->relative_residue)
     text += fmt::format(", residue {:.1e}", *result.slip->relative_residue);
@@ -232,7 +236,20 @@ std::string equal_share_lines(const SlipResult& slip) {
                     "W/mm²");
 }
 
+std::string held_block(const LoadCaseResult& result) {
+  const auto line = [](std::string_view label, const Holding::Bound& bound, const std::string& remark) {
+    return number_line(label, bound.holding_torque, "N m", remark) +
+           number_line("  force on the carrier", std::hypot(bound.forces.carrier_x, bound.forces.carrier_y), "N",
+                       "by each roller");
+  };
+  const Holding& h = *result.slip->holding;
+  return title_line(result) + line("largest holding torque", h.against_load, "more moves the load") +
+         line("least holding torque", h.with_load,
+              h.with_load.holding_torque > 0.0 ? "less lets the load move the screw" : "self-locking");
+}
+
 std::string block(const LoadCaseResult& result, bool all) {
+  if (is_held(result)) return held_block(result);
   if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
   const SlipResult& slip = *result.slip;
   return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip, all) + power_lines(slip) +

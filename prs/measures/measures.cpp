@@ -65,14 +65,10 @@ std::optional<double> speed_of(const Conditions& c, const LoadCase& load_case) {
 
 bool runs(const Conditions& c, const LoadCase& load_case) { return speed_of(c, load_case).value_or(0.0) > 0.0; }
 
-double gear_ratio(const Contacts& contacts) {
-  return std::abs(contacts.threads.roller.lead / contacts.threads.screw.lead);
-}
-
 void find_transmission(const Conditions& c, const Contacts& contacts, Measures& m) {
   const Mechanism& mechanism = contacts.mechanism;
   m.velocity_ratio = velocity_ratio(mechanism.lead);
-  const PlanetaryRatios ratios = planetary_ratios(mechanism.type, gear_ratio(contacts));
+  const PlanetaryRatios ratios = planetary_ratios(mechanism.type, gear_ratio(mechanism));
   if (ratios.carrier > 0.0 && ratios.carrier < 1.0) {
     m.roller_ratio = ratios.roller;
     m.carrier_ratio = ratios.carrier;

@@ -60,6 +60,11 @@ inline bool solve_takes_running_loads(const ModelOptions& model, LoadCase::Share
   return share == LoadCase::Share::solved && model.loads == ModelOptions::Loads::running;
 }
 
+/// omega_s/n of a load case that has one, its own or the operation's [rad/s].
+inline double screw_speed(const Conditions& c, const LoadCase& load) {
+  return load.speed ? *load.speed : c.operation->speed;
+}
+
 /// Whether slip, heat and life have both flanks of a nut, or both nuts.
 inline bool has_both_flanks(const Conditions& c, LoadCase::Share share) {
   return c.preload && share == LoadCase::Share::solved && c.model.mechanism == ModelOptions::Mechanism::sector;

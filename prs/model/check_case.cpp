@@ -77,7 +77,7 @@ void need_compare(const Case& c, Problems& problems) {
 
 void need_slip(const Case& c, Problems& problems) {
   require_load_cases(c, Command::slip, problems);
-  require_slip(c, problems);
+  require_slip(c, problems, true);
   if (warms(c.heat)) require_heat(c, problems);
   if (some_load_has_both_flanks(c)) require_preload(c, problems);
 }

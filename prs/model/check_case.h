@@ -62,7 +62,8 @@ void require_preload(const Case& c, Problems& problems);
 void require_warm_preload(const Case& c, Problems& problems);
 /// What `slip` needs of the law of friction and the bearings of the roller heads.
 void require_friction(const Conditions& c, Problems& problems);
-void require_slip(const Conditions& c, Problems& problems);
+/// `may_rest`: whether a speed of 0 asks for the torques that hold the screw.
+void require_slip(const Conditions& c, Problems& problems, bool may_rest = false);
 /// What `slip` needs where the case states `heat`.
 void require_heat(const Case& c, Problems& problems);
 void require_expansion(const Case& c, Problems& problems);

@@ -57,4 +57,17 @@ struct Mechanism {
 /// Axial spacing of neighbouring threads of screw and nut [m].
 inline double axial_pitch(const Mechanism& m) { return std::abs(m.lead) / m.starts.screw; }
 
+/// The part that the rollers are geared to.
+constexpr Part geared_part(Mechanism::Type type) { return type == Mechanism::Type::standard ? Part::nut : Part::screw; }
+
+/// Gamma of the gears, whose teeth must mesh with every start of the threads: n_R/n_S, whatever the diameters.
+inline double gear_ratio(const Mechanism& m) { return static_cast<double>(m.starts.roller) / m.starts.screw; }
+
+/// Axial pitch of each part [m]: the measured one, else lead/starts. Pitches that rounding alone
+/// tells apart (`contact::kSamePitch`) come out as one number.
+PerPart<double> axial_pitches(const Mechanism& mechanism);
+
+/// The threads of a mechanism as the contact room draws them; what a design has yet to find is 0.
+contact::MechanismGeometry threads_of(const Mechanism& mechanism);
+
 }  // namespace prs

@@ -4,6 +4,7 @@
 
 #include "contact/film.h"
 #include "contact/journal_bearing.h"
+#include "prs/model/part.h"
 #include "prs/model/warning.h"
 
 namespace prs {
@@ -98,10 +99,12 @@ struct MixedFriction {
   double exponent = 2.0;  ///< Exponent of the share of touching flanks, `contact::boundary_share`.
 };
 
+/// Law of friction of the threads; Coulomb's coefficient may differ between screw and nut, as their flanks
+/// and oil do (Sandu 2018, section 2.3.2).
 struct Friction {
   enum class Model { jacod, coulomb, mixed };
   Model model = Model::jacod;
-  double coefficient = 0.0;  ///< Coulomb only.
+  PerInterface<double> coefficient = {};  ///< Coulomb only.
   MixedFriction mixed = {};
 
   bool of_film() const { return model != Model::coulomb; }

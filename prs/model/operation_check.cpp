@@ -69,13 +69,27 @@ std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint>
 }
 
 /// Either sense: force and speed say whether screw or load drives.
-void check_speed(const LoadCase& load, double speed, Problems& problems) {
-  if (speed == 0.0)
-    problems.add(load.speed ? load.input_path + ".speed" : "operation.speed",
-                 fmt::format("got {} in case `{}`; expected a speed other than 0: at rest nothing "
-                             "slips; change `operation.speed` or give the case a `speed` of its "
-                             "own",
-                             rpm(speed), load.name));
+/// `may_rest`: at speed 0 static friction holds the screw.
+void check_speed(const Conditions& c, const LoadCase& load, bool may_rest, Problems& problems) {
+  const double speed = screw_speed(c, load);
+  if (speed != 0.0) return;
+  const std::string path = load.speed ? load.input_path + ".speed" : "operation.speed";
+  if (may_rest && c.heat)
+    problems.add(path,
+                 "got {} in case `{}` together with `heat`; expected a speed other than 0: a screw at rest makes no "
+                 "heat; write the pause as `rest` in `heat.duty`",
+                 rpm(speed), load.name);
+  else if (may_rest && c.friction && c.friction->model == Friction::Model::jacod)
+    problems.add(
+        path,
+        "got {} in case `{}`; expected a speed other than 0 with `friction: {{model: jacod}}`, whose film does "
+        "not hold a screw at rest; take `{{coulomb: 0.12}}` or `{{mixed: ..}}` for the torques that hold it",
+        rpm(speed), load.name);
+  else if (!may_rest)
+    problems.add(path, fmt::format("got {} in case `{}`; expected a speed other than 0: at rest nothing "
+                                   "slips; change `operation.speed` or give the case a `speed` of its "
+                                   "own",
+                                   rpm(speed), load.name));
 }
 
 /// Heat of every part must find a way to the surroundings.
@@ -250,7 +264,7 @@ void require_friction(const Conditions& c, Problems& problems) {
                          kLubricantExample);
 }
 
-void require_slip(const Conditions& c, Problems& problems) {
+void require_slip(const Conditions& c, Problems& problems, bool may_rest) {
   if (!c.friction) problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
   require_friction(c, problems);
   for (const LoadCase& load : c.load_cases) {
@@ -258,7 +272,7 @@ void require_slip(const Conditions& c, Problems& problems) {
       problems.add_missing("operation", "the speed for `slip`", "{speed: 400 rpm}");
       continue;
     }
-    check_speed(load, load.speed ? *load.speed : c.operation->speed, problems);
+    check_speed(c, load, may_rest, problems);
   }
 }
 

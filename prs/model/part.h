@@ -38,6 +38,11 @@ struct PerInterface {
   bool operator==(const PerInterface&) const = default;
 };
 
+template <class T>
+constexpr PerInterface<T> at_both(const T& value) {
+  return {value, value};
+}
+
 /// The part that the roller touches at an interface.
 constexpr Part body_of(Interface i) { return i == Interface::screw ? Part::screw : Part::nut; }
 

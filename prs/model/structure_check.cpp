@@ -30,19 +30,21 @@ void check_reach(const Mechanism& m, Problems& problems) {
                  mm(*nut), mm(2.0 * *m.centre_distance + *roller), mm(2.0 * reach));
 }
 
-/// Neighbouring rollers must clear each other: 2 c sin(pi / n) > d.
+/// Neighbouring rollers must clear each other at their crests (Sandu 2018, (1.49)).
 void check_rollers(const Mechanism& m, Problems& problems) {
   if (!m.centre_distance || !m.pitch_diameter.roller || m.rollers < 2) return;
-  const double distance = 2.0 * *m.centre_distance;
-  const double diameter = *m.pitch_diameter.roller;
-  const auto overlap = [&](int n) { return n > 1 && distance * std::sin(std::numbers::pi / n) <= diameter; };
-  if (!overlap(m.rollers)) return;
-  int most = m.rollers;
-  while (overlap(most)) --most;
+  const contact::MechanismGeometry threads = threads_of(m);
+  const contact::ThreadStatus status = contact::check(threads.roller);
+  if (status != contact::ThreadStatus::ok && status != contact::ThreadStatus::beyond_sharp_limit) return;
+  const int most = contact::largest_roller_count(threads);
+  if (m.rollers <= most) return;
+  const bool sharp = !m.thread.roller;
   problems.add("mechanism.rollers",
-               "got {}; expected at most {}: more rollers of {} overlap at the centre distance of "
-               "{}; take fewer",
-               m.rollers, most, mm(diameter), mm(*m.centre_distance));
+               "got {}; expected at most {}: more rollers of {} at their crests{} overlap at the centre distance of "
+               "{}; take fewer{}",
+               m.rollers, most, mm(2.0 * contact::flank_limits(threads.roller).largest),
+               sharp ? ", where the flanks meet," : "", mm(*m.centre_distance),
+               sharp ? ", or state lower crests as `mechanism.thread.roller`" : "");
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ inline constexpr TextUnit newton{"N"};
 inline constexpr TextUnit kilonewton{"kN", per_si::kilonewton};
 inline constexpr TextUnit newton_metre{"N m"};
 inline constexpr TextUnit millimetre{"mm", per_si::millimetre};
+inline constexpr TextUnit micrometre{"µm", per_si::micrometre};
 inline constexpr TextUnit degree{"deg", per_si::degree};
 inline constexpr TextUnit percent{"%", per_si::percent};
 inline constexpr TextUnit newton_per_micrometre{"N/µm", per_si::newton_per_micrometre};

@@ -430,7 +430,9 @@ std::optional<double> efficiency_over_spectrum(const VerdictFacts& f) {
 Found efficiency(const VerdictFacts& f) {
   if (!f.slip) return without(f, Command::slip, Sense::least);
   Found found;
-  const auto drives = [](const LoadCaseResult& r) { return r.slip && r.slip->driven_by == DrivenBy::screw; };
+  const auto drives = [](const LoadCaseResult& r) {
+    return r.slip && !r.slip->is_held() && r.slip->driven_by == DrivenBy::screw;
+  };
   found.applies = std::ranges::any_of(f.slip->load_cases, drives);
   found.why = "the screw drives in no load case";
   if (const auto& cycle = f.slip->heat_cycle) {
@@ -439,7 +441,7 @@ Found efficiency(const VerdictFacts& f) {
     return found;
   }
   for (const LoadCaseResult& r : f.slip->load_cases) {
-    if (!r.slip || !r.slip->converged()) {
+    if (!r.slip || !r.slip->has_answer()) {
       Found failed;
       failed.why = fmt::format("the slip of {} did not converge", r.load_case.name);
       return failed;
@@ -711,7 +713,7 @@ void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
   if (const auto none = without_fit(f, Sense::least)) tell(fmt::format("preload ({})", none->why));
   count(f.preloaded, "thread loads under preload", [](const LoadCaseResult& r) { return r.converged(); });
   const Result* const steady = f.slip && f.slip->heat_cycle ? nullptr : f.slip;  // A duty never reaches it.
-  count(steady, "slip", [](const LoadCaseResult& r) { return r.slip && r.slip->converged(); });
+  count(steady, "slip", [](const LoadCaseResult& r) { return r.slip && r.slip->has_answer(); });
   count(steady, "temperatures", [](const LoadCaseResult& r) { return !r.heat || r.heat->converged(); });
   if (f.slip && f.slip->heat_cycle && !f.slip->heat_cycle->converged()) tell("the duty cycle");
   if (f.life && !f.life->converged()) tell("life");

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "prs/model/check_case.h"
+#include "prs/model/quantity_text.h"
 #include "prs/slip/running.h"
 
 namespace prs {
@@ -20,29 +21,24 @@ constexpr double kEqualPower = 1e-9;
 /// Temperatures of parts that run warm and of what is around them, for an estimate [K].
 constexpr double kWarmParts = 353.15, kSurroundings = 298.15;
 
-bool leads_agree(const contact::KinematicConsistency& k, const contact::MechanismGeometry& threads) {
-  return std::abs(k.lead_difference) <= contact::kSamePitch * std::abs(threads.screw.lead);
+/// The body whose threads leave the grooves of the rollers: at the last contact they lag by half a pitch.
+std::optional<Part> out_of_mesh(const Mechanism& m) {
+  const PerPart<double> pitch = axial_pitches(m);
+  for (const Interface i : kInterfaces) {
+    const double lag = (m.contacts_per_roller - 1) * std::abs(pitch[body_of(i)] - pitch.roller);
+    if (lag >= 0.5 * std::min(pitch[body_of(i)], pitch.roller)) return body_of(i);
+  }
+  return std::nullopt;
 }
 
-bool ratios_agree(const contact::KinematicConsistency& k) {
-  return std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) <= kGearRatioTolerance;
-}
-
-/// (2.14): screw, roller and nut can only roll on each other without parting where the gears turn
-/// the rollers as their leads ask.
-void require_kinematics(const contact::MechanismGeometry& threads) {
-  const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
-  if (!leads_agree(k, threads))
-    throw CaseError("mechanism.pitch", fmt::format("the leads of nut and screw differ by {:.4g} mm; expected equal "
-                                                   "leads for `slip`, or the contacts part as the screw turns (Sandu "
-                                                   "2018, (2.14)); leave the measured pitches out",
-                                                   k.lead_difference * 1e3));
-  if (!ratios_agree(k))
-    throw CaseError("mechanism.pitch_diameter.roller",
-                    fmt::format("the pitch diameters give the gear ratio {:.6f}; expected {:.6f} "
-                                "for `slip`, the ratio of the leads, or the rollers migrate (Sandu "
-                                "2018, (2.14)); fix diameters or starts",
-                                k.gear_ratio, k.gear_ratio_by_leads));
+void require_mesh(const Mechanism& m) {
+  const std::optional<Part> part = out_of_mesh(m);
+  if (!part) return;
+  const PerPart<double> pitch = axial_pitches(m);
+  throw CaseError(fmt::format("mechanism.pitch.{}", name(m.pitch[*part] ? *part : Part::roller)),
+                  fmt::format("got pitches of {} ({}) and {} (roller), which over {} contacts differ by half a pitch; "
+                              "expected the threads of both in the same grooves; check the pitches and the lead",
+                              mm(pitch[*part]), name(*part), mm(pitch.roller), m.contacts_per_roller));
 }
 
 /// `value_of_patch` of each patch, handed out to the threads that it stands for.
@@ -199,8 +195,8 @@ void set_drive(SlipResult& slip, const PowerFlow& flow, double axial_force, doub
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction, std::vector<Warning>& warnings) {
   if (friction.model == Friction::Model::mixed) return;
   const bool jacod = friction.model == Friction::Model::jacod;
-  if (!jacod && friction.coefficient >= kTouchingFriction) return;
   for (const Interface i : kInterfaces) {
+    if (!jacod && friction.coefficient[i] >= kTouchingFriction) continue;
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)
       if (ratio > 0.0) least = std::min(least, ratio);
@@ -309,6 +305,24 @@ std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m
       .as_assumption();
 }
 
+/// Warns of rollers that migrate and of pitch cylinders that slide, for diameters and pitches as measured.
+void warn_of_measured_parts(const Contacts& contacts, const SlipResult& slip, std::vector<Warning>& warnings) {
+  const Part geared = geared_part(contacts.mechanism.type);
+  if (slip.migration_per_turn != 0.0)
+    warnings.push_back(Warning{"mechanism.pitch", "roller_migration",
+                               fmt::format("the rollers run {} the {} by {{value}} per turn of the screw, if nothing "
+                                           "stops them",
+                                           slip.migration_per_turn > 0.0 ? "ahead of" : "behind", name(geared)),
+                               "the model ends where they meet their stops: correct the pitches"}
+                           .with(std::abs(slip.migration_per_turn), {}, text_unit::micrometre));
+  if (has_gear_ratio(contacts)) return;
+  warnings.push_back(Warning{"mechanism.pitch_diameter", "pitch_sliding",
+                             fmt::format("off the ratio of the gears, the pitch cylinders of rollers and {} slide by "
+                                         "{{value}} per turn of the screw",
+                                         name(geared))}
+                         .with(slip.pitch_sliding_per_turn, {}, text_unit::micrometre));
+}
+
 void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const LoadCase& load,
                               const Contacts& contacts, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces)
@@ -320,6 +334,7 @@ void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const
 
 void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load, std::vector<Warning>& warnings) {
   const std::string speed = load.speed ? path_in(load, "speed") : "operation.speed";
+  if (slip.status == SlipStatus::held) return;
   if (!slip.converged()) {
     const bool jammed = slip.status == SlipStatus::jammed;
     warnings.push_back(no_slip(jammed, jammed ? "slip" : fmt::format("slip: {}", name(slip.status))));
@@ -331,11 +346,17 @@ void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load
                                "{value} in the sense of the motion turns it, and there is no "
                                "efficiency"}
                            .with(*slip.holding_torque, {}, text_unit::newton_metre));
-  if (slip.optimality > 1.0 + 1e-12)
-    warnings.push_back(Warning{"carrier", "driven_carrier",
-                               "the carrier is driven by its torques: the slip ratio {value} lies "
-                               "beyond the ideal one, {limit}"}
+  if (slip.optimality > 1.0 + 1e-12) {
+    const bool imposed = slip.status == SlipStatus::imposed;
+    warnings.push_back(Warning{imposed ? "operation.slip_ratio" : "carrier",
+                               imposed ? "beyond_ideal_slip_ratio" : "driven_carrier",
+                               imposed ? "the slip ratio {value} lies beyond the ideal one, {limit}: friction alone "
+                                         "does not drive the carrier that fast"
+                                       : "the carrier is driven by its torques: the slip ratio {value} lies "
+                                         "beyond the ideal one, {limit}",
+                               imposed ? "check how it was measured" : ""}
                            .with(slip.slip_ratio, slip.ideal_slip_ratio));
+  }
   if (std::ranges::all_of(kInterfaces, [&](Interface i) {
         return std::ranges::max(slip.threads[i].max_sliding_speed) < contact::kNoDirection;
       }))
@@ -346,18 +367,11 @@ void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load
   warn_of_lubrication(slip, friction, warnings);
 }
 
-void require_admissible(const SlipModel& model) {
-  if (is_admissible(model)) return;
-  const SlipRange range = slip_range(model.geometry);
-  throw CaseError("operation.slip_ratio",
-                  fmt::format("got {:.7g}; expected {:.7g} to {:.7g}, from pure sliding to the "
-                              "ideal slip ratio of this geometry; leave it out to have it "
-                              "computed",
-                              *model.imposed_slip_ratio, std::min(range.pure_sliding, range.ideal),
-                              std::max(range.pure_sliding, range.ideal)));
-}
+bool is_held(const Conditions& c, const LoadCase& load) { return screw_speed(c, load) == 0.0; }
 
-bool runs(const Conditions& c, const LoadCase& load) { return slip_takes_running_loads(c.model, load.share); }
+bool runs(const Conditions& c, const LoadCase& load) {
+  return slip_takes_running_loads(c.model, load.share) && !is_held(c, load);
+}
 
 /// Loads at rest as slip takes them: solved ones, and equal shares by the geometry. Those of a
 /// running screw are still to be solved.
@@ -395,6 +409,37 @@ std::optional<SlipOfSpeed> slip_at_speed(const Conditions& c, const Contacts& co
   slip = find_slip_equilibrium(model);
   if (!slip->ok()) return std::nullopt;
   return SlipOfSpeed{std::move(model), std::move(*slip)};
+}
+
+/// A screw held at rest: the ends of a creeping motion in both senses, with Coulomb's friction, or that of
+/// flanks that touch without a film.
+SlipResult held(const Conditions& c, const Contacts& contacts, const LoadCase& load, const std::optional<Oils>& oils) {
+  constexpr double kCreep = 1e-3;  // Friction does not depend on it, inertia is far below rounding [rad/s].
+  Conditions creeping = c;
+  if (c.friction->model == Friction::Model::mixed)
+    creeping.friction = Friction{Friction::Model::coulomb, at_both(c.friction->mixed.boundary)};
+  if (creeping.operation) creeping.operation->slip_ratio.reset();
+  creeping.load_cases = {load};
+  creeping.load_cases.front().travel.reset();
+  creeping.load_cases.front().modes.reset();
+  const double sense = std::copysign(1.0, axial_force_on_nut(load) * contacts.threads.screw.lead);
+  SlipResult result;
+  const auto bound = [&](double speed) {
+    creeping.load_cases.front().speed = speed;
+    const Result at = analyze_slip(creeping, contacts, {.detail = Detail::numbers}, oils);
+    const std::optional<SlipResult>& slip = at.load_cases.front().slip;
+    if (!slip || !slip->converged()) {
+      result.status = slip ? slip->status : SlipStatus::no_equilibrium;
+      return Holding::Bound{};
+    }
+    return Holding::Bound{sense * slip->torque_screw, slip->torque_screw, slip->torque_nut, slip->slip_ratio,
+                          slip->forces};
+  };
+  result.status = SlipStatus::held;
+  result.gear_ratio = gear_ratio(contacts.mechanism);
+  const Holding holding{bound(sense * kCreep), bound(-sense * kCreep)};
+  if (result.status == SlipStatus::held) result.holding = holding;
+  return result;
 }
 
 ResidueCurve residue_curve(const SlipModel& model, double from, double to) {
@@ -491,21 +536,11 @@ std::optional<Warning> unknown_film_ratio(const Conditions& c) {
                  "add `roughness: 0.4 um`, for example: the Rq of the ground flanks"};
 }
 
-bool rolls(const contact::MechanismGeometry& threads) {
-  const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
-  return leads_agree(k, threads) && ratios_agree(k);
-}
-
-bool is_admissible(const SlipModel& model) {
-  if (!model.imposed_slip_ratio) return true;
-  const SlipRange range = slip_range(model.geometry);
-  return *model.imposed_slip_ratio >= std::min(range.pure_sliding, range.ideal) &&
-         *model.imposed_slip_ratio <= std::max(range.pure_sliding, range.ideal);
-}
+bool rolls(const Mechanism& mechanism) { return !out_of_mesh(mechanism); }
 
 void require_rolling(const Conditions& c, const Contacts& contacts) {
   require_contacts(c, contacts);
-  require_kinematics(contacts.threads);
+  require_mesh(contacts.mechanism);
 }
 
 SlipResult slip_result(const SlipModel& model) {
@@ -536,10 +571,14 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
 
   slip.slip_ratio = b.motion.slip_ratio;
   slip.optimality = optimality(range, slip.slip_ratio);
+  const double turns = geared_turns(model.geometry, slip.slip_ratio);
+  slip.travel_per_turn = std::abs(travel_per_turn(model.geometry, slip.slip_ratio));
+  slip.migration_per_turn = std::copysign(1.0, model.geometry.lead) * turns * model.geometry.migration_lead;
+  slip.pitch_sliding_per_turn = 2.0 * std::numbers::pi * turns * model.pitch_excess;
   for (const Interface i : kInterfaces) set_interface_slip(slip.threads[i], model, b, i, detail);
   slip.power = lost_power(model, b);
   const DriveTorques torques = drive_torques(model, b);
-  const PowerFlow flow = power_flow(model, torques);
+  const PowerFlow flow = power_flow(model, b, torques);
   slip.torque_screw = torques.screw;
   slip.torque_nut = torques.nut;
   slip.power_loss_input_output = flow.lost();
@@ -558,7 +597,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
   if (const auto stated = with_slip_ratios(c, contacts))
     return analyze_slip(*stated, std::move(contacts), options, oils);
   Result result = loaded_threads_of(c, std::move(contacts), options);
-  require_kinematics(result.contacts.threads);
+  require_mesh(result.contacts.mechanism);
   if (options.detail == Detail::complete)
     if (std::optional<Warning> note = unknown_film_ratio(c)) result.warnings.push_back(std::move(*note));
   const SlipModels models(c, result.contacts, oils);
@@ -568,15 +607,18 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
   for (LoadCaseResult& loaded : result.load_cases) {
     std::optional<SlipEquilibrium> found;
     if (runs(c, loaded.load_case) || has_both_flanks(c, loaded.load_case.share)) {
-      require_admissible(models.unloaded(loaded.load_case));
       loaded = runs(c, loaded.load_case) ? running.solve(loaded.load_case, options.detail, found)
                                          : flanks->solve(loaded.load_case);
       if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
     }
     if (!loaded.threads) continue;
+    if (is_held(c, loaded.load_case)) {
+      loaded.slip = held(c, result.contacts, loaded.load_case, oils);
+      if (options.detail == Detail::complete) warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
+      continue;
+    }
     const std::vector<SlipModel> nuts = models.of_nuts(loaded);
     const SlipModel& model = nuts.front();
-    require_admissible(model);
     loaded.slip.emplace();
     set_slip_result(*loaded.slip, model, found ? *found : find_slip_equilibrium(model), {});
     if (nuts.size() == 2) {
@@ -596,6 +638,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       if (auto note = guides_press(c, {over_static(loaded.threads->screw), over_static(loaded.threads->nut)}))
         loaded.warnings.push_back(std::move(*note));
     if (loaded.slip->converged()) {
+      warn_of_measured_parts(result.contacts, *loaded.slip, loaded.warnings);
       warn_of_film(model, *loaded.slip, loaded.warnings);
       warn_of_flashes(*loaded.slip, loaded.warnings);
       warn_of_lifted_rollers(loaded, loaded.warnings);
@@ -615,7 +658,7 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   if (!std::move(lacking).take().empty() || !loaded.threads) return std::nullopt;
   for (const Interface i : kInterfaces)
     if (!contacts.interfaces[i].geometry.ok() || !contacts.interfaces[i].has_hertz()) return std::nullopt;
-  if (!rolls(contacts.threads)) return std::nullopt;
+  if (!rolls(contacts.mechanism)) return std::nullopt;
   Oils oils = oils_in_operation(c);
   const bool oiled = c.friction->of_film() || c.carrier.is_oiled();
   if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
@@ -628,7 +671,8 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   driving.speed = by_screw ? -as_stated.speed : as_stated.speed;
   const std::optional<SlipOfSpeed> found = slip_at_speed(free, contacts, models, loaded, driving);
   if (!found) return std::nullopt;
-  return power_flow(found->model, drive_torques(found->model, found->slip.balance)).efficiency();
+  const SlipBalance& balance = found->slip.balance;
+  return power_flow(found->model, balance, drive_torques(found->model, balance)).efficiency();
 }
 
 StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case) {

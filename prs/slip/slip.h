@@ -8,7 +8,7 @@ namespace prs {
 /// The whole chain with slip: what `analyze` delivers, or for equal shares `analyze_contacts`, and
 /// for each load case the stationary slip and what friction takes. The case must have passed
 /// `check_case` and the requirements of `slip`. Throws CaseError where the geometry gives no
-/// contact, its gears break (2.14), or an imposed slip ratio lies outside its range.
+/// contact, or measured pitches bring its threads out of mesh.
 /// `oils`: in place of the lubricant at the temperature of the file.
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options = {},
                     const std::optional<Oils>& oils = {});
@@ -16,14 +16,11 @@ inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
   return analyze_slip(c, checked_contacts(c, options.detail), options);
 }
 
-/// Throws CaseError where the geometry gives no contact or its gears break (2.14).
+/// Throws CaseError where the geometry gives no contact or measured pitches bring its threads out of mesh.
 void require_rolling(const Conditions& c, const Contacts& contacts);
 
-/// Whether its gears keep (2.14).
-bool rolls(const contact::MechanismGeometry& threads);
-
-/// Whether an imposed slip ratio lies in its range.
-bool is_admissible(const SlipModel& model);
+/// Whether all threads of a roller stay in the grooves that they begin with, for all measured pitches.
+bool rolls(const Mechanism& mechanism);
 
 /// Slip of one load case, without the comparison with equal shares.
 SlipResult slip_result(const SlipModel& model);

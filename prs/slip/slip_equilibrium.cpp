@@ -219,8 +219,8 @@ PowerBySource lost_power(const SlipModel& m, const SlipBalance& b) {
           m.screw_torque * std::abs(b.motion.screw_to_carrier), m.nut_torque * std::abs(b.motion.nut_to_carrier)};
 }
 
-PowerFlow power_flow(const SlipModel& m, const DriveTorques& torques) {
-  const double advance = -m.geometry.lead / (2.0 * std::numbers::pi) * m.speed;  // (2.5)
+PowerFlow power_flow(const SlipModel& m, const SlipBalance& b, const DriveTorques& torques) {
+  const double advance = b.motion.nut_advance - b.motion.screw_advance;
   return {(m.geometry.is_standard() ? torques.screw : torques.nut) * turning_speed(m.geometry.type, m.speed),
           m.axial_force * advance};
 }

@@ -61,6 +61,8 @@ struct SlipModel : RollerModelOf<double> {
 
   GuideForces guides;
 
+  double pitch_excess = 0.0;  ///< |r_R/Gamma - r| of the geared part, by which its pitch cylinder slides [m].
+
   // What results say of it.
   Friction friction;
   contact::FilmDirection film_direction = contact::FilmDirection::minor_axis;
@@ -153,6 +155,6 @@ struct PowerFlow {
   /// Output over input (Sandu 2018, (3.52)); absent where both flow in, as in a self-locking screw.
   std::optional<double> efficiency() const;
 };
-PowerFlow power_flow(const SlipModel& model, const DriveTorques& torques);
+PowerFlow power_flow(const SlipModel& model, const SlipBalance& balance, const DriveTorques& torques);
 
 }  // namespace prs

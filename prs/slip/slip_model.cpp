@@ -27,7 +27,11 @@ KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
   KinematicGeometry g;
   g.type = contacts.mechanism.type;
   g.lead = contacts.threads.screw.lead;
-  g.gear_ratio = contact::kinematic_consistency(contacts.threads).gear_ratio_by_leads;
+  g.gear_ratio = gear_ratio(contacts.mechanism);
+  g.lead_excess = contacts.threads.nut.lead - contacts.threads.screw.lead;
+  const contact::Thread& geared = thread_of(contacts.threads, geared_part(g.type));
+  g.migration_lead =
+      std::copysign(1.0, g.lead) * contacts.mechanism.starts.screw * (contacts.threads.roller.pitch - geared.pitch);
   g.centre_distance = contacts.threads.centre_distance;
   for (const Interface i : kInterfaces) g.points[i] = touching(contacts.interfaces[i].geometry, force).point.position;
   return g;
@@ -73,7 +77,7 @@ contact::FrictionLaw friction_of(const SlipModel& model, Interface i, const cont
       return contact::mixed_friction(*model.oils.threads[i], film,
                                      {friction.mixed.boundary, friction.mixed.exponent, *model.roughness[i]});
   }
-  return contact::coulomb_friction(friction.coefficient);
+  return contact::coulomb_friction(friction.coefficient[i]);
 }
 
 /// A patch under a normal load, by default that of its static axial one.
@@ -129,7 +133,7 @@ SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, std::optio
 void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanism, const LoadCase& load_case,
                     const Oils& oils) {
   m.axial_force = axial_force_on_nut(load_case);
-  m.speed = load_case.speed ? *load_case.speed : c.operation->speed;
+  m.speed = screw_speed(c, load_case);
   m.rollers = mechanism.rollers;
   if (c.model.mechanism == ModelOptions::Mechanism::full && load_case.share == LoadCase::Share::solved)
     m.rollers -= static_cast<int>(c.deviations.missing_rollers.size());
@@ -164,6 +168,9 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
 void set_geometry(SlipModel& m, const Contacts& contacts) {
   m.geometry = kinematic_geometry(contacts, m.axial_force);
   m.frames = frames_of(contacts, m.axial_force);
+  const contact::Thread& geared = thread_of(contacts.threads, geared_part(contacts.mechanism.type));
+  m.pitch_excess = std::abs(contacts.threads.roller.pitch_radius / m.geometry.gear_ratio - geared.pitch_radius);
+  if (m.pitch_excess <= contact::kSamePitch * geared.pitch_radius) m.pitch_excess = 0.0;
 }
 
 void set_equal_contacts(SlipModel& m, const Contacts& contacts) {

@@ -64,7 +64,7 @@ LoadCaseResult solved_anew(const Case& given, Command command, const LoadCase& l
   if (!with_modes) one.load_cases.front().modes.reset();
   Result all = command == Command::slip ? analyze_heat(one) : analyze_loads(one);
   LoadCaseResult& result = all.load_cases.front();
-  if (!result.converged() || (result.slip && !result.slip->converged()))
+  if (!result.converged() || (result.slip && !result.slip->has_answer()))
     throw CaseError(load.input_path, without_equilibrium(load, command));
   return std::move(result);
 }

@@ -230,7 +230,8 @@ void SectorBatch::solve_sectors(ContactDetail detail, bool tangent_stiffness) {
 bool SlipBatch::takes(const Case& c, std::span<const std::size_t> load_cases) const {
   return c.materials && !c.heat && (designs_.empty() || c.model.patch_points == patch_points_) &&
          std::ranges::all_of(load_cases, [&](std::size_t k) {
-           return k < c.load_cases.size() && c.load_cases[k].share == LoadCase::Share::equal;
+           return k < c.load_cases.size() && c.load_cases[k].share == LoadCase::Share::equal &&
+                  screw_speed(c, c.load_cases[k]) != 0.0;
          });
 }
 
@@ -263,13 +264,12 @@ void SlipBatch::find() {
   for (std::size_t d = 0; d < designs_.size(); ++d) {
     Design& design = designs_[d];
     design.is_sound =
-        contacts_.get(d, design.mechanism, design.threads, ContactDetail::laws, found_) && rolls(design.threads);
+        contacts_.get(d, design.mechanism, design.threads, ContactDetail::laws, found_) && rolls(design.mechanism);
     const std::span<SlipModel> models(models_.data() + d * load_cases_, load_cases_);
     for (SlipModel& model : models) {
       if (!design.is_sound) break;
       set_geometry(model, found_);
       set_equal_contacts(model, found_);
-      design.is_sound = is_admissible(model);
     }
     if (!design.is_sound) continue;
     design.first_task = tasks;

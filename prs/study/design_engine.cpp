@@ -36,7 +36,7 @@ DesignStatus status_of(const Result& result) {
       return {std::string(name(load_case.heat->status)),
               fmt::format("load case {}: {}", load_case.load_case.name, load_case.heat->reason)};
     const bool slips = load_case.slip.has_value();
-    if (load_case.converged() && (!slips || load_case.slip->converged())) continue;
+    if (load_case.converged() && (!slips || load_case.slip->has_answer())) continue;
     const std::string name(slips ? slip_status_name(load_case) : status_name(load_case));
     return {name, fmt::format("load case {} did not converge", load_case.load_case.name)};
   }

@@ -8,6 +8,7 @@ bool set_contact(InterfaceContact& to, const contact::ContactNumbers<double>& fo
   to.geometry = found.geometry;
   to.contact_modulus = modulus;
   to.shear.reset();
+  to.von_mises.reset();
   to.hertz = modulus == 0.0 ? contact::HertzConstants{} : found.hertz;
   return modulus == 0.0 || to.hertz.ok();
 }

@@ -21,10 +21,11 @@ void add_hertz(InterfaceContact& c, const Material& body, const Material& roller
   c.contact_modulus = contact::contact_modulus(body, roller);
   c.pressure_limit = static_pressure_limit(body, roller);
   c.hertz = contact::hertz_constants(c.geometry.relative.first, c.geometry.relative.second, c.contact_modulus);
-  // Both bodies carry the same pressure; the larger shear stress is that of the smaller nu.
-  if (c.hertz.ok() && detail == Detail::complete)
-    c.shear =
-        contact::largest_subsurface_shear(c.hertz.ellipticity, std::min(body.poisson_ratio, roller.poisson_ratio));
+  if (!c.hertz.ok() || detail != Detail::complete) return;
+  // Both bodies carry the same pressure; the larger stresses are those of the smaller nu.
+  const double poisson_ratio = std::min(body.poisson_ratio, roller.poisson_ratio);
+  c.shear = contact::largest_subsurface_shear(c.hertz.ellipticity, poisson_ratio);
+  c.von_mises = contact::largest_subsurface_von_mises(c.hertz.ellipticity, poisson_ratio);
 }
 
 void warn_of_missing_contacts(const Contacts& c, std::vector<Warning>& warnings) {
@@ -78,11 +79,19 @@ void warn_of_kinematics(const Contacts& c, std::vector<Warning>& warnings) {
     warnings.push_back(
         Warning{"mechanism.pitch", "lead_difference", "the leads of nut and screw differ by {value}"}.with(
             k.lead_difference, {}, text_unit::millimetre));
-  if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
-    warnings.push_back(Warning{"mechanism.pitch_diameter", "migration",
-                               "the rollers migrate: the pitch diameters give the gear ratio "
-                               "{value}, the leads ask for {limit} (Sandu 2018, (2.14))"}
-                           .with(k.gear_ratio, k.gear_ratio_by_leads));
+  if (!has_gear_ratio(c))
+    warnings.push_back(Warning{"mechanism.pitch_diameter", "gear_ratio",
+                               "the pitch diameters give the gear ratio {value}, the gears by their teeth n_R/n_S = "
+                               "{limit}: pitch cylinders slide on each other (Sandu 2018, (2.14))"}
+                           .with(k.gear_ratio, gear_ratio(c.mechanism)));
+  const PerPart<double> pitch = axial_pitches(c.mechanism);
+  const Part geared = geared_part(c.mechanism.type);
+  if (pitch.roller != pitch[geared])
+    warnings.push_back(Warning{"mechanism.pitch", "migration",
+                               fmt::format("the rollers migrate along the {}: their pitch of {{value}} is not its "
+                                           "{{limit}}; `slip` has the way per turn",
+                                           name(geared))}
+                           .with(pitch.roller, pitch[geared], text_unit::millimetre));
 }
 
 void require_thickness(const Mechanism& m, Part part) {
@@ -123,18 +132,9 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warni
                                   sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre)});
 }
 
-void warn_of_crowding(const Contacts& c, std::vector<Warning>& warnings) {
-  const int most = contact::largest_roller_count(c.threads);
-  if (c.mechanism.rollers > most)
-    warnings.push_back(
-        Warning{"mechanism.rollers", "crowded_rollers", "{value} rollers touch each other at their crests: {limit} fit"}
-            .with(c.mechanism.rollers, most));
-}
-
 void warn(Contacts& c) {
   for (const Part p : kParts) warn_of_heights(thread_of(c.threads, p), p, c.warnings);
   warn_of_missing_contacts(c, c.warnings);
-  warn_of_crowding(c, c.warnings);
   warn_of_kinematics(c, c.warnings);
   warn_of_interference(c, c.warnings);
   warn_of_conformity(c, c.warnings);
@@ -199,6 +199,11 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
     c.interfaces[i].clearance = thread_clearance(c.threads, i, c.interfaces[i].geometry.point);
   if (detail == Detail::complete) warn(c);
   return c;
+}
+
+bool has_gear_ratio(const Contacts& c) {
+  return std::abs(contact::kinematic_consistency(c.threads).gear_ratio / gear_ratio(c.mechanism) - 1.0) <=
+         kGearRatioTolerance;
 }
 
 const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part part) {

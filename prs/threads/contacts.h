@@ -26,7 +26,8 @@ struct InterfaceContact {
   contact::HertzConstants hertz;  ///< `not_computed` without materials.
   /// Below the centre of the ellipse; absent without Hertz contact and with Detail::numbers.
   std::optional<contact::SubsurfaceShear> shear;
-  double contact_modulus = 0.0;  ///< E* [Pa], 0 without materials.
+  std::optional<contact::SubsurfaceVonMises> von_mises;  ///< The same.
+  double contact_modulus = 0.0;                          ///< E* [Pa], 0 without materials.
   /// Peak pressure at rest [Pa], `static_pressure_limit` of the materials; absent where none is known.
   std::optional<double> pressure_limit = kStaticPressureLimit;
   std::optional<ThreadClearance> clearance;  ///< Absent without contact or thread heights.
@@ -48,6 +49,8 @@ struct Contacts {
 /// Gear ratios by diameters and by leads that differ by less are those of a sound mechanism whose
 /// diameters were rounded to 1 um.
 inline constexpr double kGearRatioTolerance = 1e-4;
+/// Whether the pitch diameters have the ratio of the gears' teeth within the tolerance (Sandu 2018, (2.14)).
+bool has_gear_ratio(const Contacts& contacts);
 
 /// Resolves the mechanism, finds the contact points of both interfaces and, where materials are
 /// given, their Hertz contacts. An interface without contact is a result that says why. Throws

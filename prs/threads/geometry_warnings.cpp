@@ -35,7 +35,9 @@ void warn_of_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<Wa
 void warn_of_proportions(const Conditions& c, const Mechanism& m, std::vector<Warning>& warnings) {
   if (m.rollers < 3)
     warnings.push_back(Warning{"mechanism.rollers", "few_rollers",
-                               fmt::format("{{value}} roller{} cannot centre the screw", m.rollers == 1 ? "" : "s")}
+                               m.rollers == 1 ? "{value} roller cannot centre the screw"
+                                              : "{value} rollers cannot centre the screw: the nut tilts about the "
+                                                "line through them"}
                            .with(m.rollers, {}, {}, Warning::Worse::smaller));
   for (const Part p : kParts)
     if (m.flank_angle[p] < 20 * std::numbers::pi / 180 || m.flank_angle[p] > 70 * std::numbers::pi / 180)

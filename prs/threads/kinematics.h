@@ -11,8 +11,12 @@ template <class Real>
 struct KinematicGeometryOf {
   simd::EnumOf<Mechanism::Type, Real> type = Mechanism::Type::standard;
   Real lead{};             ///< l_S, > 0 right-handed [m]
-  Real gear_ratio{};       ///< Gamma = |l_R|/l_S, by (2.14) also r_R/r_N or r_R/r_S.
+  Real gear_ratio{};       ///< Gamma, of the teeth of the gears: n_R/n_S.
   Real centre_distance{};  ///< c [m]
+  Real lead_excess{};      ///< l_N - l_S, 0 of a sound mechanism [m].
+  /// Lead of the rollers as their gears turn them, over that of the part that they are geared to, 0 of a
+  /// sound mechanism: sgn(l_S) (|l_R|/Gamma - |l_N|), inverted sgn(l_S) (|l_R|/Gamma - |l_S|) [m].
+  Real migration_lead{};
   /// I and J in the carrier's frame across the screw's axis, x towards the roller [m].
   PerInterface<contact::Vector2<Real>> points{};
 
@@ -30,8 +34,9 @@ struct KinematicsOf {
   Number nut_to_carrier{};     ///< omega_n/p
   /// Axial velocities against the carrier, which goes with the nut of a standard and with the screw
   /// of an inverted mechanism [m/s] (2.5).
-  simd::ValueOf<Number> screw_advance{};
-  simd::ValueOf<Number> nut_advance{};
+  Number screw_advance{};
+  Number nut_advance{};
+  Number roller_advance{};  ///< Migration, 0 of a sound mechanism.
 };
 using Kinematics = KinematicsOf<double>;
 
@@ -52,21 +57,39 @@ Number against_frame(const simd::Lanes<Real>& is_standard, const Number& against
 /// Speed against the frame of the part that turns [rad/s]: omega_s/n, or -omega_s/n of a nut.
 double turning_speed(Mechanism::Type type, double speed);
 
+/// Share of the turns of the screw against the nut that the rollers roll off on the part that they are
+/// geared to: epsilon, or 1 - epsilon of an inverted mechanism.
+template <class Number, class Real>
+Number geared_turns(const KinematicGeometryOf<Real>& g, const Number& slip_ratio) {
+  using simd::select;
+  return select(g.is_standard(), slip_ratio, Number(1.0 - slip_ratio));
+}
+
+/// Travel of the nut on the screw per turn of the screw against the nut, against z where > 0 [m]:
+/// l_S + epsilon (l_N - l_S), as helicoids that stay in contact keep z - l theta/(2 pi) in step. For equal
+/// leads (2.5).
+template <class Number, class Real>
+Number travel_per_turn(const KinematicGeometryOf<Real>& g, const Number& slip_ratio) {
+  return g.lead + slip_ratio * g.lead_excess;
+}
+
 /// Stationary motion of the parts for one slip ratio and the speed of the screw against the nut
-/// omega_s/n [rad/s] (Sandu 2018, (2.2), (2.4), (2.5)).
+/// omega_s/n [rad/s] (Sandu 2018, (2.2), (2.4), (2.5)). For unequal leads surfaces stay in contact as
+/// the rollers migrate (2.12).
 template <class Number, class Real>
 KinematicsOf<Number> kinematics(const KinematicGeometryOf<Real>& g, const std::type_identity_t<Real>& speed,
                                 const Number& slip_ratio) {
   using simd::select;
-  const Real advance = -g.lead / (2.0 * std::numbers::pi) * speed;  // of the nut on the screw
+  const Number advance = -travel_per_turn(g, slip_ratio) / (2.0 * std::numbers::pi) * speed;  // of the nut
   const auto standard = g.is_standard();
-  const Number rest = 1.0 - slip_ratio;
+  const Number turns = geared_turns(g, slip_ratio), none(Real(0.0));
   return {slip_ratio,
-          rest * speed,
-          -(select(standard, slip_ratio, rest) / g.gear_ratio * speed),
+          (1.0 - slip_ratio) * speed,
+          -(turns / g.gear_ratio * speed),
           -(slip_ratio * speed),
-          select(standard, Real(-advance), Real(0.0)),
-          select(standard, Real(0.0), advance)};
+          select(standard, Number(-advance), none),
+          select(standard, none, advance),
+          select(standard, Real(-g.migration_lead), g.migration_lead) / (2.0 * std::numbers::pi) * turns * speed};
 }
 
 /// How body and roller move against each other where they touch.
@@ -83,10 +106,10 @@ ContactMotionOf<Number> contact_motion(const KinematicGeometryOf<Real>& g, const
   const bool at_screw = i == Interface::screw;
   const Number& body = at_screw ? k.screw_to_carrier : k.nut_to_carrier;
   const Number& roller = k.roller_to_carrier;
-  const Number advance(at_screw ? k.screw_advance : k.nut_advance);
+  const Number& advance = at_screw ? k.screw_advance : k.nut_advance;
   const Real &x = g.points[i].x, &y = g.points[i].y, from_roller = x - g.centre_distance;
-  return {{-((body - roller) * y), body * x - roller * from_roller, advance},
-          {-((body + roller) * y), body * x + roller * from_roller, advance},
+  return {{-((body - roller) * y), body * x - roller * from_roller, advance - k.roller_advance},
+          {-((body + roller) * y), body * x + roller * from_roller, advance + k.roller_advance},
           body - roller};
 }
 

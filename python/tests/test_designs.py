@@ -245,7 +245,7 @@ def test_impossible_designs_are_rows_with_their_reason() -> None:
     assert list(designs.status) == ["converged", "refused", "converged"]
     assert list(designs.converged) == [True, False, True]
     assert list(designs.reason[[0, 2]]) == ["", ""]
-    assert "expected at most 12: more rollers of 7 mm overlap" in designs.reason[1]
+    assert "expected at most 11: more rollers of 7.7" in designs.reason[1]
     assert np.isnan(designs.values[1]).all() and np.isfinite(designs.values[[0, 2]]).all()
     assert list(designs.to_frame()["status"]) == list(designs.status)
 

@@ -134,6 +134,24 @@ TEST(ShortBearing, TheSenseOfRotationDoesNotMatter) {
   EXPECT_GT(a.torque, 0.0);
 }
 
+/// Shear in a tight clearance and pressure in a wide one: the least friction for L = D lies at the root of
+/// 4 s/(4 + s^2) = 1/s + 16 s/(16 s^2 + pi^2), eps = s/sqrt(1 + s^2) = 0.880.
+TEST(ShortBearing, FrictionIsLeastAtOneEccentricityWhateverTheLoad) {
+  for (const double load : {50.0, 500.0}) {
+    JournalBearing b{6e-3, 6e-3, 1e-6};
+    JournalBearingState least{0.0, kInfinity};
+    std::vector<double> torques;
+    for (; b.radial_clearance < 1e-3; b.radial_clearance *= 1.01) {
+      const JournalBearingState state = short_bearing(b, kViscosity, kSpeed, load);
+      torques.push_back(state.torque);
+      if (state.torque < least.torque) least = state;
+    }
+    EXPECT_NEAR(least.eccentricity_ratio, 0.880, 2e-3);
+    EXPECT_LT(least.torque, 0.9 * torques.front());
+    EXPECT_LT(least.torque, 0.9 * torques.back());
+  }
+}
+
 TEST(ShortBearing, AtRestNothingResists) {
   EXPECT_EQ(short_bearing(kHead, kViscosity, 0.0, 0.0).torque, 0.0);
   EXPECT_EQ(short_bearing(kHead, kViscosity, 0.0, 0.0).eccentricity_ratio, 0.0);

@@ -66,5 +66,26 @@ TEST(Subsurface, NoOtherDepthHasALargerShear) {
   }
 }
 
+TEST(Subsurface, VonMisesIsThatOfTheHandbook) {
+  // Johnson 1985, sections 3.4 and 4.2: yield at p_0 = 1.61 Y below a circle, 1.79 Y below a line by von Mises.
+  const SubsurfaceVonMises circle = largest_subsurface_von_mises(1.0, 0.3),
+                           line = largest_subsurface_von_mises(1e-6, 0.3);
+  EXPECT_NEAR(circle.stress_over_pressure, 1 / 1.61, 3e-3);
+  EXPECT_NEAR(circle.depth_over_semi_minor, 0.48, 6e-3);
+  EXPECT_NEAR(line.stress_over_pressure, 1 / 1.79, 2e-3);
+  EXPECT_NEAR(line.depth_over_semi_minor, 0.70, 6e-3);
+  // Two equal stresses on a circle's axis: the difference from the third, twice the shear.
+  EXPECT_NEAR(circle.stress_over_pressure, 2 * largest_subsurface_shear(1.0, 0.3).shear_over_pressure, 1e-12);
+}
+
+TEST(Subsurface, NoOtherDepthHasALargerVonMisesStress) {
+  for (const double nu : {0.0, 0.2, 0.3, 0.5})
+    for (const double k : {1e-4, 0.1, 0.5, 0.9, 1.0}) {
+      const SubsurfaceVonMises best = largest_subsurface_von_mises(k, nu);
+      for (double z = 0.0; z < 3.0; z += 0.003)
+        EXPECT_LE(stress_on_axis(1 / k, 1.0, z, nu).von_mises(), best.stress_over_pressure + 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace contact

@@ -48,6 +48,7 @@ struct Interface {
   Real curvature_ratio = 1;       ///< lambda, smaller over larger relative curvature.
   Real relative_modulus = 0;      ///< E' = 2 E* [Pa].
   Real roughness = 0;             ///< Composite Rq [m]; 0: not given.
+  std::optional<Real> coulomb{};  ///< Friction coefficient; without it Jacod's law.
   std::vector<Thread> threads{};  ///< Threads of one roller.
 };
 
@@ -67,7 +68,6 @@ struct Case {
   Real speed = 0;                     ///< omega_s/n, signed [rad/s].
   Interface screw{};                  ///< I.
   Interface nut{};                    ///< J.
-  std::optional<Real> coulomb{};      ///< Friction coefficient; without it Jacod's law.
   Lubricant lubricant{};              ///< For Jacod's law.
   std::optional<Real> boundary{};     ///< Friction of touching flanks: mixed.
   Real exponent = 2;                  ///< Exponent of the share of touching flanks.
@@ -251,7 +251,7 @@ inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread
       const Real v2 = dot(v.sliding, t2) + normal_spin * d1;
       const Real speed = std::hypot(v1, v2);
       out.max_sliding_speed = std::max(out.max_sliding_speed, speed);
-      Real mu = c.coulomb ? *c.coulomb : jacod(m, c.lubricant, t.peak_pressure * root, speed, rolling, central.number);
+      Real mu = m.coulomb ? *m.coulomb : jacod(m, c.lubricant, t.peak_pressure * root, speed, rolling, central.number);
       if (c.boundary) mu = mu + (*c.boundary - mu) * out.boundary_share;
       ++out.points;
       coefficients += mu;
@@ -390,8 +390,8 @@ inline std::pair<Real, Real> bracket(const Case& c) {
 /// that brakes leaves the slip ratio open: then the ideal one.
 inline State solve(const Case& c) {
   if (c.slip_ratio) return state(c, *c.slip_ratio);
-  if (c.coulomb && *c.coulomb == 0 && c.carrier_roller_torque == 0 && c.carrier_screw_torque == 0 &&
-      c.carrier_nut_torque == 0)
+  const bool no_friction = c.screw.coulomb == Real(0) && c.nut.coulomb == Real(0);
+  if (no_friction && c.carrier_roller_torque == 0 && c.carrier_screw_torque == 0 && c.carrier_nut_torque == 0)
     return state(c, ideal_slip_ratio(c));
 
   auto [low, high] = bracket(c);

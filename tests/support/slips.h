@@ -40,12 +40,12 @@ inline prs::Case sandu_reference() {
 }
 
 inline prs::Case with_coulomb(prs::Case c, double coefficient) {
-  c.friction = prs::Friction{prs::Friction::Model::coulomb, coefficient};
+  c.friction = prs::Friction{prs::Friction::Model::coulomb, prs::at_both(coefficient)};
   return c;
 }
 
 inline prs::Case with_mixed_friction(prs::Case c, double boundary, double exponent) {
-  c.friction = prs::Friction{prs::Friction::Model::mixed, 0.0, {boundary, exponent}};
+  c.friction = prs::Friction{prs::Friction::Model::mixed, {}, {boundary, exponent}};
   if (!c.roughness) c.roughness = prs::PerPart<double>{0.3e-6, 0.4e-6, 0.2e-6};
   return c;
 }
@@ -142,6 +142,7 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
     side.larger_curvature = g.relative.second;
     side.curvature_ratio = g.relative.first / side.larger_curvature;
     side.relative_modulus = 2 * contact.contact_modulus;
+    if (c.friction->model == prs::Friction::Model::coulomb) side.coulomb = c.friction->coefficient[i];
     if (c.roughness)
       side.roughness = std::hypot(static_cast<plain::Real>((*c.roughness)[prs::body_of(i)]),
                                   static_cast<plain::Real>(c.roughness->roller));
@@ -150,7 +151,6 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
       side.threads.push_back({load, e.semi_major, e.semi_minor, e.peak_pressure});
     }
   }
-  if (c.friction->model == prs::Friction::Model::coulomb) p.coulomb = c.friction->coefficient;
   if (c.lubricant)
     p.lubricant = {*c.lubricant->viscosity, *c.lubricant->pressure_viscosity, *c.lubricant->eyring_stress};
   if (c.lubricant) p.film_along_rolling = c.lubricant->film.direction == contact::FilmDirection::rolling;

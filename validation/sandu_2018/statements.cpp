@@ -51,7 +51,7 @@ Case inverted(Case c) {
   return c;
 }
 Case with_coulomb(Case c, double coefficient) {
-  c.friction = Friction{Friction::Model::coulomb, coefficient};
+  c.friction = Friction{Friction::Model::coulomb, at_both(coefficient)};
   return c;
 }
 Case at(Case c, void (*change)(Case&, double), double value) {
@@ -145,7 +145,7 @@ Finding more_friction_raises_the_slip_ratio(const Case& c) {
   if (coulomb(c)) {
     const Values coefficients{0.03, 0.05, 0.08, 0.111, 0.16};
     const Values ratios =
-        of(sweep(c, coefficients, [](Case& varied, double mu) { varied.friction->coefficient = mu; }), ratio);
+        of(sweep(c, coefficients, [](Case& varied, double mu) { varied.friction->coefficient = at_both(mu); }), ratio);
     return {rises(ratios), "mu = " + listed(coefficients, 1, 3) + ": " + listed(ratios, 1, 5)};
   }
   const Values by_stress = of(sweep(c, kStresses, eyring_stress), ratio);
@@ -349,7 +349,7 @@ Finding dynamic_ellipses_change_little(const Case& c) {
       std::vector<contact::Patch>& patches = model.threads[i].patches;
       patches.clear();
       if (coulomb(c))
-        patches.emplace_back(m.models.grid(), ellipse, contact::coulomb_friction(c.friction->coefficient));
+        patches.emplace_back(m.models.grid(), ellipse, contact::coulomb_friction(c.friction->coefficient[i]));
       else
         patches.emplace_back(m.models.grid(), ellipse,
                              contact::film_friction(*model.oils.threads[i],

@@ -329,16 +329,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Acute angle between two lines [rad].
-double acute(double angle) { return std::abs(std::remainder(angle, std::numbers::pi)); }
-
-/// e and the angles of the major axis (x) from the first directions of roller and body.
 Json ellipse(const InterfaceContact& contact) {
-  const contact::InterfaceGeometry& g = contact.geometry;
   const double k = contact.hertz.ellipticity;
-  return {{"eccentricity", std::sqrt((1.0 - k) * (1.0 + k))},
-          {"major_axis_from_roller_deg", acute(g.relative.angle - g.roller.angle) * per_si::degree},
-          {"major_axis_from_body_deg", acute(g.relative.angle - g.body.angle) * per_si::degree}};
+  return {{"eccentricity", std::sqrt((1.0 - k) * (1.0 + k))}};
 }
 
 /// Yao counts the roller's deflection at the screw from the line to the screw: pi - theta (25).

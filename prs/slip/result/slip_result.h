@@ -78,11 +78,12 @@ enum class SlipStatus {
   no_equilibrium,  ///< The roller's moment has one sign over the whole range of slip ratios.
   jammed,          ///< Friction would have to push a contact open: no normal load balances it.
   iteration_limit,
+  held,  ///< The speed is 0: between the bounds of `holding` nothing moves.
 };
 
 constexpr std::string_view name(SlipStatus status) {
-  constexpr std::string_view kNames[] = {"not_computed",   "converged", "imposed",
-                                         "no_equilibrium", "jammed",    "iteration_limit"};
+  constexpr std::string_view kNames[] = {"not_computed", "converged",       "imposed", "no_equilibrium",
+                                         "jammed",       "iteration_limit", "held"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
@@ -100,6 +101,19 @@ struct EqualShareSlip {
   double max_power_density = 0.0;     ///< [W/m^2]
 };
 
+/// A screw that static friction helps to hold at rest under its load: what the drive may do before it moves.
+struct Holding {
+  struct Bound {
+    double holding_torque = 0.0;  ///< On the screw, > 0 against the load [N m].
+    double torque_screw = 0.0;    ///< Signed as C_S [N m].
+    double torque_nut = 0.0;      ///< C_N [N m]
+    double slip_ratio = 0.0;      ///< With which motion begins.
+    RollerForces forces;          ///< Of the carrier among them.
+  };
+  Bound against_load;  ///< Beyond it the drive moves the load.
+  Bound with_load;     ///< Below it the load moves the screw; < 0 of a self-locking screw.
+};
+
 struct SecondNut;
 
 /// Stationary slip of one load case: the roller's equilibrium and the friction losses. Torques have
@@ -115,6 +129,12 @@ struct SlipResult {
   double ideal_slip_ratio = 0.0;  ///< epsilon* (2.16), (2.17)
   SlipEstimates estimates;
   double optimality = 0.0;  ///< (2.19), 1 at the ideal slip ratio.
+  // Per turn of the screw against the nut [m]:
+  double travel_per_turn = 0.0;     ///< Of the nut on the screw, the lead where screw and nut have the same.
+  double migration_per_turn = 0.0;  ///< Of the rollers along the geared part, > 0 ahead of its travel.
+  /// Circumferential sliding of the pitch cylinders of rollers and geared part, whose diameters are not in
+  /// the ratio of the teeth.
+  double pitch_sliding_per_turn = 0.0;
 
   PerInterface<InterfaceSlip> threads;
   PowerBySource power;
@@ -123,6 +143,7 @@ struct SlipResult {
   std::optional<double> efficiency;  ///< Output over input, (3.52); absent where self-locking.
   // Only where the load drives:
   std::optional<bool> self_locking;      ///< No power comes out: the shaft has to drive as well.
+  std::optional<Holding> holding;        ///< Only of a screw that is held at rest.
   std::optional<double> holding_torque;  ///< C_S in the sense of the motion [N m]: < 0 brakes.
   /// (3.55), Sandu's fit near his reference example; absent with Coulomb.
   std::optional<double> efficiency_fit;
@@ -142,6 +163,8 @@ struct SlipResult {
   std::shared_ptr<const SecondNut> second_nut;
 
   bool converged() const { return status == SlipStatus::converged || status == SlipStatus::imposed; }
+  bool is_held() const { return status == SlipStatus::held; }
+  bool has_answer() const { return converged() || is_held(); }
 };
 
 /// It has none after it.

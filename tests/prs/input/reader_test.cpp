@@ -134,8 +134,10 @@ TEST(ReadCase, FrictionMayBeWrittenInThreeWays) {
   for (const char* text : {"{coulomb: 0.11}", "{model: {coulomb: 0.11}}"}) {
     const Case c = read(kAbevi, {std::string("friction=") + text});
     EXPECT_EQ(c.friction->model, Friction::Model::coulomb) << text;
-    EXPECT_EQ(c.friction->coefficient, 0.11) << text;
+    EXPECT_EQ(c.friction->coefficient, at_both(0.11)) << text;
   }
+  const std::vector<std::string> each = {"friction={coulomb: {screw: 0.12, nut: 0.08}}"};
+  EXPECT_EQ(read(kAbevi, each).friction->coefficient, (PerInterface<double>{0.12, 0.08}));
   EXPECT_EQ(read(kAbevi, {"friction={model: jacod}"}).friction->model, Friction::Model::jacod);
   EXPECT_DOUBLE_EQ(read(kAbevi, {"wear={coefficient: 2e-8 mm^3/(N m)}"}).wear->coefficient, 2e-17);
   for (const char* text :

@@ -8,9 +8,12 @@
 #include <utility>
 
 #include "prs/input/reader.h"
+#include "prs/loads/load_record.h"
 #include "prs/model/problems.h"
+#include "prs/record/record_table.h"
 #include "prs/run/commands.h"
 #include "support/plain_contact.h"
+#include "support/slips.h"
 #include "support/sum.h"
 
 namespace prs {
@@ -138,6 +141,58 @@ TEST(Analyze, DesignThatDoesNotFitTheNutIsAnErrorOfTheCase) {
   c.mechanism.pitch_diameter = {40e-3, {}, {}};
   c.mechanism.centre_distance.reset();
   EXPECT_THROW(analyze(c), CaseError);
+}
+
+/// Sandu 2018, (1.47): with crests where the flanks meet 11 rollers, with crests of 5.15 mm, below 20 mm sin(15
+/// deg), 12.
+TEST(Analyze, RollersThatOverlapAtTheirCrestsAreAnErrorOfTheCase) {
+  Case c = test::sandu_reference();
+  c.mechanism.rollers = 11;
+  EXPECT_NO_THROW(checked_contacts(c));
+  c.mechanism.rollers = 12;
+  try {
+    checked_contacts(c);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.path(), "mechanism.rollers");
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("got 12; expected at most 11"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("mechanism.thread.roller"));
+  }
+  EXPECT_THROW(checked_mechanism(c), CaseError);  // As studies take it.
+  c.mechanism.thread.roller = ThreadHeight{0.15e-3, 0.4e-3};
+  EXPECT_NO_THROW(checked_contacts(c));
+  EXPECT_NO_THROW(checked_mechanism(c));
+}
+
+/// Contact points, surface origins (1.41) to (1.44) and ellipses: z of a point on both surfaces, and t_1 in the
+/// tangent plane, between the first directions at the screw (1.62).
+TEST(Analyze, PlacesAndDirectionsOfContactsFitTogether) {
+  for (const Case& c : {test::sandu_reference(), test::inverted(test::sandu_reference())}) {
+    const Contacts contacts = find_contacts(c.mechanism, c.materials);
+    for (const Interface i : kInterfaces) {
+      const auto json = object_of(ContactAt{&contacts, i});
+      const contact::InterfaceGeometry& g = contacts.interfaces[i].geometry;
+      const contact::ThreadSurface body = pair_of(contacts.threads, i).body;
+      // Screw bottom and nut top, which is the bottom of the air in the nut.
+      const double on_body = body.profile(g.point.radius_on_body).height + body.reduced_lead * g.point.angle_on_body;
+      const std::vector<double> position = json.at("position_mm");
+      EXPECT_NEAR(position[2], on_body * 1e3 + json.at("origin_height_mm").at("tension").get<double>(), 1e-9);
+      EXPECT_NEAR(std::hypot(position[0], position[1]), json.at("radius_on_body_mm"), 1e-12);
+      const double play =
+          i == Interface::screw ? json.at("backlash_mm").get<double>() : -json.at("backlash_mm").get<double>();
+      EXPECT_NEAR(json.at("origin_height_mm").at("compression").get<double>() -
+                      json.at("origin_height_mm").at("tension").get<double>(),
+                  play, 1e-12);
+      const std::vector<double> axis = json.at("major_axis"), normal = json.at("normal");
+      EXPECT_NEAR(axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2], 0.0, 1e-14);
+      EXPECT_NEAR(std::hypot(axis[0], axis[1], axis[2]), 1.0, 1e-14);
+      if (i == Interface::screw) {
+        EXPECT_NEAR(
+            json.at("major_axis_from_body_deg").get<double>() + json.at("major_axis_from_roller_deg").get<double>(),
+            json.at("first_directions_angle_deg"), 1e-9);
+      }
+    }
+  }
 }
 
 TEST(Analyze, ThreadsWithoutPointContactNeedBothOverrides) {

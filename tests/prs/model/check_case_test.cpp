@@ -257,7 +257,7 @@ TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
 
 TEST(CheckRequirements, ScrewOrLoadMayDriveButNothingSlipsAtRest) {
   Case c = abevi_case();
-  c.friction = Friction{Friction::Model::coulomb, 0.1};
+  c.friction = Friction{Friction::Model::coulomb, at_both(0.1)};
   for (const double lead : {0.005, -0.005})
     for (const double speed : {40.0, -40.0}) {
       c.mechanism.lead = lead;
@@ -277,7 +277,7 @@ TEST(CheckRequirements, ScrewOrLoadMayDriveButNothingSlipsAtRest) {
 TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
   Case c = abevi_case();
   c.load_cases.pop_back();
-  c.friction = Friction{Friction::Model::coulomb, 0.1};
+  c.friction = Friction{Friction::Model::coulomb, at_both(0.1)};
   c.operation = Operation{40.0, {}};
   c.carrier.bearing = HeadBearing{{0.004, 0.005, 15e-6}};
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant");

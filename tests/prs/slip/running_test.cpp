@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(Running, SolvedCase,
 
 Case with(const Case& given, double friction, double speed_factor = 1.0) {
   Case c = given;
-  c.friction->coefficient = friction;
+  c.friction->coefficient = at_both(friction);
   c.operation->speed *= speed_factor;
   return c;
 }

@@ -35,8 +35,9 @@ Case random_design(std::mt19937_64& random, int patch_points) {
   if (uniform(0.0, 1.0) < 0.3) c.lubricant->film.direction = contact::FilmDirection::rolling;
   if (uniform(0.0, 1.0) < 0.2) c.wear = Wear{1e-17};
   if (uniform(0.0, 1.0) < 0.1) c.operation->slip_ratio = uniform(0.3, 0.5);
-  if (uniform(0.0, 1.0) < 0.05) c.friction->coefficient *= 100.0;  // jams where it is Coulomb's
-  if (uniform(0.0, 1.0) < 0.05) c.carrier.nut_torque = 1e5;        // no equilibrium
+  if (uniform(0.0, 1.0) < 0.05)
+    c.friction->coefficient = at_both(100.0 * c.friction->coefficient.screw);  // jams where it is Coulomb's
+  if (uniform(0.0, 1.0) < 0.05) c.carrier.nut_torque = 1e5;                    // no equilibrium
   return c;
 }
 
