@@ -21,8 +21,6 @@ std::optional<CurveDeviations> curve_deviations(std::span<const double> computed
     d.largest = difference;
     d.largest_at = k;
   }
-  constexpr double kRounding = 1e-12;  // What shares that sum to one leave.
-  if (std::abs(d.mean) < kRounding * d.mean_magnitude) d.mean = 0.0;
   d.rms = std::sqrt(squares);
   if (const double grain = kRounding * magnitude; grain > 0.0) d.mean = grain * std::round(d.mean / grain);
   return d;
