@@ -278,7 +278,7 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
 }
 
 /// Without friction the normal loads are axial/cos(psi).
-OverStatic over_static(const InterfaceLoads& running) {
+OverStatic common_over_static(const InterfaceLoads& running) {
   const auto sum = [](const std::vector<double>& loads) { return std::accumulate(loads.begin(), loads.end(), 0.0); };
   const double axial = sum(running.axial_load);
   return {running.running_over_static.value_or(1.0),
@@ -635,7 +635,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
     if (options.detail != Detail::complete) continue;
     warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
     if (loaded.running)
-      if (auto note = guides_press(c, {over_static(loaded.threads->screw), over_static(loaded.threads->nut)}))
+      if (auto note = guides_press(c, {common_over_static(loaded.threads->screw), common_over_static(loaded.threads->nut)}))
         loaded.warnings.push_back(std::move(*note));
     if (loaded.slip->converged()) {
       warn_of_measured_parts(result.contacts, *loaded.slip, loaded.warnings);
