@@ -1,5 +1,7 @@
 #include <fmt/ranges.h>
 
+#include <sstream>
+
 #include "prs/measures/stiffness.h"
 #include "prs/slip/slip.h"
 #include "validation/jung_2017/tables.h"
@@ -9,210 +11,187 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// A screw of the thesis' sweeps.
+/// A screw of the thesis' sweeps; by default of tables 3.6 to 3.9. Diameters in mm.
 struct Design {
-  Diameters d;
-  Threads t = {};
+  double nut_outer = 75.0, screw = 37.5, roller = 12.5;
+  Threads threads = {};
+
+  Diameters diameters() const {
+    return {nut_outer / per_si::millimetre, screw / per_si::millimetre, roller / per_si::millimetre};
+  }
 };
 
-Diameters diameters_in_mm(double nut_outer, double screw, double roller) {
-  return {nut_outer / per_si::millimetre, screw / per_si::millimetre, roller / per_si::millimetre};
-}
-
-/// Tables 3.6 to 3.9.
-const Design kBase{diameters_in_mm(75.0, 37.5, 12.5)};
-
-/// One dimension of tables 3.2 to 3.9, 4.2 to 4.9 with those that follow it.
+/// One dimension of tables 3.2 to 3.9 and 4.2 to 4.9, or the rows of table 7.1 or 7.2, with what follows it.
 struct Sweep {
   std::string unit;
   Numbers values;
   Design (*design)(double value);
 };
-const Sweep kNutOuter{
-    "mm", {54, 57, 60, 63, 66, 69, 72, 75}, [](double mm) { return Design{diameters_in_mm(mm, 30, 10)}; }};
-const Sweep kNutInner{
-    "mm", {50, 55, 60, 65, 70}, [](double mm) { return Design{diameters_in_mm(75, 0.6 * mm, 0.2 * mm)}; }};
-const Sweep kScrew{
-    "mm", {25, 28, 31, 34, 37, 40, 43}, [](double mm) { return Design{diameters_in_mm(75, mm, mm / 3)}; }};
-/// d_n = 62.5 mm as in table 3.6.
-const Sweep kScrewInSameNut{
-    "mm", {30, 33, 36, 39, 42, 45}, [](double mm) { return Design{diameters_in_mm(75, mm, 31.25 - mm / 2)}; }};
-/// d_n = 70 mm; d_s = 15 to 42 mm in table 3.5 would not fit.
-const Sweep kRoller{"mm", {5, 8, 10, 12, 14}, [](double mm) { return Design{diameters_in_mm(75, 70 - 2 * mm, mm)}; }};
 
-Design with(double Threads::*member, double value) {
-  Design design = kBase;
-  design.t.*member = value;
-  return design;
-}
-const Sweep kRollerCounts{"", {5, 7, 9, 11, 13, 15}, [](double n) { return with(&Threads::rollers, n); }};
-const Sweep kPitches{"mm", {2, 4, 6, 8, 10, 15}, [](double mm) { return with(&Threads::pitch, mm * 1e-3); }};
-const Sweep kStarts{"", {1, 3, 5, 10, 15}, [](double n) { return with(&Threads::starts, n); }};
-const Sweep kLengths{"mm", {50, 100, 150, 200}, [](double mm) { return with(&Threads::length, mm * 1e-3); }};
-const Sweep kHelixAngles{"deg", {1, 10, 20, 30, 45}, [](double degrees) {
-                           Design design = kBase;
-                           design.t.helix_angle = degrees / per_si::degree;
-                           return design;
-                         }};
+const std::map<std::string, Sweep> kSweeps{
+    {"nut_outer",
+     {" mm",
+      {54, 57, 60, 63, 66, 69, 72, 75},
+      [](double mm) {
+        return Design{mm, 30, 10};
+      }}},
+    {"nut_inner",
+     {" mm",
+      {50, 55, 60, 65, 70},
+      [](double mm) {
+        return Design{75, 0.6 * mm, 0.2 * mm};
+      }}},
+    {"screw",
+     {" mm",
+      {25, 28, 31, 34, 37, 40, 43},
+      [](double mm) {
+        return Design{75, mm, mm / 3};
+      }}},
+    {"screw_in_same_nut",
+     {" mm",
+      {30, 35, 40, 45},
+      [](double mm) {
+        return Design{75, mm, 31.25 - mm / 2};
+      }}},
+    // d_n = 70 mm; d_s = 15 to 42 mm in table 3.5 would not fit.
+    {"roller",
+     {" mm",
+      {5, 8, 10, 12, 14},
+      [](double mm) {
+        return Design{75, 70 - 2 * mm, mm};
+      }}},
+    {"rollers", {"", {5, 7, 9, 11, 13, 15}, [](double n) { return Design{.threads = {.rollers = n}}; }}},
+    {"pitch", {" mm", {2, 4, 6, 8, 10, 15}, [](double mm) { return Design{.threads = {.pitch = mm * 1e-3}}; }}},
+    {"starts", {"", {1, 3, 5, 10, 15}, [](double n) { return Design{.threads = {.starts = n}}; }}},
+    {"length", {" mm", {50, 100, 150, 200}, [](double mm) { return Design{.threads = {.length = mm * 1e-3}}; }}},
+    {"helix_angle",
+     {" deg",
+      {1, 10, 20, 30, 45},
+      [](double degrees) { return Design{.threads = {.helix_angle = degrees / per_si::degree}}; }}},
+    {"case_1",
+     {" mm",
+      {54, 60, 66, 72, 78},
+      [](double mm) {
+        return Design{mm, mm / 2, mm / 3 - 9};
+      }}},
+    {"case_2",
+     {" mm",
+      {54, 60, 66, 72, 78},
+      [](double mm) {
+        return Design{mm, mm / 2, mm / 6};
+      }}},
+};
 
 /// The right formulas, or those with the slips that give tables 7.1 and 7.2.
 struct Formulas {
   Measures (*measures)(const Diameters&, const Threads&) = corrected;
   bool lead_for_pitch = false;  ///< Whether bodies stretch over a lead between two threads, as in (4.1).
-};
 
-double stiffness(const Formulas& f, const Design& x) { return f.measures(x.d, x.t).stiffness; }
-double capacity_of(const Formulas& f, const Design& x) { return f.measures(x.d, x.t).load_capacity; }
-double force_density(const Formulas& f, const Design& x) { return f.measures(x.d, x.t).force_density(); }
+  Measures of(const Design& x) const { return measures(x.diameters(), x.threads); }
+};
 
 /// Load of the first of 20 threads over their mean, by (4.1) in its right form, thrust on the same side; the same load
 /// on the screw whatever its rollers.
 double first_thread(const Formulas& f, const Design& x) {
-  constexpr int kThreads = 20;
-  constexpr double kModulus = 2.1e11;
-  const double roller_force = kThreads * kBase.t.load * kBase.t.rollers / x.t.rollers;
-  const double coefficient = right_compliance(x.d, x.t).hertz * std::cbrt(x.t.load);
-  const auto area = [](double outer, double inner) { return std::numbers::pi / 4.0 * (outer * outer - inner * inner); };
-  const double stretch = (f.lead_for_pitch ? x.t.lead() : x.t.pitch) * x.t.rollers / kModulus;
-  const std::vector<ThreadGap> gaps(
-      kThreads - 1, {stretch / area(x.d.screw, 0.0), 0.0, stretch / area(x.d.nut_outer, x.d.nut_inner())});
-  return kThreads * yang_distribution(roller_force, coefficient, gaps).at(0) / roller_force;
-}
-
-using Quantity = double (*)(const Formulas&, const Design&);
-
-Numbers over(const Sweep& sweep, Quantity quantity, const Formulas& f) {
-  Numbers numbers;
-  for (const double value : sweep.values) numbers.push_back(quantity(f, sweep.design(value)));
-  return numbers;
-}
-
-/// Greatest over least.
-double span(const Numbers& x) { return std::ranges::max(x) / std::ranges::min(x); }
-
-bool grow(const Numbers& x) { return std::ranges::adjacent_find(x, std::greater_equal{}) == x.end(); }
-bool shrink(const Numbers& x) { return std::ranges::adjacent_find(x, std::less_equal{}) == x.end(); }
-
-/// `1, 1.2, 1.5 times from 2 to 15 mm`
-std::string relative_text(const Sweep& sweep, const Numbers& x) {
-  std::vector<std::string> texts;
-  for (const double value : x) texts.push_back(fmt::format("{:.3g}", value / x.front()));
-  return fmt::format("{} times from {:g} to {:g}{}", fmt::join(texts, ", "), sweep.values.front(), sweep.values.back(),
-                     sweep.unit.empty() ? "" : " " + sweep.unit);
-}
-
-using Check = std::function<Finding(const Formulas&)>;
-
-Check changes(const Sweep& sweep, Quantity quantity, bool (*as_said)(const Numbers&)) {
-  return [=](const Formulas& f) {
-    const Numbers x = over(sweep, quantity, f);
-    return Finding{as_said(x), relative_text(sweep, x)};
+  constexpr int kCount = 20;
+  const Threads& t = x.threads;
+  const Diameters d = x.diameters();
+  const double roller_force = kCount * t.load * kRollers / t.rollers;
+  const double coefficient = right_compliance(d, t).hertz * std::cbrt(t.load);
+  const auto stretch = [&](double outer, double inner) {
+    return (f.lead_for_pitch ? t.lead() : t.pitch) * t.rollers /
+           (2.1e11 * std::numbers::pi / 4.0 * (outer * outer - inner * inner));
   };
+  const std::vector<ThreadGap> gaps(kCount - 1, {stretch(d.screw, 0.0), 0.0, stretch(d.nut_outer, d.nut_inner())});
+  return kCount * yang_distribution(roller_force, coefficient, gaps).at(0) / roller_force;
 }
 
-/// Whether a sweep changes the quantity less than each of the others does.
-Check least_of(const Sweep& sweep, Quantity quantity, const std::vector<Sweep>& others) {
-  return [=](const Formulas& f) {
-    const double own = span(over(sweep, quantity, f));
-    Numbers spans;
-    for (const Sweep& other : others) spans.push_back(span(over(other, quantity, f)));
-    return Finding{own < std::ranges::min(spans),
-                   fmt::format("greatest over least {:.3g}; of the others {:.3g}", own, fmt::join(spans, ", "))};
-  };
-}
+const std::map<std::string, double (*)(const Formulas&, const Design&)> kQuantities{
+    {"stiffness", [](const Formulas& f, const Design& x) { return f.of(x).stiffness; }},
+    {"first_thread", first_thread},
+    {"capacity", [](const Formulas& f, const Design& x) { return f.of(x).load_capacity; }},
+    {"force_density", [](const Formulas& f, const Design& x) { return f.of(x).force_density(); }},
+    {"weight_to_case_1",
+     [](const Formulas& f, const Design& x) {
+       return f.of(x).weight / f.of(kSweeps.at("case_1").design(x.nut_outer)).weight;
+     }},
+};
 
-/// Falls first and rises then.
-bool has_a_least_value_within(const Numbers& x) {
+/// Tables 3.11, 4.11, 5.4 and 6.3: what a quantity depends on most; without N_s, which the right formulas know as a
+/// helix angle alone.
+const std::map<std::string, std::vector<std::string>> kPrimary{
+    {"stiffness", {"nut_outer", "nut_inner", "screw", "roller", "pitch"}},
+    {"first_thread", {"nut_outer", "nut_inner", "screw", "roller", "pitch"}},
+    {"capacity", {"nut_inner", "screw", "roller", "pitch", "rollers", "length"}},
+    {"force_density", {"nut_inner", "screw", "roller", "pitch", "rollers"}}};
+
+bool grows(const Numbers& x) { return std::ranges::adjacent_find(x, std::greater_equal{}) == x.end(); }
+bool falls(const Numbers& x) { return grows({x.rbegin(), x.rend()}); }
+
+/// Falls, then grows.
+bool dips(const Numbers& x) {
   const auto least = std::ranges::min_element(x);
-  return least != x.begin() && least != x.end() - 1 && shrink({x.begin(), least + 1}) && grow({least, x.end()});
+  return least != x.begin() && least != x.end() - 1 && falls({x.begin(), least + 1}) && grows({least, x.end()});
 }
 
-bool has_a_greatest_value_within(const Numbers& x) {
-  const auto greatest = std::ranges::max_element(x);
-  return greatest != x.begin() && greatest != x.end() - 1 && grow({x.begin(), greatest + 1}) &&
-         shrink({greatest, x.end()});
-}
+const std::map<std::string, bool (*)(const Numbers&)> kShapes{
+    {"grows", grows},
+    {"falls", falls},
+    {"dips", dips},
+    {"peaks",
+     [](const Numbers& x) {
+       Numbers negative;
+       for (const double value : x) negative.push_back(-value);
+       return dips(negative);
+     }},
+    {"ends_highest", [](const Numbers& x) { return std::ranges::max_element(x) == x.end() - 1; }},
+    // Within 2 % of the range; steps must be equal.
+    {"grows_straight",
+     [](const Numbers& x) {
+       for (std::size_t k = 0; k < x.size(); ++k) {
+         const double part = static_cast<double>(k) / static_cast<double>(x.size() - 1);
+         if (std::abs((x[k] - x.front()) / (x.back() - x.front()) - part) > 0.02) return false;
+       }
+       return grows(x);
+     }},
+    // The first five pitches have equal steps.
+    {"levels_off",
+     [](const Numbers& x) {
+       Numbers steps;
+       for (std::size_t k = 1; k < 5; ++k) steps.push_back(x[k] - x[k - 1]);
+       return grows(x) && falls(steps);
+     }},
+};
 
-bool ends_highest(const Numbers& x) { return std::ranges::max_element(x) == x.end() - 1; }
+/// A check of the form `stiffness grows over pitch`, or `stiffness least over rollers`: less than over any primary
+/// parameter, by the greatest over the least value.
+struct FormulaCheck {
+  std::string quantity, shape, over, sweep;
 
-/// Within 2 % of the range from the line between the ends; values must be equidistant.
-bool is_straight(const Numbers& x) {
-  const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
-  for (std::size_t k = 0; k < x.size(); ++k)
-    if (std::abs(x[k] - x.front() - static_cast<double>(k) * step) > 0.02 * std::abs(x.back() - x.front()))
-      return false;
-  return true;
-}
-
-/// Rises, with less of the same step; the first five pitches are equidistant.
-bool rises_less_and_less(const Numbers& x) {
-  for (std::size_t k = 2; k < 5; ++k)
-    if (x[k] - x[k - 1] >= x[k - 1] - x[k - 2]) return false;
-  return grow(x);
-}
-
-/// Stiffness over the rows of table 7.1 or 7.2.
-Check softens(std::array<Diameters, 10> (*rows)()) {
-  return [=](const Formulas& f) {
+  Numbers numbers(const std::string& name, const Formulas& f) const {
     Numbers x;
-    for (const Diameters& d : rows()) x.push_back(f.measures(d, {}).stiffness);
-    return Finding{shrink(x), fmt::format("{:+.0f} % from D_n = 54 to 81 mm", 100.0 * (x.back() / x.front() - 1.0))};
-  };
-}
-
-Finding heavier_and_weaker_in_case_2(const Formulas& f) {
-  Numbers weight, capacity;
-  for (std::size_t k = 1; k < 10; ++k) {
-    const Measures one = f.measures(case_1()[k], {}), two = f.measures(case_2()[k], {});
-    weight.push_back(two.weight / one.weight);
-    capacity.push_back(two.load_capacity / one.load_capacity);
+    for (const double value : kSweeps.at(name).values)
+      x.push_back(kQuantities.at(quantity)(f, kSweeps.at(name).design(value)));
+    return x;
   }
-  return {std::ranges::min(weight) > 1.0 && std::ranges::max(capacity) < 1.0,
-          fmt::format("weight {:.3f} to {:.3f}, capacity {:.3f} to {:.3f} of case 1", weight.front(), weight.back(),
-                      capacity.front(), capacity.back())};
-}
-
-// Tables 3.11 and 4.11 but for N_s, which the right formulas know as a helix angle alone; tables 5.4 and 6.3.
-const std::vector<Sweep> kPrimary{kNutOuter, kNutInner, kScrew, kRoller, kPitches};
-const std::vector<Sweep> kPrimaryOfCapacity{kNutInner, kScrew, kRoller, kPitches, kRollerCounts, kLengths};
-const std::vector<Sweep> kPrimaryOfForceDensity{kNutInner, kScrew, kRoller, kPitches, kRollerCounts};
-
-const Checks<Formulas> kFormulaChecks{
-    {"stiffness_over_nut_outer", changes(kNutOuter, stiffness, grow)},
-    {"stiffness_over_nut_inner", changes(kNutInner, stiffness, shrink)},
-    {"stiffness_over_screw", changes(kScrew, stiffness, shrink)},
-    {"stiffness_over_roller", changes(kRoller, stiffness, grow)},
-    {"stiffness_over_rollers", least_of(kRollerCounts, stiffness, kPrimary)},
-    {"stiffness_over_pitch", changes(kPitches, stiffness, grow)},
-    {"stiffness_over_starts", changes(kStarts, stiffness, grow)},
-    {"stiffness_over_helix_angle", least_of(kHelixAngles, stiffness, kPrimary)},
-    {"loads_over_nut_outer", changes(kNutOuter, first_thread, shrink)},
-    {"loads_over_nut_inner", changes(kNutInner, first_thread, ends_highest)},
-    {"loads_over_screw", changes(kScrew, first_thread, has_a_least_value_within)},
-    {"loads_over_roller", changes(kRoller, first_thread, grow)},
-    {"loads_over_rollers", least_of(kRollerCounts, first_thread, kPrimary)},
-    {"loads_over_pitch", changes(kPitches, first_thread, grow)},
-    {"loads_over_starts", changes(kStarts, first_thread, grow)},
-    {"loads_over_helix_angle", least_of(kHelixAngles, first_thread, kPrimary)},
-    {"capacity_over_nut_inner", changes(kNutInner, capacity_of, grow)},
-    {"capacity_over_screw", changes(kScrew, capacity_of, [](const Numbers& x) { return grow(x) && is_straight(x); })},
-    {"capacity_over_screw_in_same_nut", changes(kScrewInSameNut, capacity_of, shrink)},
-    {"capacity_over_roller", changes(kRoller, capacity_of, grow)},
-    {"capacity_over_length", changes(kLengths, capacity_of, grow)},
-    {"capacity_straight_over_length", changes(kLengths, capacity_of, is_straight)},
-    {"capacity_over_rollers", changes(kRollerCounts, capacity_of, grow)},
-    {"capacity_over_pitch", changes(kPitches, capacity_of, rises_less_and_less)},
-    {"capacity_over_helix_angle", least_of(kHelixAngles, capacity_of, kPrimaryOfCapacity)},
-    {"force_density_over_nut_inner", changes(kNutInner, force_density, grow)},
-    {"force_density_over_screw", changes(kScrew, force_density, grow)},
-    {"force_density_over_roller", changes(kRoller, force_density, has_a_greatest_value_within)},
-    {"force_density_over_length", changes(kLengths, force_density, shrink)},
-    {"force_density_over_rollers", changes(kRollerCounts, force_density, grow)},
-    {"force_density_over_pitch", changes(kPitches, force_density, rises_less_and_less)},
-    {"force_density_over_helix_angle", least_of(kHelixAngles, force_density, kPrimaryOfForceDensity)},
-    {"softer_in_case_1", softens(case_1)},
-    {"softer_in_case_2", softens(case_2)},
-    {"heavier_and_weaker_in_case_2", heavier_and_weaker_in_case_2},
+  double span(const std::string& name, const Formulas& f) const {
+    const Numbers x = numbers(name, f);
+    return std::ranges::max(x) / std::ranges::min(x);
+  }
+  Finding operator()(const Formulas& f) const {
+    if (shape == "least") {
+      Numbers spans;
+      for (const std::string& primary : kPrimary.at(quantity)) spans.push_back(span(primary, f));
+      return {span(sweep, f) < std::ranges::min(spans),
+              fmt::format("greatest over least {:.3g}; of the others {:.3g}", span(sweep, f), fmt::join(spans, ", "))};
+    }
+    const Numbers x = numbers(sweep, f);
+    std::vector<std::string> texts;
+    for (const double value : x) texts.push_back(fmt::format("{:.3g}", value / x.front()));
+    const Sweep& s = kSweeps.at(sweep);
+    return {kShapes.at(shape)(x), fmt::format("{} times from {:g} to {:g}{}", fmt::join(texts, ", "), s.values.front(),
+                                              s.values.back(), s.unit)};
+  }
 };
 
 // Rules of Ma et al. -------------------------------------------------------------------------------
@@ -306,11 +285,15 @@ const Checks<Case> kRules{
 }  // namespace
 
 std::vector<ComparedStatement> compare_statements(const Case& screw, const Reference& thesis) {
-  std::vector<ComparedStatement> all = compare(
-      thesis.statements, kFormulaChecks,
-      std::vector<Variant<Formulas>>{{"right formulas", {}}, {"the slips of tables 7.1 and 7.2", {as_printed, true}}});
-  std::ranges::move(compare(thesis.statements, kRules, std::vector<Variant<Case>>{{"table 3.1", screw}}),
-                    std::back_inserter(all));
+  const std::vector<Variant<Formulas>> variants{{"right formulas", {}},
+                                                {"the slips of tables 7.1 and 7.2", {as_printed, true}}};
+  std::vector<ComparedStatement> all =
+      compare(thesis.statements, kRules, std::vector<Variant<Case>>{{"table 3.1", screw}});
+  for (const PrintedStatement& s : thesis.statements) {
+    FormulaCheck check;
+    if (std::istringstream(s.check) >> check.quantity >> check.shape >> check.over >> check.sweep)
+      all.push_back({s.section, s.text, compare<Formulas>(check, s.why, variants), s.expected});
+  }
   return all;
 }
 
