@@ -254,15 +254,16 @@ TEST(ReferencesOfLesson38, AreThoseOfTheFiniteElements) {
 TEST(ReferencesOfTheProgram, AreACriterionOfTheVerdict) {
   const auto criterion = [](const std::string& tolerance) {
     const test::Outcome checked = test::run_prs("check configs/38_reference.yaml --json " + tolerance);
-    for (const Json& c : Json::parse(checked.out)["verdict"]["criteria"])
+    const Json document = Json::parse(checked.out);
+    for (const Json& c : document["verdict"]["criteria"])
       if (c["name"] == "reference") return c;
     return Json();
   };
   const Json met = criterion(""), missed = criterion("--set 'references[0].tolerance=5 % of each value'");
   EXPECT_NEAR(met["value"], 19.6 / 20.0, 0.003);
-  EXPECT_EQ(met["standing"], "green");
+  EXPECT_EQ(met["state"], "green");
   EXPECT_NEAR(missed["value"], 19.6 / 5.0, 0.01);
-  EXPECT_EQ(missed["standing"], "red");
+  EXPECT_EQ(missed["state"], "red");
 }
 
 TEST(ReferencesOfTheProgram, StandOnThePage) {
