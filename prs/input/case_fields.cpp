@@ -1228,7 +1228,8 @@ void fields(const Fields& io, ReferenceItem& r) {
   io("response", r.response, Text{"screw.load_rate_percent"},
      "Of the load case, by `prs solve` or `prs slip`: an array over threads, else a number");
   io("measured", r.measured, Block{}, "The reference's numbers");
-  io("along", r.along, Block{}, "What the rows stand over; by default `thread` or `force_kN`, where there is such a column");
+  io("along", r.along, Block{},
+     "What the rows stand over; by default `thread` or `force_kN`, where there is such a column");
   io("deviation", r.deviation, Verbatim{"1 % of each value"},
      "Of the reference itself: as `tolerance`, or `{column: .., unit: ..}`");
   io("tolerance", r.tolerance, Verbatim{"10 % of the mean"},
