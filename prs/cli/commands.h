@@ -29,7 +29,7 @@ struct ExportOptions {
 /// Arguments of all commands.
 struct Options : OutputOptions {
   std::string file;
-  std::vector<std::string> references;          ///< Of `compare`: CSV files.
+  std::vector<std::string> references;          ///< CSV files that `prs compare` is given.
   std::string other;                            ///< `prs compare`: a second case; empty: none.
   std::vector<std::string> overrides;           ///< `path=value` each.
   std::size_t threads = 0;                      ///< Threads of a study; 0: one per processor.

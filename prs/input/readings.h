@@ -29,7 +29,7 @@ class Readings {
   Readings(const std::string& file, std::string at, const Source& source);
 
   const std::string& name() const { return name_; }                 ///< Name of the file in messages.
-  const std::vector<std::string>& names() const { return names_; }  ///< Of the columns.
+  const std::vector<std::string>& names() const { return names_; }  ///< Names of the columns.
   /// Index of a column that the input names under `key`.
   std::size_t column(const std::string& name, const std::string& key) const;
   /// Reads the next row; false where there is none.

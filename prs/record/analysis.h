@@ -50,7 +50,7 @@ struct Analysis {
   Pictures (*pictures)(const R&, const Case&) = nullptr;
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
-  bool (*within_tolerance)(const R&) = nullptr;    ///< Of what the result is held against.
+  bool (*within_tolerance)(const R&) = nullptr;    ///< Whether the result meets what it is held against.
   std::string (*wrong_input)(const R&) = nullptr;  ///< Error of the input that the result only reports; empty: none.
   std::vector<Headline> (*headlines)(const R&) = nullptr;
   OwnWarnings<R> warnings = [](auto& result) -> decltype(auto) { return (result.warnings); };

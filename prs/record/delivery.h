@@ -98,7 +98,7 @@ struct Delivery {
   bool keeps_figures = false;                    ///< As data in a file too, for reports that are made later.
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
-  bool within_tolerance = true;                  ///< Of what the result is held against.
+  bool within_tolerance = true;                  ///< Whether the result meets what it is held against.
   std::string wrong_input = {};                  ///< Error of the input that is reported besides; empty: none.
   std::function<std::string()> full_table = {};  ///< Table printed with `--all`, if there is more.
   /// The document without the lists that `write` fills; empty: `document`.

@@ -10,7 +10,7 @@ struct CurveDeviations {
   double mean = 0.0;
   double mean_magnitude = 0.0;
   double rms = 0.0;            ///< Root mean square.
-  double largest = 0.0;        ///< With its sign.
+  double largest = 0.0;        ///< Largest by magnitude, with its sign.
   std::size_t largest_at = 0;  ///< Index of that point.
 };
 

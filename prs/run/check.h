@@ -77,7 +77,7 @@ struct VerdictFacts {
   const LifeResult* life = nullptr;
   const MeasuresResult* measures = nullptr;
   const ResponseResult* response = nullptr;
-  const ModelComparison* comparison = nullptr;  ///< With references.
+  const ModelComparison* comparison = nullptr;  ///< Models against references.
   /// Why commands were not run: what to add, or what they found wrong. One that is neither here nor
   /// above was not asked; what it would have given is left out.
   std::map<Command, std::string> lacking = {};

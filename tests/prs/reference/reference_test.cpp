@@ -250,6 +250,31 @@ TEST(ReferencesOfLesson38, AreThoseOfTheFiniteElements) {
   EXPECT_TRUE(compare_analysis().within_tolerance(c));
 }
 
+/// The nut thread that is farthest off, 19.6 %, over the tolerance.
+TEST(ReferencesOfTheProgram, AreACriterionOfTheVerdict) {
+  const auto criterion = [](const std::string& tolerance) {
+    const test::Outcome checked = test::run_prs("check configs/38_reference.yaml --json " + tolerance);
+    const Json document = Json::parse(checked.out);
+    for (const Json& c : document["verdict"]["criteria"])
+      if (c["name"] == "reference") return c;
+    return Json();
+  };
+  const Json met = criterion(""), missed = criterion("--set 'references[0].tolerance=5 % of each value'");
+  EXPECT_NEAR(met["value"], 19.6 / 20.0, 0.003);
+  EXPECT_EQ(met["state"], "green");
+  EXPECT_NEAR(missed["value"], 19.6 / 5.0, 0.01);
+  EXPECT_EQ(missed["state"], "red");
+}
+
+TEST(ReferencesOfTheProgram, StandOnThePage) {
+  const test::TemporaryDirectory folder;
+  const std::string page = (folder.path() / "page.html").string();
+  ASSERT_EQ(test::run_prs("report configs/38_reference.yaml --static --output " + page).status, 0);
+  const std::string text = test::content_of(page);
+  EXPECT_THAT(text, HasSubstr("data-figure=\"reference_butterfly\""));
+  EXPECT_THAT(text, HasSubstr("finite elements, config1-tension"));
+}
+
 TEST(ReferencesOfTheProgram, EndWithFourBeyondATolerance) {
   const std::string lesson = "compare configs/38_reference.yaml";
   EXPECT_EQ(test::run_prs(lesson + " --quiet").status, 0);
