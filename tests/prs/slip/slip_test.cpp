@@ -565,8 +565,7 @@ TEST(Slip, AnImposedSlipRatioMayPassTheIdealOne) {
     EXPECT_EQ(s.status, SlipStatus::imposed);
     EXPECT_EQ(s.slip_ratio, slip_ratio);
     EXPECT_GT(s.optimality, 1.0);
-    EXPECT_THAT(sentences(result.load_cases[0].warnings),
-                ::testing::Contains(HasSubstr("beyond the ideal one")));
+    EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Contains(HasSubstr("beyond the ideal one")));
     expect_as_plain(c, result, 1e-10);
   }
 }
@@ -673,7 +672,6 @@ TEST(Slip, AScrewAtRestIsHeldBetweenTheTorquesOfBothSenses) {
       }
       EXPECT_GT(h.against_load.holding_torque, ideal);
       EXPECT_LT(h.with_load.holding_torque, ideal);
-      EXPECT_EQ(h.with_load.holding_torque<0.0, mu> 0.1);
       for (const double speed : {1e-2, -1e-2}) {  // A force in tension is moved by speeds > 0.
         c.operation->speed = speed;
         const SlipResult slow = slip_of(c);
