@@ -635,7 +635,8 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
     if (options.detail != Detail::complete) continue;
     warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
     if (loaded.running)
-      if (auto note = guides_press(c, {common_over_static(loaded.threads->screw), common_over_static(loaded.threads->nut)}))
+      if (auto note =
+              guides_press(c, {common_over_static(loaded.threads->screw), common_over_static(loaded.threads->nut)}))
         loaded.warnings.push_back(std::move(*note));
     if (loaded.slip->converged()) {
       warn_of_measured_parts(result.contacts, *loaded.slip, loaded.warnings);
