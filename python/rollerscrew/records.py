@@ -47,6 +47,18 @@ class PerPartRange(Record):
     nut: Array
 
 
+class PerDirection(Record):
+    """One number for each sense of the load.
+
+    tension: tension
+    compression: compression
+    """
+
+    __slots__ = ()
+    tension: float | None
+    compression: float | None
+
+
 class InterfaceContact(Record):
     """Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.
 
@@ -65,6 +77,11 @@ class InterfaceContact(Record):
     first_directions_angle_deg [deg]: between the first principal directions of body and roller; Sandu 2018, (1.61)
     normal_angle_deg [deg]: psi = arccos|n_z|; Sandu 2018, chapter 1
     normal: unit vector, outward from the roller: radial, across, axial; Sandu 2018, chapter 1
+    position_mm [mm]: contact point in tension: radial and across from the axis of screw and nut, axial from the origin of the roller's surface; in compression across and axial change sign; Sandu 2018, (1.22)
+    origin_height_mm [mm]: of the body's surface origin above the roller's, along the axis; needs equal pitches; Sandu 2018, (1.41) to (1.44)
+    major_axis: t_1, unit vector along the major axis of the ellipse: radial, across, axial; Sandu 2018, (1.67)
+    major_axis_from_body_deg [deg]: phi_1, acute angle of the major axis from the body's first principal direction; Sandu 2018, (1.65); Yao 2023, (36)
+    major_axis_from_roller_deg [deg]: phi_2, acute angle of the major axis from the roller's first principal direction; Sandu 2018, (1.62); Yao 2023, (36)
     backlash_mm [mm]: axial play of both faces; < 0: the threads are too thick; needs equal pitches; Sandu 2018, (1.40)
     hertz_constant_N_per_mm1_5 [N/mm^1.5]: k_0 of N = k_0 delta^1.5; Hertz with exact ellipticity
     ellipticity: b/a of the contact ellipse; Hertz with exact ellipticity
@@ -72,6 +89,8 @@ class InterfaceContact(Record):
     semi_minor_mm_per_N1_3 [mm/N^(1/3)]: semi-axis b over the cube root of the normal load; Hertz with exact ellipticity
     max_shear_over_peak_pressure: largest shear stress below the surface over p_0; Hertz with exact ellipticity
     max_shear_depth_over_semi_minor: its depth over b; Hertz with exact ellipticity
+    max_von_mises_over_peak_pressure: largest von Mises stress below the centre of the ellipse over p_0; Hertz with exact ellipticity
+    max_von_mises_depth_over_semi_minor: its depth over b; Hertz with exact ellipticity
     """
 
     __slots__ = ()
@@ -90,6 +109,11 @@ class InterfaceContact(Record):
     first_directions_angle_deg: float
     normal_angle_deg: float
     normal: Array
+    position_mm: Array
+    origin_height_mm: PerDirection | None
+    major_axis: Array
+    major_axis_from_body_deg: float
+    major_axis_from_roller_deg: float
     backlash_mm: float | None
     hertz_constant_N_per_mm1_5: float | None
     ellipticity: float | None
@@ -97,6 +121,8 @@ class InterfaceContact(Record):
     semi_minor_mm_per_N1_3: float | None
     max_shear_over_peak_pressure: float | None
     max_shear_depth_over_semi_minor: float | None
+    max_von_mises_over_peak_pressure: float | None
+    max_von_mises_depth_over_semi_minor: float | None
 
 
 class Contacts(Record):
@@ -279,6 +305,8 @@ class InterfaceLoads(Record):
     peak_pressure_MPa [MPa]: p_0 = 3 N/(2 pi a b); Hertz with exact ellipticity
     max_shear_stress_MPa [MPa]: largest shear stress below the surface; Hertz with exact ellipticity
     max_shear_depth_mm [mm]: where the largest shear stress acts, for the depth of hardening; Hertz with exact ellipticity
+    max_von_mises_stress_MPa [MPa]: largest von Mises stress below the centre of the ellipse; Hertz with exact ellipticity
+    max_von_mises_depth_mm [mm]: where the largest von Mises stress acts; Hertz with exact ellipticity
     friction_force_N [N]: of each thread on the roller; running loads
     running_over_static: largest normal load over the largest of the same case at rest; running loads
     roller_share_percent [%]: of the axial load, one for each roller
@@ -301,6 +329,8 @@ class InterfaceLoads(Record):
     peak_pressure_MPa: Array
     max_shear_stress_MPa: Array
     max_shear_depth_mm: Array
+    max_von_mises_stress_MPa: Array
+    max_von_mises_depth_mm: Array
     friction_force_N: FrictionForces | None
     running_over_static: float | None
     roller_share_percent: Array | None
@@ -1017,10 +1047,13 @@ class SecondNut(Record):
     evaluations: of the roller's moment balance
     relative_residue: moment on a roller over radius and normal load; Sandu 2018, (3.38)
     speed_rpm [rpm]: screw against nut
-    gear_ratio: Gamma = |l_R/l_S|; Sandu 2018, (2.1)
+    gear_ratio: Gamma of the gears: n_R/n_S; Sandu 2018, (2.1)
     slip_ratio: epsilon, carrier against nut over screw against nut; Sandu 2018, (2.2)
     ideal_slip_ratio: epsilon* of least sliding; Sandu 2018, (2.16), (2.17)
     optimality_percent [%]: 100 % at the ideal slip ratio; Sandu 2018, (2.19)
+    travel_per_turn_mm [mm]: of the nut on the screw per turn of the screw against the nut; the lead where screw and nut have the same; Sandu 2018, (2.5)
+    migration_per_turn_um [µm]: of the rollers along the part that they are geared to, per turn of the screw against the nut, > 0 ahead of its travel; 0 for equal pitches; Sandu 2018, (2.12)
+    pitch_sliding_per_turn_um [µm]: circumferential, of the pitch cylinders of rollers and geared part, per turn of the screw against the nut; 0 for diameters in the ratio of the gears; Sandu 2018, (2.14)
     driven_by: screw | load: force x speed x lead > 0 or < 0
     efficiency: power out over power in: of the load over the shaft, or of the shaft over the load that drives; absent where self-locking; Sandu 2018, (3.52)
     self_locking: whether no power comes out; where the load drives
@@ -1053,6 +1086,9 @@ class SecondNut(Record):
     slip_ratio: float | None
     ideal_slip_ratio: float | None
     optimality_percent: float | None
+    travel_per_turn_mm: float | None
+    migration_per_turn_um: float | None
+    pitch_sliding_per_turn_um: float | None
     driven_by: str | None
     efficiency: float | None
     self_locking: bool | None
@@ -1075,6 +1111,38 @@ class SecondNut(Record):
     nut: InterfaceSlip | None
 
 
+class HoldingBound(Record):
+    """Torques and forces at which a screw at rest begins to move.
+
+    holding_torque_Nm [N m]: by the drive on the screw, > 0 against the load; inverted: the nut, which turns, has its reaction
+    torque_screw_Nm [N m]: by the drive on the screw; Sandu 2018, (3.30)
+    torque_nut_Nm [N m]: on the nut; Sandu 2018, (3.31)
+    slip_ratio: with which motion begins
+    roller_forces_N [N]: on one roller across its axis, that on the carrier among them
+    """
+
+    __slots__ = ()
+    holding_torque_Nm: float
+    torque_screw_Nm: float
+    torque_nut_Nm: float
+    slip_ratio: float
+    roller_forces_N: RollerForces
+
+
+class Holding(Record):
+    """A screw at rest under load: between its bounds static friction holds it.
+
+    self_locking: whether the screw holds its load without a torque
+    against_load: beyond it the drive moves the load
+    with_load: below it the load moves the screw
+    """
+
+    __slots__ = ()
+    self_locking: bool
+    against_load: HoldingBound
+    with_load: HoldingBound
+
+
 class Slip(Record):
     """Stationary slip of a load case: Sandu 2018, chapters 2 and 3.
 
@@ -1083,10 +1151,13 @@ class Slip(Record):
     evaluations: of the roller's moment balance
     relative_residue: moment on a roller over radius and normal load; Sandu 2018, (3.38)
     speed_rpm [rpm]: screw against nut
-    gear_ratio: Gamma = |l_R/l_S|; Sandu 2018, (2.1)
+    gear_ratio: Gamma of the gears: n_R/n_S; Sandu 2018, (2.1)
     slip_ratio: epsilon, carrier against nut over screw against nut; Sandu 2018, (2.2)
     ideal_slip_ratio: epsilon* of least sliding; Sandu 2018, (2.16), (2.17)
     optimality_percent [%]: 100 % at the ideal slip ratio; Sandu 2018, (2.19)
+    travel_per_turn_mm [mm]: of the nut on the screw per turn of the screw against the nut; the lead where screw and nut have the same; Sandu 2018, (2.5)
+    migration_per_turn_um [µm]: of the rollers along the part that they are geared to, per turn of the screw against the nut, > 0 ahead of its travel; 0 for equal pitches; Sandu 2018, (2.12)
+    pitch_sliding_per_turn_um [µm]: circumferential, of the pitch cylinders of rollers and geared part, per turn of the screw against the nut; 0 for diameters in the ratio of the gears; Sandu 2018, (2.14)
     driven_by: screw | load: force x speed x lead > 0 or < 0
     efficiency: power out over power in: of the load over the shaft, or of the shaft over the load that drives; absent where self-locking; Sandu 2018, (3.52)
     self_locking: whether no power comes out; where the load drives
@@ -1108,6 +1179,7 @@ class Slip(Record):
     screw: threads at the screw, of one roller or of all
     nut: threads at the nut, of one roller or of all
     second_nut: rollers of the second nut of a double nut; powers, torques and efficiency here are of both nuts, all else of the first
+    holding: bounds of static friction of a screw that is held at rest, speed 0
     """
 
     __slots__ = ()
@@ -1120,6 +1192,9 @@ class Slip(Record):
     slip_ratio: float | None
     ideal_slip_ratio: float | None
     optimality_percent: float | None
+    travel_per_turn_mm: float | None
+    migration_per_turn_um: float | None
+    pitch_sliding_per_turn_um: float | None
     driven_by: str | None
     efficiency: float | None
     self_locking: bool | None
@@ -1141,6 +1216,7 @@ class Slip(Record):
     screw: InterfaceSlip | None
     nut: InterfaceSlip | None
     second_nut: SecondNut | None
+    holding: Holding | None
 
 
 class StiffnessContribution(Record):
@@ -1208,7 +1284,7 @@ class LoadMeasures(Record):
     root_bending_stress_screw_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
     root_bending_stress_roller_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
     root_bending_stress_nut_MPa [MPa]: sigma = 6 F c/(a^2 w), load at the pitch line; needs measures.loaded_width w; nominal: no notch, no radial force; teeth wider than high are hardly beams; Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)
-    solved_static_safety: the case's static capacity, else the force at which the first thread has the pressure of 4.0 GPa (steel) or static_pressure_limit, with the thread loads there, over F; as that of `prs life`; not of a full mechanism; ISO 76:2006; Hertz
+    solved_static_safety: the case's static capacity, else the force at which the first thread has the pressure of 4.0 GPa, of steel, or of materials.static_pressure_limit, with the thread loads there, over F; as that of `prs life`; not of a full mechanism; ISO 76:2006; Hertz
     flank_edge_margin: force at which the first ellipse reaches a crest or root, with the thread loads there, over F; below 1 flanks have edge stresses, which are no yield; not of a full mechanism; Hertz; geometry
     static_safety: the case's static capacity, else the smaller of both pressure capacities, over F; estimate of `prs life`'s static safety by threads; the same there with `share: equal`; ISO 76:2006; Hertz
     thread_static_safety: the smaller of both interfaces' static limits over N_r N times the largest axial thread load; estimate of `prs life`'s static safety, with the shares that the threads have under this load in place of those at the limit; ISO 76:2006; Hertz
@@ -1551,18 +1627,6 @@ class HeatCycle(Record):
     energy_in_J: float | None
     energy_lost_J: float | None
     efficiency: float | None
-
-
-class PerDirection(Record):
-    """One number for each sense of the load.
-
-    tension: tension
-    compression: compression
-    """
-
-    __slots__ = ()
-    tension: float | None
-    compression: float | None
 
 
 class PreloadSide(Record):
