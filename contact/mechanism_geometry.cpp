@@ -83,7 +83,11 @@ KinematicConsistency kinematic_consistency(const MechanismGeometry& m) {
 }
 
 int largest_roller_count(const MechanismGeometry& m) {
-  const double ratio = flank_limits(m.roller).largest / m.centre_distance;
+  return largest_roller_count(flank_limits(m.roller).largest, m.centre_distance);
+}
+
+int largest_roller_count(double crest_radius, double centre_distance) {
+  const double ratio = crest_radius / centre_distance;
   if (!(ratio < 1.0)) return 1;
   // A hair of tolerance, so that rollers that just touch count.
   return static_cast<int>(std::floor(std::numbers::pi / std::asin(ratio) * (1.0 + 1e-12)));

@@ -30,21 +30,27 @@ void check_reach(const Mechanism& m, Problems& problems) {
                  mm(*nut), mm(2.0 * *m.centre_distance + *roller), mm(2.0 * reach));
 }
 
+/// Crest of a roller whose thread height is not stated, beyond its pitch radius in pitches: no higher than flanks that
+/// meet, and not below those of a maker's catalogue.
+constexpr double kLowestCrest = 0.15;
+
 /// Neighbouring rollers must clear each other at their crests (Sandu 2018, (1.49)).
 void check_rollers(const Mechanism& m, Problems& problems) {
   if (!m.centre_distance || !m.pitch_diameter.roller || m.rollers < 2) return;
   const contact::MechanismGeometry threads = threads_of(m);
   const contact::ThreadStatus status = contact::check(threads.roller);
   if (status != contact::ThreadStatus::ok && status != contact::ThreadStatus::beyond_sharp_limit) return;
-  const int most = contact::largest_roller_count(threads);
+  const bool unknown = !m.thread.roller;
+  const double largest = contact::flank_limits(threads.roller).largest;
+  const double crest =
+      unknown ? std::min(largest, 0.5 * *m.pitch_diameter.roller + kLowestCrest * axial_pitch(m)) : largest;
+  const int most = contact::largest_roller_count(crest, *m.centre_distance);
   if (m.rollers <= most) return;
-  const bool sharp = !m.thread.roller;
   problems.add("mechanism.rollers",
                "got {}; expected at most {}: more rollers of {} at their crests{} overlap at the centre distance of "
                "{}; take fewer{}",
-               m.rollers, most, mm(2.0 * contact::flank_limits(threads.roller).largest),
-               sharp ? ", where the flanks meet," : "", mm(*m.centre_distance),
-               sharp ? ", or state lower crests as `mechanism.thread.roller`" : "");
+               m.rollers, most, mm(2.0 * crest), unknown ? ", 0.15 pitches high," : "", mm(*m.centre_distance),
+               unknown ? ", or state lower crests as `mechanism.thread.roller`" : "");
 }
 
 }  // namespace

@@ -132,9 +132,20 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warni
                                   sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre)});
 }
 
+/// Rollers that clear each other only if their crests, which are not stated, are lower than where the flanks meet.
+void warn_of_crowding(const Contacts& c, std::vector<Warning>& warnings) {
+  const int most = contact::largest_roller_count(c.threads);
+  if (c.mechanism.rollers > most)
+    warnings.push_back(Warning{"mechanism.rollers", "crowded_rollers",
+                               "{value} rollers touch each other at crests where the flanks meet: {limit} fit",
+                               "state `mechanism.thread.roller`"}
+                           .with(c.mechanism.rollers, most));
+}
+
 void warn(Contacts& c) {
   for (const Part p : kParts) warn_of_heights(thread_of(c.threads, p), p, c.warnings);
   warn_of_missing_contacts(c, c.warnings);
+  warn_of_crowding(c, c.warnings);
   warn_of_kinematics(c, c.warnings);
   warn_of_interference(c, c.warnings);
   warn_of_conformity(c, c.warnings);

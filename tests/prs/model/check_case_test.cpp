@@ -200,9 +200,9 @@ TEST(CheckCase, PartsThatCannotMeetAreRefused) {
 
 TEST(CheckCase, AsManyRollersAsFitAreSound) {
   Case c = abevi_case();
-  c.mechanism.rollers = 12;
+  c.mechanism.rollers = 11;
   EXPECT_EQ(paths(check_case(c)), "");
-  c.mechanism.rollers = 13;
+  c.mechanism.rollers = 12;  // 28 mm sin(15 deg) = 7.25 mm < 7 mm + 0.3 p.
   EXPECT_EQ(paths(check_case(c)), "mechanism.rollers");
 }
 
