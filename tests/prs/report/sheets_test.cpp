@@ -59,8 +59,8 @@ TEST(Sheets, GoFromTheAnswerToTheNumbers) {
   for (const ReportSection& section : report_parts(input::load_source(kLesson, {}), {}).sections)
     ids.push_back(section.id);
   EXPECT_THAT(ids, ElementsAre("verdict", "warnings", "mechanism", "inputs", "loads", "pressures", "stiffness", "life",
-                               "slip", "preload", "measures", "response", "fit", "references", "models", "contacts", "studies",
-                               "data", "provenance"));
+                               "slip", "preload", "measures", "response", "fit", "references", "models", "contacts",
+                               "studies", "data", "provenance"));
 }
 
 TEST(Sheets, FoldWhatOnlySomeAskFor) {
