@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -152,8 +153,8 @@ TEST(Validation, EverySourceFolderHasItsReferenceAndSource) {
 SourceReport sandu_report() { return validate(kSources / "sandu_2018", {sandu_2018::extension()}).front(); }
 
 /// Two signs and one digit in chapter 1 and appendix B; chapters 2 and 3: (2.20), both films, the
-/// roller-nut speed, a mass printed as roughly, and the efficiency for want of the bearing's table. Of other authors whom
-/// the thesis quotes: seven numbers of Jones, two of Fedosovsky, and three curvatures.
+/// roller-nut speed, a mass printed as roughly, and the efficiency for want of the bearing's table. Of other authors
+/// whom the thesis quotes: seven numbers of Jones, two of Fedosovsky, and three curvatures.
 TEST(Validation, SandusNumbersReproduceButForNineAndThoseOfOthers) {
   const SourceReport report = sandu_report();
   const std::map<Outcome, int> count = outcomes(report);
@@ -167,11 +168,10 @@ TEST(Validation, SandusStatementsHoldButForFive) {
     if (s.verdict.kind == Verdict::Kind::holds) continue;
     ++not_held;
     EXPECT_FALSE(s.verdict.why.empty()) << s.text;
-    const bool known = s.text.find("increasing force") != std::string::npos ||
-                       s.text.find("reference [44]") != std::string::npos ||
-                       s.text.find("higher friction coefficients") != std::string::npos ||
-                       s.text.find("only increase slightly") != std::string::npos ||
-                       s.text.find("table 1.8") != std::string::npos;
+    const bool known =
+        std::ranges::any_of(std::array{"increasing force", "reference [44]", "higher friction coefficients",
+                                       "only increase slightly", "table 1.8"},
+                            [&](const char* words) { return s.text.find(words) != std::string::npos; });
     EXPECT_TRUE(known) << s.text << ": " << s.verdict.evidence;
   }
   EXPECT_EQ(not_held, 5);
