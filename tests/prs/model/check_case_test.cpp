@@ -255,7 +255,7 @@ TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
   EXPECT_EQ(paths(missing(c, Command::slip)), "");
 }
 
-TEST(CheckRequirements, ScrewOrLoadMayDriveButNothingSlipsAtRest) {
+TEST(CheckRequirements, ScrewOrLoadMayDriveAndAFilmHoldsNothingAtRest) {
   Case c = abevi_case();
   c.friction = Friction{Friction::Model::coulomb, at_both(0.1)};
   for (const double lead : {0.005, -0.005})
@@ -264,9 +264,13 @@ TEST(CheckRequirements, ScrewOrLoadMayDriveButNothingSlipsAtRest) {
       c.operation = Operation{speed, {}};
       EXPECT_EQ(paths(missing(c, Command::slip)), "") << lead << " " << speed;
     }
+  c.load_cases.resize(1);
   c.load_cases[0].speed = 0.0;
+  EXPECT_EQ(paths(missing(c, Command::slip)), "");
+  c.friction = Friction{};
+  c.lubricant.emplace().viscosity = 0.1;
   const std::vector<Problem> problems = missing(c, Command::slip);
-  EXPECT_EQ(paths(problems), "load_cases[0].speed");
+  ASSERT_EQ(paths(problems), "load_cases[0].speed");
   EXPECT_NE(problems[0].message.find("case `pull`"), std::string::npos);
   EXPECT_NE(problems[0].message.find("other than 0"), std::string::npos);
   c.load_cases[0].speed.reset();

@@ -169,15 +169,9 @@ TEST(Validation, SandusStatementsHoldButForFive) {
     ++not_held;
     EXPECT_FALSE(s.verdict.why.empty()) << s.text;
     const bool known =
-<<<<<<< HEAD
-        s.text.find("increasing force") != std::string::npos || s.text.find("reference [44]") != std::string::npos ||
-        s.text.find("higher friction coefficients") != std::string::npos ||
-        s.text.find("only increase slightly") != std::string::npos || s.text.find("table 1.8") != std::string::npos;
-=======
         std::ranges::any_of(std::array{"increasing force", "reference [44]", "higher friction coefficients",
                                        "only increase slightly", "table 1.8"},
                             [&](const char* words) { return s.text.find(words) != std::string::npos; });
->>>>>>> papers
     EXPECT_TRUE(known) << s.text << ": " << s.verdict.evidence;
   }
   EXPECT_EQ(not_held, 5);
