@@ -51,12 +51,17 @@ std::vector<ComparedReading> readings_of(const ComparedReference& r) {
   return readings;
 }
 
-ByKey<double> computed_of(const ComparedReading& r) {
-  ByKey<double> computed;
-  for (const ReferenceModel& m : models_of(r.of))
-    computed.emplace_back(std::string(m.bodies()), m.answer().computed[r.index]);
-  return computed;
-}
+/// What the models say at a reading.
+struct ComputedThere {
+  ComparedReading at;
+};
+
+template <ModelOptions::Bodies bodies>
+constexpr auto computed_by = of<[](const ComputedThere& c) -> std::optional<double> {
+  for (const ReferenceModel& m : models_of(c.at.of))
+    if (m.of.comparison->models[m.model].model.bodies == bodies) return m.answer().computed[c.at.index];
+  return std::nullopt;
+}>;
 
 constexpr double kPerKilonewton = 1e3;  ///< Slopes are shown per kN.
 
@@ -80,6 +85,7 @@ std::optional<std::string> unless_empty(const T& text) {
 
 Record<ReferenceModel> record_of(Type<ReferenceModel>);
 Record<ComparedReading> record_of(Type<ComparedReading>);
+Record<ComputedThere> record_of(Type<ComputedThere>);
 
 namespace {
 
@@ -111,7 +117,13 @@ constexpr Quantity<ComparedReading> kReading[] = {
      "where it stands, in `along_unit`; threads from 1"},
     {"reference", of<[](auto& r) { return r.reading().value; }>, "the reference's number"},
     {"reference_deviation", of<[](auto& r) { return r.reading().deviation; }>, "its own deviation, where it is stated"},
-    {"computed", of<computed_of>, "by the names of the models"},
+    {"computed", of<[](auto& r) { return ComputedThere{r}; }>, "by the models"},
+};
+
+constexpr Quantity<ComputedThere> kComputedThere[] = {
+    {"bars", computed_by<ModelOptions::Bodies::bars>, "by bars"},
+    {"refined", computed_by<ModelOptions::Bodies::refined>, "by refined bodies"},
+    {"influence", computed_by<ModelOptions::Bodies::influence>, "by the influence model"},
 };
 
 constexpr Quantity<ComparedReference> kReference[] = {
@@ -143,6 +155,7 @@ constexpr Quantity<ComparedReference> kReference[] = {
 
 }  // namespace
 
+PRS_RECORD(ComputedThere, "ComputedThere", "What the models say at a reading of a reference.", kComputedThere);
 PRS_RECORD(ReferenceModel, "ReferenceModel", "How far a model lies from a reference.", kReferenceModel);
 PRS_RECORD(ComparedReading, "ReferencePoint", "A reading of a reference, and what is computed there.", kReading);
 PRS_RECORD(ComparedReference, "ComparedReference", "A curve of another program or a test against the case.",

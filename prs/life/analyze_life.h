@@ -125,7 +125,7 @@ struct LifeResult {
   std::optional<double> equal_shares_static_capacity, equal_shares_flank_edge_load;
   std::optional<LoadCycles> cycles;
 
-  std::optional<ModifiedLife> modified;  ///< With `life.contamination`.
+  std::optional<ModifiedLife> modified;  ///< Life with film and dirt, where `life.contamination` is stated.
 
   std::optional<std::string> failure;  ///< Why there are no lives: a load did not converge.
   std::vector<Warning> warnings;

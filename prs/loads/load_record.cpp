@@ -481,14 +481,13 @@ std::array<double, 3> position(const ContactAt& c) {
           static_cast<int>(face) * roller.profile(p.radius_on_roller).height + roller.reduced_lead * p.angle_on_roller};
 }
 
-PerDirection<double> origin_heights(const ContactAt& c) {
+template <contact::Configuration configuration>
+constexpr auto origin_height = of<[](const ContactAt& c) {
   const contact::MechanismContact contact{c.contacts->interfaces.screw.geometry, c.contacts->interfaces.nut.geometry};
-  const auto in = [&](contact::Configuration configuration) {
-    const contact::AxialPositions at = contact::axial_positions(c.contacts->threads, contact, configuration);
-    return c.interface == Interface::screw ? at.screw : at.nut;
-  };
-  return {in(contact::Configuration::i1_j2), in(contact::Configuration::i2_j1)};
-}
+  const contact::AxialPositions at = contact::axial_positions(c.contacts->threads, contact, configuration);
+  return c.interface == Interface::screw ? at.screw : at.nut;
+},
+                                  [](const ContactAt& c) { return c.same_pitch(); }>;
 
 template <auto get>
 constexpr auto clearance = of<[](const ContactAt& c) {
@@ -537,8 +536,10 @@ constexpr Quantity<ContactAt> kInterfaceContact[] = {
      "contact point in tension: radial and across from the axis of screw and nut, axial from the origin of the "
      "roller's surface; in compression across and axial change sign",
      "Sandu 2018, (1.22)"},
-    {"origin_height_mm", of<origin_heights, [](const ContactAt& c) { return c.same_pitch(); }>,
-     "of the body's surface origin above the roller's, along the axis; needs equal pitches",
+    {"origin_height_tension_mm", origin_height<contact::Configuration::i1_j2>,
+     "of the body's surface origin above the roller's, along the axis, in tension; needs equal pitches",
+     "Sandu 2018, (1.41) to (1.44)"},
+    {"origin_height_compression_mm", origin_height<contact::Configuration::i2_j1>, "the same in compression",
      "Sandu 2018, (1.41) to (1.44)"},
     {"major_axis", of<[](const ContactAt& c) { return components(c.contact().geometry.major_axis); }>,
      "t_1, unit vector along the major axis of the ellipse: radial, across, axial", "Sandu 2018, (1.67)"},

@@ -50,7 +50,7 @@ struct FullDistribution {
   std::vector<int> idle_rollers;         ///< Numbers from 0 of those that carry no load.
   SupportForce nut;
   std::array<RingForce, 2> rings;  ///< Near and far.
-  std::vector<GuideLoads> guides;  ///< With a clearance: those of each roller, of missing ones 0.
+  std::vector<GuideLoads> guides;  ///< Guides of each roller where they have a clearance; zero of missing rollers.
   std::vector<SupportForce> bearings;
 };
 

@@ -339,6 +339,8 @@ class Result(Record):
     #: Of what was computed: of the file and, where there are any, of overrides and history.
     input_sha256: str
     overrides: list[str] | None
+    #: Choices of the model that matter for the case.
+    assumptions: list[str] | None
     #: The case with overrides and defaults in place; `Case` takes it.
     resolved_input: Values
 

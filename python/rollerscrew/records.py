@@ -47,18 +47,6 @@ class PerPartRange(Record):
     nut: Array
 
 
-class PerDirection(Record):
-    """One number for each sense of the load.
-
-    tension: tension
-    compression: compression
-    """
-
-    __slots__ = ()
-    tension: float | None
-    compression: float | None
-
-
 class InterfaceContact(Record):
     """Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut.
 
@@ -78,7 +66,8 @@ class InterfaceContact(Record):
     normal_angle_deg [deg]: psi = arccos|n_z|; Sandu 2018, chapter 1
     normal: unit vector, outward from the roller: radial, across, axial; Sandu 2018, chapter 1
     position_mm [mm]: contact point in tension: radial and across from the axis of screw and nut, axial from the origin of the roller's surface; in compression across and axial change sign; Sandu 2018, (1.22)
-    origin_height_mm [mm]: of the body's surface origin above the roller's, along the axis; needs equal pitches; Sandu 2018, (1.41) to (1.44)
+    origin_height_tension_mm [mm]: of the body's surface origin above the roller's, along the axis, in tension; needs equal pitches; Sandu 2018, (1.41) to (1.44)
+    origin_height_compression_mm [mm]: the same in compression; Sandu 2018, (1.41) to (1.44)
     major_axis: t_1, unit vector along the major axis of the ellipse: radial, across, axial; Sandu 2018, (1.67)
     major_axis_from_body_deg [deg]: phi_1, acute angle of the major axis from the body's first principal direction; Sandu 2018, (1.65); Yao 2023, (36)
     major_axis_from_roller_deg [deg]: phi_2, acute angle of the major axis from the roller's first principal direction; Sandu 2018, (1.62); Yao 2023, (36)
@@ -110,7 +99,8 @@ class InterfaceContact(Record):
     normal_angle_deg: float
     normal: Array
     position_mm: Array
-    origin_height_mm: PerDirection | None
+    origin_height_tension_mm: float | None
+    origin_height_compression_mm: float | None
     major_axis: Array
     major_axis_from_body_deg: float
     major_axis_from_roller_deg: float
@@ -1525,20 +1515,34 @@ class ReferenceModel(Record):
     met: bool | None
 
 
+class ComputedThere(Record):
+    """What the models say at a reading of a reference.
+
+    bars: by bars
+    refined: by refined bodies
+    influence: by the influence model
+    """
+
+    __slots__ = ()
+    bars: float | None
+    refined: float | None
+    influence: float | None
+
+
 class ReferencePoint(Record):
     """A reading of a reference, and what is computed there.
 
     along: where it stands, in `along_unit`; threads from 1
     reference: the reference's number
     reference_deviation: its own deviation, where it is stated
-    computed: by the names of the models
+    computed: by the models
     """
 
     __slots__ = ()
     along: float | None
     reference: float
     reference_deviation: float | None
-    computed: float
+    computed: ComputedThere
 
 
 class ComparedReference(Record):
@@ -1627,6 +1631,18 @@ class HeatCycle(Record):
     energy_in_J: float | None
     energy_lost_J: float | None
     efficiency: float | None
+
+
+class PerDirection(Record):
+    """One number for each sense of the load.
+
+    tension: tension
+    compression: compression
+    """
+
+    __slots__ = ()
+    tension: float | None
+    compression: float | None
 
 
 class PreloadSide(Record):

@@ -513,13 +513,14 @@ class CompareViews(Result):
         import pandas as pd
 
         own = ("name", "load_case", "response", "unit")
-        return pd.DataFrame(
-            [
-                {key: reference[key] for key in own} | dict(flat(model))
-                for reference in self.get("references", [])
-                for model in reference["models"]
-            ]
-        )
+        rows = [
+            {key: reference[key] for key in own} | dict(flat(model))
+            for reference in self.get("references", [])
+            for model in reference["models"]
+        ]
+        for row in rows:  # A word, since some models are held against no tolerance.
+            row["met"] = ("met" if row["met"] else "not met") if "met" in row else ""
+        return pd.DataFrame(rows) if rows else pd.DataFrame(columns=[*own, "model", "met"])
 
     def plot_references(self, ax: Axes | None = None, **look: Unpack[Look]) -> Axes:
         """References as points and models as lines, a panel per load case and response."""

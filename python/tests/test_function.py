@@ -76,7 +76,7 @@ def test_designs_that_fail_are_nan_with_their_reasons() -> None:
     values = f([[9], [50]])
     assert np.isfinite(values[0]).all() and np.isnan(values[1]).all()
     designs = f.designs([[9], [50]])
-    assert "more rollers of 7.7" in designs.reason[1]
+    assert "more rollers of 7.5" in designs.reason[1]
     assert designs.case(0) == lesson(1).with_({"mechanism.rollers": 9})
     pickle.loads(pickle.dumps(designs)).case(0)
 

@@ -28,6 +28,7 @@ NEVER_MET = {
     ("Verdict", "failed"),  # Of an input that a command refuses.
     ("WeakestThread", "roller"),
     ("Model", "accuracy"),
+    ("ComputedThere", "influence"),  # Of a model that is asked for.
     ("ContactResult", "model"),
     ("SecondNut", "equal_shares"),  # Of load cases without preload.
     ("Response", "stopped_at_s"),  # Of an integration that fails.
@@ -116,6 +117,21 @@ VARIANTS: list[tuple[int, str, dict[str, Any]]] = [
         },
     ),
     (30, "preload", {"preload": f"{{arrangement: single_nut, {_PRELOAD}}}"}),
+    (9, "slip", {"friction": {"coulomb": 0.12}, "operation.speed": "0 rpm", "load_cases": _LIGHT}),
+    (
+        9,
+        "life",
+        {
+            "load_cases": _LIGHT,
+            "life": "{position: 29.1666667 mm, contamination: 0.5, "
+            "spectrum: [{force: 9 kN, direction: tension, share: 1}]}",
+        },
+    ),
+    (
+        1,
+        "solve",
+        {"structure.roller.guidance": "{ring: 2e4 N/mm, clearance: 1 um}"},
+    ),
     (
         33,
         "solve",
@@ -180,6 +196,7 @@ REQUIREMENTS: list[dict[str, Any]] = [
         "motion": {"segments": _SEGMENTS},
         "load": {"moved_mass": "50 kg", "inclination": "90 deg"},
         "limits": {"temperature": "200 degC", **_LUBRICATED},
+        "heat": {"conductance": {"screw_ambient": "3 W/K", "nut_ambient": "8 W/K"}},
         "life": {"distance": "10 km"},
         "motor": {"inertia": "5 kg cm^2"},
     },

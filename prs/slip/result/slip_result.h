@@ -107,8 +107,8 @@ struct Holding {
     double holding_torque = 0.0;  ///< On the screw, > 0 against the load [N m].
     double torque_screw = 0.0;    ///< Signed as C_S [N m].
     double torque_nut = 0.0;      ///< C_N [N m]
-    double slip_ratio = 0.0;      ///< With which motion begins.
-    RollerForces forces;          ///< Of the carrier among them.
+    double slip_ratio = 0.0;      ///< Slip ratio with which motion begins.
+    RollerForces forces;          ///< Forces on a roller, the carrier's among them.
   };
   Bound against_load;  ///< Beyond it the drive moves the load.
   Bound with_load;     ///< Below it the load moves the screw; < 0 of a self-locking screw.
@@ -130,8 +130,8 @@ struct SlipResult {
   SlipEstimates estimates;
   double optimality = 0.0;  ///< (2.19), 1 at the ideal slip ratio.
   // Per turn of the screw against the nut [m]:
-  double travel_per_turn = 0.0;     ///< Of the nut on the screw, the lead where screw and nut have the same.
-  double migration_per_turn = 0.0;  ///< Of the rollers along the geared part, > 0 ahead of its travel.
+  double travel_per_turn = 0.0;     ///< Travel of the nut on the screw: the lead where both have the same.
+  double migration_per_turn = 0.0;  ///< Way of the rollers along the geared part, > 0 ahead of its travel.
   /// Circumferential sliding of the pitch cylinders of rollers and geared part, whose diameters are not in
   /// the ratio of the teeth.
   double pitch_sliding_per_turn = 0.0;

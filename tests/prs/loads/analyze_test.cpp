@@ -176,13 +176,13 @@ TEST(Analyze, PlacesAndDirectionsOfContactsFitTogether) {
       // Screw bottom and nut top, which is the bottom of the air in the nut.
       const double on_body = body.profile(g.point.radius_on_body).height + body.reduced_lead * g.point.angle_on_body;
       const std::vector<double> position = json.at("position_mm");
-      EXPECT_NEAR(position[2], on_body * 1e3 + json.at("origin_height_mm").at("tension").get<double>(), 1e-9);
+      EXPECT_NEAR(position[2], on_body * 1e3 + json.at("origin_height_tension_mm").get<double>(), 1e-9);
       EXPECT_NEAR(std::hypot(position[0], position[1]), json.at("radius_on_body_mm"), 1e-12);
       const double play =
           i == Interface::screw ? json.at("backlash_mm").get<double>() : -json.at("backlash_mm").get<double>();
-      EXPECT_NEAR(json.at("origin_height_mm").at("compression").get<double>() -
-                      json.at("origin_height_mm").at("tension").get<double>(),
-                  play, 1e-12);
+      EXPECT_NEAR(
+          json.at("origin_height_compression_mm").get<double>() - json.at("origin_height_tension_mm").get<double>(),
+          play, 1e-12);
       const std::vector<double> axis = json.at("major_axis"), normal = json.at("normal");
       EXPECT_NEAR(axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2], 0.0, 1e-14);
       EXPECT_NEAR(std::hypot(axis[0], axis[1], axis[2]), 1.0, 1e-14);
