@@ -62,7 +62,7 @@ KinematicConsistency kinematic_consistency(const MechanismGeometry& mechanism);
 /// Largest number of rollers that fit without touching each other at the crests (Sandu 2018,
 /// (1.47)); 1 where even two would not.
 int largest_roller_count(const MechanismGeometry& mechanism);
-/// The same of rollers with this crest radius [m].
+/// Number of rollers with this crest radius [m] that fit at equal spacing without touching.
 int largest_roller_count(double crest_radius, double centre_distance);
 
 /// Heights of the screw's and the nut's origin above the roller's [m] when the faces of one

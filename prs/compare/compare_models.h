@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// What a model of the bodies says in the places of a reference's readings.
+/// Results of a model of the bodies at the readings of a reference, and how far they lie from it.
 struct ReferenceAnswer {
   std::vector<double> computed;  ///< In the response's unit; NaN where there is no answer.
   std::optional<CurveDeviations> deviations;

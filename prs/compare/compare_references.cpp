@@ -119,7 +119,7 @@ class References {
   std::vector<std::optional<Answers>> solved_, slip_;
 };
 
-/// What a complete set of threads adds up to; nothing of partial sets and of other responses.
+/// Sum over a complete set of threads; absent for partial sets and for other responses.
 void set_sums(const Case& c, ReferenceComparison& compared) {
   const ReferenceCurve& reference = compared.reference;
   const auto threads = static_cast<std::size_t>(c.mechanism.contacts_per_roller);

@@ -51,7 +51,7 @@ std::vector<ComparedReading> readings_of(const ComparedReference& r) {
   return readings;
 }
 
-/// What the models say at a reading.
+/// Results of the models at a reading.
 struct ComputedThere {
   ComparedReading at;
 };
@@ -155,7 +155,7 @@ constexpr Quantity<ComparedReference> kReference[] = {
 
 }  // namespace
 
-PRS_RECORD(ComputedThere, "ComputedThere", "What the models say at a reading of a reference.", kComputedThere);
+PRS_RECORD(ComputedThere, "ComputedThere", "Results of the models at a reading of a reference.", kComputedThere);
 PRS_RECORD(ReferenceModel, "ReferenceModel", "How far a model lies from a reference.", kReferenceModel);
 PRS_RECORD(ComparedReading, "ReferencePoint", "A reading of a reference, and what is computed there.", kReading);
 PRS_RECORD(ComparedReference, "ComparedReference", "A curve of another program or a test against the case.",
@@ -171,7 +171,7 @@ std::vector<ComparedReference> references_of(const ModelComparison& c) {
 
 std::string with_sign(const std::string& text) { return text.starts_with('-') || text == kAbsent ? text : "+" + text; }
 
-/// What a table says of a model: mean, rms and largest deviation, its place, the last two in % of the mean, verdict.
+/// Cells of a model in the table: mean, rms and largest deviation, its place, the last two in % of the mean, verdict.
 std::vector<std::string> cells_of(const ReferenceModel& m) {
   const double factor = table_response(m.reference().response).factor;
   const double largest = std::abs(m.deviation(kLargest).value_or(0.0) * factor);
@@ -194,7 +194,7 @@ std::string title_of(const ReferenceCurve& r) {
   return fmt::format("{}, {}: {}", printable(r.name), shown_name(r.load_case), table_response(r.response).text());
 }
 
-/// What belongs to the reference alone.
+/// Lines on the reference alone, above those of the models.
 std::string facts_of(const ComparedReference& of) {
   const ReferenceCurve& r = of.reference();
   const double factor = table_response(r.response).factor;

@@ -5,7 +5,7 @@
 
 namespace prs {
 
-/// A reference beside the models that it is compared with.
+/// A reference and the models that it is compared with.
 struct ComparedReference {
   const ModelComparison* comparison = nullptr;
   std::size_t index = 0;

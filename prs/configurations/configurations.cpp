@@ -494,10 +494,7 @@ Structure structure_of(const ScrewData& d, const Mechanism& m, double nut_diamet
 
 constexpr double kPi = std::numbers::pi;
 
-double of_nut(const Structure::Nut& nut, double bore) {
-  const double d = nut.outer_diameter;
-  return kStillAir * (kPi * d * nut.length + 0.5 * kPi * (d * d - bore * bore));
-}
+double of_nut(const Structure::Nut& nut, double bore) { return nut_in_still_air(nut.outer_diameter, bore, nut.length); }
 
 double of_shaft(double diameter, double length) {
   const double perimeter = kPi * diameter, area = 0.25 * kPi * diameter * diameter;

@@ -9,7 +9,7 @@ namespace prs::input {
 /// `5 mm`, or `5` without a unit.
 std::string with_unit(double number, std::string_view unit);
 
-/// From numbers of one unit to those of another.
+/// Conversion of numbers from one unit to another.
 struct Conversion {
   double factor = 1.0, offset = 0.0;
 
@@ -41,7 +41,7 @@ class Readings {
   std::string text(std::size_t field) const;
   double number(std::size_t field) const;
   [[noreturn]] void refuse(std::size_t field, const std::string& got, const std::string& expected) const;
-  /// The same of a name in the heading, before any row is read.
+  /// Refuses a name in the heading, before any row is read. Throws InputError.
   [[noreturn]] void refuse_name(std::size_t field, const std::string& expected) const;
   [[noreturn]] void refuse_file(const std::string& what) const;
 

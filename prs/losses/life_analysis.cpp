@@ -459,6 +459,7 @@ Case under_mean_load(const Case& c, const LifeResult& r) {
   return mean;
 }
 
+/// Life modification factor of the mean load at the operation's speed. Throws CaseError where no film follows.
 ModifiedLife modified_life(const Case& c, const LifeResult& r) {
   constexpr double kFatigueLimit = 1.5e9;  // Peak pressure [Pa] that ISO 281 gives for steel of high quality.
   if (!c.friction || !c.operation || !c.lubricant || !c.roughness)
@@ -473,9 +474,15 @@ ModifiedLife modified_life(const Case& c, const LifeResult& r) {
     throw CaseError("life.contamination", "no slip under the mean load: `prs slip` says why; delete it");
   double pressure = 0.0;
   for (const Interface i : kInterfaces) {
-    for (const double ratio : load.slip->threads[i].film_ratio) life.film_ratio = std::min(life.film_ratio, ratio);
+    for (const double ratio : load.slip->threads[i].film_ratio)
+      if (ratio > 0.0) life.film_ratio = std::min(life.film_ratio, ratio);  // 0 of threads that are open.
     for (const double p : (*load.threads)[i].peak_pressure) pressure = std::max(pressure, p);
   }
+  if (!std::isfinite(life.film_ratio))
+    throw CaseError(
+        "life.contamination",
+        "the film is not known: expected `lubricant.pressure_viscosity`, or a lubricant by its name; add it, or "
+        "delete `contamination`");
   life.viscosity_ratio = std::pow(life.film_ratio, 1.3);
   life.load_ratio = std::pow(kFatigueLimit / pressure, 3.0);
   life.factor = modification_factor(life.viscosity_ratio, *c.life->contamination, life.load_ratio);

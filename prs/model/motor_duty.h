@@ -14,6 +14,9 @@ struct DriveMotor {
   double gear_efficiency = 1.0;
 };
 
+/// Why the peak torque of a motor cannot be; empty of a sound one.
+std::string wrong_peak_torque(const DriveMotor& motor);
+
 enum class BackDriving { allowed, required, forbidden };
 
 /// One cycle of the axis that the screw drives, and the limits of motor and brake. SI units.

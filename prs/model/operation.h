@@ -162,6 +162,13 @@ struct Carrier {
 /// Fundamentals of Heat and Mass Transfer, chapters 1 and 9).
 inline constexpr double kStillAir = 10.0;
 
+/// Conductance of a bare nut to still air [W/K], by `kStillAir` over its cylinder and both end faces around the bore
+/// [m].
+inline double nut_in_still_air(double outer_diameter, double bore, double length) {
+  const double faces = 0.5 * std::numbers::pi * (outer_diameter * outer_diameter - bore * bore);
+  return kStillAir * (std::numbers::pi * outer_diameter * length + faces);
+}
+
 /// How the parts pass the heat of friction on, and the duty cycle that warms them. SI units.
 struct Heat {
   /// Between two parts, or from a part to its surroundings [W/K].

@@ -152,8 +152,13 @@ namespace {
 /// One warning for each assumed value of the file, which does not follow the factors, that refuses designs.
 std::vector<Warning> assumed_value_warnings(const input::StudyInput& in, const StudyResult& result) {
   std::map<std::string, std::size_t> refusals;
-  for (const StudyRow& row : result.rows)
-    if (row.status.name == "refused") ++refusals[row.status.reason.substr(0, row.status.reason.find(':'))];
+  constexpr std::string_view kPlaced = ": error: ";  // Behind file, line and column, where they are known.
+  for (const StudyRow& row : result.rows) {
+    if (row.status.name != "refused") continue;
+    const std::string& reason = row.status.reason;
+    const std::size_t at = reason.find(kPlaced), path = at == reason.npos ? 0 : at + kPlaced.size();
+    ++refusals[reason.substr(path, reason.find(':', path) - path)];
+  }
   if (refusals.empty()) return {};
   input::DesignFile base = input::read_design_file(in, {});
   const auto assumed = input::assumptions(input::echo(std::move(base.file), base.root), in.source);

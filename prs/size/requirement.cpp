@@ -295,11 +295,7 @@ class Checker {
     check_motion();
     if (r_.life.hours && r_.life.distance)
       refuse("life.distance", "stands next to `hours`; expected one of them; delete one");
-    if (r_.motor.rated_torque && r_.motor.peak_torque && *r_.motor.peak_torque < *r_.motor.rated_torque)
-      refuse("motor.peak_torque",
-             "got {:.6g} N m; expected at least `rated_torque`, {:.6g} N m; exchange them, or check "
-             "the units",
-             *r_.motor.peak_torque, *r_.motor.rated_torque);
+    if (const std::string wrong = wrong_peak_torque(r_.motor); !wrong.empty()) refuse("motor.peak_torque", "{}", wrong);
     const double ambient = r_.heat.value_or(Requirement::Surroundings{}).ambient;
     if (r_.limits.temperature && !(*r_.limits.temperature > ambient))
       refuse("limits.temperature",

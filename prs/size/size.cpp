@@ -599,7 +599,8 @@ class WrittenLines {
   std::string remark(const std::string& path, const std::string& text) const {
     if (path == "life.position") return fmt::format("assumed {}: rollers in the middle of the nut", text);
     if (is_stated(path) || !has(path, true)) return {};
-    return fmt::format("assumed {}: default of `prs size`", text);
+    const std::size_t stroke = path == "measures.shaft" ? text.find(", stroke: ") : text.npos;  // The motion's.
+    return fmt::format("assumed {}: default of `prs size`", stroke == text.npos ? text : text.substr(0, stroke) + "}");
   }
 
   const std::vector<input::EchoEntry>& fields_;
@@ -618,7 +619,7 @@ std::string written_candidate(const SizeInput& in, const SizedCandidate& candida
       fmt::format("\nmodel: {{bodies: refined{}}}  # assumed {{bodies: refined}}: as all candidates are computed\n",
                   c.model.loads ? ", loads: static" : "") +
       "# One load case per segment of the motion, at its mean speed, rollers in the middle of the nut; the load drives "
-      "the last,\n# which stands beside the cycle.\n"
+      "the last,\n# which is no part of the cycle.\n"
       "load_cases:\n";
   for (const LoadCase& load : c.load_cases)
     text += fmt::format("  - {{name: {}, axial_force: {}, direction: {}, position: {}, speed: {}}}\n",

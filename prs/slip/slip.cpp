@@ -289,9 +289,9 @@ OverStatic common_over_static(const InterfaceLoads& running) {
 /// says where that goes.
 std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m, double power) {
   if (c.heat) return std::nullopt;
-  const double diameter = c.structure ? c.structure->nut.outer_diameter : *m.pitch_diameter.nut;
+  const double bore = *m.pitch_diameter.nut, diameter = c.structure ? c.structure->nut.outer_diameter : bore;
   const double length = c.structure ? c.structure->nut.length : m.contacts_per_roller * axial_pitch(m);
-  const double in_air = kStillAir * std::numbers::pi * diameter * length;
+  const double in_air = nut_in_still_air(diameter, bore, length);
   const double needed = power / (kWarmParts - kSurroundings);
   if (needed <= in_air) return std::nullopt;
   return Warning{"heat", "unknown_temperatures",

@@ -1,4 +1,5 @@
 #include "prs/model/check_case.h"
+#include "prs/model/motor_duty.h"
 
 #include <gtest/gtest.h>
 
@@ -204,6 +205,18 @@ TEST(CheckCase, AsManyRollersAsFitAreSound) {
   EXPECT_EQ(paths(check_case(c)), "");
   c.mechanism.rollers = 12;  // 28 mm sin(15 deg) = 7.25 mm < 7 mm + 0.3 p.
   EXPECT_EQ(paths(check_case(c)), "mechanism.rollers");
+}
+
+/// Words of a wrong block `motor`, each with its place.
+TEST(CheckCase, AMotorIsHeldAgainstItselfAndTheLoadCases) {
+  const Case c = abevi_case();
+  MotorDuty duty{
+      .motor = {.rated_torque = 5.0, .peak_torque = 4.0}, .driven_back = "nobody", .cycle = {{"none"}, {"pull"}}};
+  EXPECT_EQ(paths(check_motor(duty, c)), "motor.peak_torque motor.driven_back motor.cycle[0].load_case");
+  duty.motor.peak_torque = 5.0;
+  duty.driven_back = "pull";
+  duty.cycle.erase(duty.cycle.begin());
+  EXPECT_EQ(paths(check_motor(duty, c)), "");
 }
 
 TEST(CheckCase, DesignModeIsJudgedByWhatIsGiven) {

@@ -123,6 +123,20 @@ TEST(WrittenCandidate, HasTheMotorOfAHistory) {
   expect_one_set_of_numbers(source);
 }
 
+/// What the requirement states has no mark, what it leaves to defaults has one, and a default of the case no line.
+TEST(WrittenCandidate, MarksWhatTheRequirementLeavesToDefaults) {
+  const SizeResult result = size_screws(read_requirement(input::source_of_text(
+      "need.yaml", kPress + "stroke: 150 mm\nlife: {reliability: 95 %}\nlimits: {static_safety: 2}\n", {})));
+  const std::string text = written_candidate(result.input, result.candidates.front());
+  const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
+  EXPECT_TRUE(has("friction: {model: {coulomb: 0.1}}  # assumed {model: {coulomb: 0.1}}: default of `prs size`\n"));
+  EXPECT_TRUE(has("  reliability: 95 %\n"));
+  EXPECT_TRUE(has("  static_safety: 2\n"));
+  EXPECT_TRUE(has("  buckling_safety: 2  # assumed 2: default of `prs size`\n"));
+  EXPECT_TRUE(has(", ends: fixed_supported}: default of `prs size`\n"));  // The stroke is the requirement's.
+  EXPECT_FALSE(has("modification_factor"));
+}
+
 /// Its duty names load cases, of which the largest alone are solved for what matters to the case.
 TEST(WrittenCandidate, HeatHidesNoAssumption) {
   const SizeResult result = size_screws(read_requirement(input::source_of_text(
