@@ -210,8 +210,13 @@ TEST(CheckCase, AsManyRollersAsFitAreSound) {
 /// Words of a wrong block `motor`, each with its place.
 TEST(CheckCase, AMotorIsHeldAgainstItselfAndTheLoadCases) {
   const Case c = abevi_case();
-  MotorDuty duty{
-      .motor = {.rated_torque = 5.0, .peak_torque = 4.0}, .driven_back = "nobody", .cycle = {{"none"}, {"pull"}}};
+  MotorDuty duty;
+  duty.motor.rated_torque = 5.0;
+  duty.motor.peak_torque = 4.0;
+  duty.driven_back = "nobody";
+  duty.cycle.resize(2);
+  duty.cycle[0].load_case = "none";
+  duty.cycle[1].load_case = "pull";
   EXPECT_EQ(paths(check_motor(duty, c)), "motor.peak_torque motor.driven_back motor.cycle[0].load_case");
   duty.motor.peak_torque = 5.0;
   duty.driven_back = "pull";
