@@ -1516,7 +1516,7 @@ class ReferenceModel(Record):
 
 
 class ComputedThere(Record):
-    """What the models say at a reading of a reference.
+    """Results of the models at a reading of a reference.
 
     bars: by bars
     refined: by refined bodies

@@ -126,7 +126,7 @@ TEST(WrittenCandidate, HasTheMotorOfAHistory) {
 /// What the requirement states has no mark, what it leaves to defaults has one, and a default of the case no line.
 TEST(WrittenCandidate, MarksWhatTheRequirementLeavesToDefaults) {
   const SizeResult result = size_screws(read_requirement(input::source_of_text(
-      "need.yaml", kPress + "stroke: 150 mm\nlife: {reliability: 95 %}\nlimits: {static_safety: 2}\n", {})));
+      "need.yaml", kPress + "stroke: 250 mm\nlife: {reliability: 95 %}\nlimits: {static_safety: 2}\n", {})));
   const std::string text = written_candidate(result.input, result.candidates.front());
   const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
   EXPECT_TRUE(has("friction: {model: {coulomb: 0.1}}  # assumed {model: {coulomb: 0.1}}: default of `prs size`\n"));
