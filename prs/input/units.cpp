@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+#include "prs/model/units.h"
+
 namespace prs::input {
 namespace {
 
@@ -17,11 +19,6 @@ using std::numbers::pi;
 constexpr double kLargest = 1e30;
 constexpr double kSmallest = 1e-30;
 constexpr double kThousandTo1_5 = 31622.776601683793;  // (m/mm)^1.5
-
-// By definition (NIST SP 811, appendix B).
-constexpr double kInch = 0.0254;
-constexpr double kPound = 0.45359237;
-constexpr double kPoundForce = kPound * 9.80665;
 
 constexpr Unit kLength[] = {{{"mm"}, 1.0, 1e3},    {{"m"}},
                             {{"cm"}, 1.0, 1e2},    {{"um", "µm", "μm"}, 1.0, 1e6},

@@ -17,7 +17,7 @@ std::string number(double shown, int digits) {
   return fmt::format("{:.{}g}", shown, std::max(digits, before));
 }
 
-void put(std::string& text, std::string_view name, const std::string& number, TextUnit unit) {
+void put(std::string& text, std::string_view name, const std::string& number, const ShownUnit& unit) {
   if (const std::size_t at = text.find(name); at != text.npos)
     text.replace(at, name.size(), unit.text.empty() ? number : fmt::format("{} {}", number, unit.text));
 }

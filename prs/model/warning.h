@@ -11,32 +11,6 @@
 
 namespace prs {
 
-/// A unit in which sentences show a quantity: shown = SI * factor. Tables that show other units
-/// convert the sentence.
-struct TextUnit {
-  std::string_view text = {};
-  double factor = 1.0;
-
-  bool operator==(const TextUnit&) const = default;
-};
-
-namespace text_unit {
-inline constexpr TextUnit gigapascal{"GPa", per_si::gigapascal};
-inline constexpr TextUnit newton{"N"};
-inline constexpr TextUnit kilonewton{"kN", per_si::kilonewton};
-inline constexpr TextUnit newton_metre{"N m"};
-inline constexpr TextUnit millimetre{"mm", per_si::millimetre};
-inline constexpr TextUnit micrometre{"µm", per_si::micrometre};
-inline constexpr TextUnit degree{"deg", per_si::degree};
-inline constexpr TextUnit percent{"%", per_si::percent};
-inline constexpr TextUnit newton_per_micrometre{"N/µm", per_si::newton_per_micrometre};
-inline constexpr TextUnit watt_per_kelvin{"W/K"};
-inline constexpr TextUnit metre_per_second{"m/s"};
-/// Speed times diameter [m rad/s], which makers state as n d.
-inline constexpr TextUnit millimetre_per_minute{"mm/min", per_si::millimetre* per_si::revolution_per_minute};
-inline constexpr TextUnit kelvin{"K"};
-}  // namespace text_unit
-
 /// What is possible and still unusual about a case or one of its results.
 struct Warning {
   /// Which values are worse, of those that the same warning has in other load cases.
@@ -47,14 +21,14 @@ struct Warning {
   std::string what;                              ///< A sentence; `{value}` and `{limit}` stand for the numbers.
   std::string fix = {};                          ///< How to fix it.
   std::optional<double> value = {}, limit = {};  ///< [SI]
-  TextUnit unit = {};
+  ShownUnit unit = {};
   Worse worse = Worse::larger;
   std::string load_case = {};  ///< Its name, where it is of one; set where cases are gathered.
   /// A choice of the model that most cases share, as parts without errors: listed by itself, with its effect.
   bool is_assumption = false;
 
   /// The warning with these numbers.
-  Warning with(std::optional<double> of_value, std::optional<double> of_limit = {}, TextUnit of_unit = {},
+  Warning with(std::optional<double> of_value, std::optional<double> of_limit = {}, ShownUnit of_unit = {},
                Worse of_worse = Worse::larger) && {
     value = of_value, limit = of_limit, unit = of_unit, worse = of_worse;
     return std::move(*this);

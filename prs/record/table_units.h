@@ -34,8 +34,8 @@ class TableUnits {
 
 /// The unit of tables in place of one of documents: `lbf` in place of `kN`. Where US designers use
 /// the same, or the text is no unit of documents, the unit itself.
-const ShownUnit& table_unit(const ShownUnit& unit);
-const ShownUnit& table_unit(std::string_view text);
+ShownUnit table_unit(const ShownUnit& unit);
+ShownUnit table_unit(std::string_view text);
 
 /// A label with the unit of tables at its end: `torque, lbf in` of `torque, N m`.
 std::string with_table_unit(std::string_view label);

@@ -63,14 +63,6 @@ ThermalNetwork network_of(const Requirement& r, const SizedCandidate& c) {
   return thermal_network({.ambient = r.heat->ambient, .conductance = c.conductance});
 }
 
-/// Factor from SI to the unit of a criterion.
-double per_si(std::string_view unit) {
-  constexpr std::pair<std::string_view, double> kUnits[] = {
-      {"h", 1.0 / kHour}, {"km", 1e-3}, {"mm", 1e3}, {"N/um", 1e-6}, {"mm/min", 60e3}, {"rpm", 60.0 / kTurn}};
-  const auto found = std::ranges::find(kUnits, unit, &std::pair<std::string_view, double>::first);
-  return found == std::end(kUnits) ? 1.0 : found->second;
-}
-
 /// The parts of one candidate's evaluation, each on what those before it found.
 class Evaluation {
  public:
@@ -271,7 +263,7 @@ class Evaluation {
   /// not pass it limit/value, both counted from `zero`.
   void add(std::string_view name, std::string_view unit, bool must_reach, Given g, double zero = 0.0) {
     if (!g.limit) return;
-    const double factor = per_si(unit);
+    const double factor = unit_written(unit).factor;
     SizeCriterion& c = c_.criteria.emplace_back(SizeCriterion{name, unit, {}, *g.limit * factor});
     c.reason = std::move(g.reason);
     if (!g.not_applicable.empty() || !g.value) {
