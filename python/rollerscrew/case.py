@@ -365,9 +365,10 @@ class Case(Analyses):
 
         `history` takes the place of that of the file: arrays `force` and, where they are known,
         `position` or `speed`, and `time`, each with its unit: `{"force": (forces, "kN"), ..}`; or a
-        frame with such columns, their units in the names: `force_kN`. `options` are those of the
-        block `life.history`: `interval`, `hysteresis`, `bins`; and of `life`, of which a case
-        without that block needs the roller's `position` on the nut.
+        frame with such columns, their units in the names: `force_kN`. The index of a frame counts
+        as a column where it has such a name, and as the time where it holds times. `options` are
+        those of the block `life.history`: `interval`, `hysteresis`, `bins`; and of `life`, of which
+        a case without that block needs the roller's `position` on the nut.
         """
         if history is None and options:
             raise TypeError(

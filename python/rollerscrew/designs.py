@@ -818,15 +818,35 @@ def batches(inputs: Any, size: int) -> Iterator[Mapping[str, Any]]:
         }
 
 
+def _columns_and_index(frame: Any) -> Iterator[tuple[Any, Any]]:
+    """The columns of a frame, behind its index where that has a name or holds times."""
+    index = getattr(frame, "index", None)
+    if index is None:
+        pass
+    elif index.dtype.kind in "mM":
+        yield "time_s", (index - index[0]).total_seconds().to_numpy()
+    elif index.name is not None:
+        yield index.name, index.to_numpy()
+    elif index.dtype.kind not in "iu":
+        raise ValueError(
+            f"history: got an index of {index.dtype} without a name; expected one that is named "
+            "like 'time_s', that holds times, or that counts rows"
+        )
+    for name in frame.columns:
+        yield name, frame[name].to_numpy()
+
+
 def history_columns(history: Any) -> dict[str, tuple[list[float], str]]:
     """Numbers and unit of each column of a history that is given as arrays."""
     if hasattr(history, "columns") and hasattr(history, "to_dict"):
         columns: dict[str, Any] = {}
-        for name in history.columns:
+        for name, values in _columns_and_index(history):
             key, _, unit = checked_text("column", name).partition("_")
             if unit not in _unit_keys():
                 raise ValueError(f"history: got the column {name!r}; expected one as 'force_kN'")
-            columns[key] = (history[name].to_numpy(), _unit_keys()[unit])
+            if key in columns:
+                raise ValueError(f"history: got {key!r} as index and as column; expected it once")
+            columns[key] = (values, _unit_keys()[unit])
         history = columns
     if not isinstance(history, Mapping):
         raise TypeError(

@@ -149,6 +149,23 @@ def test_histories_of_arrays() -> None:
 
     frame = pd.DataFrame({"force_kN": force, "position_mm": x})
     assert case.life(history=frame).life == result.life
+    time = frame.assign(time_s=0.5 * np.arange(601.0))
+    expected = case.life(history=time).life
+    assert expected.system.l10_hours != result.life.system.l10_hours
+    assert case.life(history=time.set_index("time_s")).life == expected
+    frame.index = pd.Timestamp("2026-11-29") + pd.to_timedelta(time.time_s, unit="s")
+    assert case.life(history=frame).life == expected
+    frame.index = pd.to_timedelta(time.time_s, unit="s")
+    assert case.life(history=frame).life == expected
+    for index, message in {
+        "t": "got the column 't'; expected one as",
+        None: "got an index of float64 without a name",
+    }.items():
+        frame.index = pd.Index(0.5 * np.arange(601.0), name=index)
+        with pytest.raises(ValueError, match=message):
+            case.life(history=frame)
+    with pytest.raises(ValueError, match="got 'time' as index and as column"):
+        case.life(history=time.set_index(time.time_s.rename("time_s")))
     assert case.life(history={**history, "force": (2.0 * force, "kN")}).life != result.life
     with pytest.raises(TypeError, match="got no unit"):
         case.life(history={"force": force})

@@ -713,6 +713,16 @@ def test_notebooks_show_the_picture_alone() -> None:
     assert shown._ipython_display_() is None
 
 
+def test_a_legend_of_ones_own_keeps_the_label() -> None:
+    import matplotlib.pyplot as plt
+
+    _, ax = plt.subplots()
+    answer(1, "solve", rs.SolveResult).plot_load_distribution(0, ax=ax, label="OD 64")
+    ax.plot([1.0], [5.0], "k+", label="FE")
+    texts = [text.get_text() for text in ax.legend().get_texts()]
+    assert any(text.startswith("OD 64") for text in texts) and "FE" in texts
+
+
 def test_axes_that_are_given_make_room_once() -> None:
     _, ax = plt.subplots()
     result = answer(1, "solve", rs.SolveResult)
