@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import csv
 import io
 import math
@@ -78,7 +79,8 @@ class Case(Analyses):
     dictionaries line numbers are those of `text`.
     """
 
-    __slots__ = ("_case",)
+    __slots__ = ("_case", "_resolved")
+    _resolved: dict[str, Any]
 
     def __init__(self, blocks: Mapping[str, Any] | Record, *, name: str = _FILE) -> None:
         files = None
@@ -139,7 +141,9 @@ class Case(Analyses):
 
         Entries of lists have their place or their name: `load_cases[pull].axial_force`.
         """
-        value: Any = self.check().resolved_input.to_dict()
+        if not hasattr(self, "_resolved"):
+            self._resolved = self.check().resolved_input.to_dict()
+        value: Any = self._resolved
         for step in _steps(path):
             try:
                 value = value[_place(value, step) if isinstance(value, list) else step]
@@ -149,7 +153,7 @@ class Case(Analyses):
                 raise KeyError(
                     f"{path!r}: this case has no {step!r} there{_there(value)}{hint}"
                 ) from None
-        return value
+        return copy.deepcopy(value)
 
     def __contains__(self, path: object) -> bool:
         try:

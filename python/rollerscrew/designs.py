@@ -182,14 +182,22 @@ class Designs:
                 "`designs.case(place)` is one of them"
             )
         origin = self.origin and replace(self.origin, rows=self.origin.rows[places])
+        inputs = self.inputs.iloc[places]
         return Designs(
-            self.inputs.iloc[places].reset_index(drop=True),
+            inputs.reset_index(drop=True) if self._counts_rows else inputs,
             self.responses,
             self.values[places],
             self.status[places],
             self.reason[places],
             origin,
         )
+
+    @property
+    def _counts_rows(self) -> bool:
+        """Whether the index is that of frames without one."""
+        import pandas as pd
+
+        return isinstance(self.inputs.index, pd.RangeIndex)
 
     @property
     def converged(self) -> npt.NDArray[np.bool_]:
@@ -239,9 +247,10 @@ class Designs:
         """Inputs, status, reason and responses, one row per design: the columns of `study.csv`."""
         import pandas as pd
 
-        status, reason = (pd.Series(each, dtype="str") for each in (self.status, self.reason))
+        index = self.inputs.index
+        status, reason = (pd.Series(each, index, "str") for each in (self.status, self.reason))
         outcome = pd.DataFrame({"status": status, "reason": reason})
-        answers = pd.DataFrame(self.values, columns=list(self.responses))
+        answers = pd.DataFrame(self.values, index, columns=list(self.responses))
         return pd.concat([self.inputs, outcome, answers], axis=1)
 
     def to_xarray(self) -> xarray.Dataset:
@@ -379,6 +388,9 @@ def evaluate(
             study = prepared.study(rows)
             warn_of(study, 4)
             answered = prepared.answered(study, rows, thread_count(threads), show)
+    index = getattr(inputs, "index", None)
+    if index is not None and hasattr(inputs, "columns"):
+        answered = replace(answered, inputs=answered.inputs.set_axis(index))
     return answered
 
 
@@ -996,7 +1008,8 @@ class _Column:
             )
         if array.dtype.kind in "fiu":
             with np.errstate(over="ignore"):  # A long double may become infinite.
-                return cls._of_numbers(path, array.astype(np.float64), unit, finite)
+                column = cls._of_numbers(path, array.astype(np.float64), unit, finite)
+            return column if array.dtype.kind == "f" else replace(column, shown=array)
         return cls._of_values(path, list(array), unit)
 
     @classmethod

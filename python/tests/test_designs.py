@@ -798,3 +798,21 @@ def test_options_of_wrong_types(options: dict[str, Any], message: str) -> None:
     case = rs.Case.from_yaml(CONFIGS / "05_standard_screw.yaml")
     with pytest.raises(TypeError, match=message):
         case.evaluate({"load_cases[0].axial_force": ([1.0, 2.0], "kN")}, **options)
+
+
+def test_a_frame_keeps_its_index_and_its_counts() -> None:
+    frame = pd.DataFrame(
+        {"mechanism.rollers": [7, 9, 8]}, index=pd.Index(["A", "B", "C"], name="screw")
+    )
+    designs = lesson(1).evaluate(frame, ["axial_stiffness_N_per_um"])
+    answer = designs.to_frame()
+    assert answer.index.equals(frame.index)
+    assert answer["mechanism.rollers"].dtype == frame["mechanism.rollers"].dtype
+    assert designs[[2, 0]].to_frame().index.tolist() == ["C", "A"]
+    assert (answer.status == "converged").all()
+
+
+def test_blocks_of_a_case_are_copies() -> None:
+    case = lesson(1)
+    case["mechanism"]["rollers"] = 3
+    assert case["mechanism.rollers"] != 3
