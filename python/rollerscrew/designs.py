@@ -257,7 +257,8 @@ class Designs:
         """Responses over the inputs: where these form a grid, each is a dimension.
 
         Else there is one dimension, `design`, with the inputs as coordinates. Arrays of threads
-        have the dimension `thread`; the number of the first thread is 1.
+        have the dimension `thread`; the number of the first thread is 1. Variables have the
+        attributes `units` and `long_name`, the whole `prs_version`, `case_file` and `input_sha256`.
         """
         import xarray
 
@@ -283,7 +284,20 @@ class Designs:
                 data[name] = ((*dims, "thread"), values, said)
                 coordinates["thread"] = np.arange(1, len(columns) + 1)
         data["status"] = (dims, self.status[order].astype(str))
-        return xarray.Dataset(data, coordinates)
+        dataset = xarray.Dataset(data, coordinates, self._source_attributes())
+        for name in names:
+            dataset[name].attrs["units"] = _path_and_unit(name)[1]
+        return dataset
+
+    def _source_attributes(self) -> dict[str, str]:
+        """What the designs were computed by, and from."""
+        from rollerscrew.case import Case
+
+        attributes = {"prs_version": _engine.version}
+        if self.origin is not None:
+            document = Case._from_source(source_of(self.origin.case)).check()
+            attributes |= {key: document[key] for key in ("case_file", "input_sha256")}
+        return attributes
 
 
 #: The last place in a path: `screw.load_rate_percent[3]`.

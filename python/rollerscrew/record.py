@@ -34,6 +34,9 @@ class Look(typing.TypedDict, total=False):
     color: Any
 
 
+#: Names with one underscore before them.
+_PRIVATE = re.compile(r"_(?!_)")
+
 #: A document has lists without entries where there are no numbers.
 _NO_NUMBERS = np.empty(0)
 _NO_NUMBERS.flags.writeable = False
@@ -107,7 +110,8 @@ class Record:
         return len(self.keys())
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self.keys()]
+        """Without the private names."""
+        return [name for name in (*super().__dir__(), *self.keys()) if not _PRIVATE.match(name)]
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {', '.join(self.keys())}>"

@@ -524,3 +524,9 @@ def test_arrays_without_numbers_are_arrays() -> None:
     case = answer(24, "solve", rs.SolveResult).load_cases[0]
     assert case.idle_rollers is not None and isinstance(case.idle_rollers, np.ndarray)
     assert case.idle_rollers.size == 0 and not case.idle_rollers.flags.writeable
+
+
+def test_dir_lists_what_is_public() -> None:
+    names = dir(answer(1, "solve", rs.SolveResult))
+    assert "load_cases" in names and "plot_load_distribution" in names
+    assert not [name for name in names if name.startswith("_") and not name.startswith("__")]
