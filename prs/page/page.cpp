@@ -196,7 +196,7 @@ std::string workbench_page(const LiveParts& parts, const std::optional<input::So
                            const std::vector<NamedText>& texts) {
   Json data{{"version", kVersion},
             {"schemas", {{"case", input::schema()}}},
-            {"units", units_json()["quantities"]},
+            {"units", us_units_json()},
             {"lubricants", lubricants_json()["lubricants"]},
             {"responses", responses_json(known_responses())["responses"]},
             {"commands", Json::array()},

@@ -68,4 +68,12 @@ Json units_json() {
   return json;
 }
 
+Json us_units_json() {
+  Json json = Json::array();
+  for (const ShownUnit& unit : kShownUnits)
+    if (!unit.us_text.empty())
+      json.push_back({{"text", unit.text}, {"us_text", unit.us_text}, {"factor", unit.us_factor / unit.factor}});
+  return json;
+}
+
 }  // namespace prs

@@ -12,6 +12,8 @@ Json lubricants_json();
 /// Units of the input by dimension, with their spellings.
 std::string units_table();
 Json units_json();
+/// Units of results that tables in US units replace: `text`, `us_text`, and `factor` from one to the other.
+Json us_units_json();
 
 /// Responses that a study may record, with unit and title.
 std::string responses_table(const std::vector<std::string>& paths);

@@ -1,27 +1,10 @@
 // How quantities are shown: digits and units, as in reports (prs/report/tables.cpp,
-// prs/record/table_units.cpp), and inputs in the other system.
+// prs/model/units.h), and inputs in the other system.
 
-// By definition (NIST SP 811, appendix B).
-const inch = 25.4; // mm
-const pound = 0.45359237; // kg
-const poundForce = pound * 9.80665; // N
+import { page } from './store.js';
 
-const us = {
-  N: ['lbf', 1 / poundForce],
-  kN: ['lbf', 1000 / poundForce],
-  MPa: ['ksi', (inch * inch) / poundForce / 1000],
-  GPa: ['ksi', (inch * inch) / poundForce],
-  mm: ['in', 1 / inch],
-  m: ['in', 1000 / inch],
-  µm: ['µin', 1000 / inch],
-  nm: ['µin', 1 / inch],
-  kg: ['lb', 1 / pound],
-  'N/µm': ['lbf/µin', inch / 1000 / poundForce],
-  'N m': ['lbf in', 1000 / inch / poundForce],
-  'N mm': ['lbf in', 1 / inch / poundForce],
-  'mm/s': ['in/s', 1 / inch],
-  'kg mm²': ['lb in²', 1 / pound / inch / inch],
-};
+/** Units of documents with the US ones that take their place: {text: [US text, factor]}. */
+const us = Object.fromEntries(page.units.map((unit) => [unit.text, [unit.us_text, unit.factor]]));
 
 const digitsIn = (unit) =>
   ['mm', 'deg', 'in'].includes(unit) ? 5 : ['h', 'km', '°C', 'degC', '°F', 'rev', '10^6 rev', '10^6 in'].includes(unit) ? 3 : 4;
@@ -64,17 +47,16 @@ export function quantity(value, path, unit, system) {
 
 // Inputs in the other system ----------------------------------------------------------------------
 
+const perInch = us.mm[1]; // Of millimetres.
 const toUs = {
-  mm: ['in', 1 / inch], cm: ['in', 10 / inch], m: ['in', 1000 / inch], um: ['uin', 1000 / inch], µm: ['uin', 1000 / inch],
-  N: ['lbf', 1 / poundForce], kN: ['lbf', 1000 / poundForce],
-  MPa: ['ksi', us.MPa[1]], GPa: ['ksi', us.GPa[1]], kg: ['lb', 1 / pound],
-  'N m': ['lbf in', us['N m'][1]], 'N/um': ['lbf/uin', us['N/µm'][1]], 'N/mm': ['lbf/in', inch / poundForce],
-  'mm/s': ['in/s', 1 / inch], 'mm/min': ['in/min', 1 / inch], 'm/min': ['in/min', 1000 / inch],
+  ...us,
+  um: ['uin', us.µm[1]], µm: ['uin', us.µm[1]], cm: ['in', 10 * perInch], 'N/um': ['lbf/uin', us['N/µm'][1]],
+  'N/mm': ['lbf/in', us.N[1] / perInch], 'mm/min': ['in/min', perInch], 'm/min': ['in/min', 1000 * perInch],
 };
 const toSi = {
-  in: ['mm', inch], ft: ['mm', 12 * inch], uin: ['um', inch / 1000], lbf: ['N', poundForce], ksi: ['MPa', 1 / us.MPa[1]],
-  psi: ['MPa', 1 / us.MPa[1] / 1000], lb: ['kg', pound], 'lbf in': ['N m', 1 / us['N m'][1]],
-  'lbf/uin': ['N/um', 1 / us['N/µm'][1]], 'lbf/in': ['N/mm', poundForce / inch], 'in/s': ['mm/s', inch],
+  ft: ['mm', 12 / perInch], psi: ['MPa', 1 / us.MPa[1] / 1000], uin: ['um', 1 / us.µm[1]],
+  'lbf/uin': ['N/um', 1 / us['N/µm'][1]], 'lbf/in': ['N/mm', perInch / us.N[1]],
+  ...Object.fromEntries(['mm', 'N', 'MPa', 'kg', 'N m', 'mm/s'].map((si) => [us[si][0], [si, 1 / us[si][1]]])),
 };
 
 /** '30 mm' in US units, '1.181 in'; null where it is the same there. */
