@@ -34,7 +34,8 @@ def draw_panel(
             getattr(ax, f"set_{which}scale")("log")
     if "map" in panel:
         _map(ax, panel["map"], description.get("colours", {}), scale)
-    names = _names_of_styles(description)
+    entries = reversed(description.get("legend", []))  # A label stands before what a line means.
+    names = {each["style"]: shown(each["title"]) for each in entries}
     styles = description.get("styles", [])
     for series in panel.get("series", []):
         style = styles[series["style"]]
@@ -52,14 +53,6 @@ def draw_panel(
     _show_marks_at_limits(ax)
     if description.get("to_scale"):
         ax.set_aspect("equal", adjustable="datalim")
-
-
-def _names_of_styles(description: Mapping[str, Any]) -> dict[Any, str]:
-    """All that the legend says of a style: `OD 64, tension`."""
-    names: dict[Any, list[str]] = {}
-    for each in description.get("legend", []):
-        names.setdefault(each["style"], []).append(shown(each["title"]))
-    return {style: ", ".join(titles) for style, titles in names.items()}
 
 
 def _show_marks_at_limits(ax: Axes) -> None:
