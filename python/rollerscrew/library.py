@@ -69,8 +69,8 @@ def lesson(which: int | str) -> Case:
         if asked in (name, word) or (asked.isdigit() and int(asked) == int(number)):
             return Case.from_yaml(_shared("lessons") / f"{name}.yaml")
     raise InputError(
-        f"lesson: got {which!r}; expected a number from 1 to {len(names)} or a name of "
-        "`rollerscrew.lessons()`"
+        f"lesson: got {which!r}; expected a number from {int(names[0][:2])} to "
+        f"{int(names[-1][:2])} or a name of `rollerscrew.lessons()`"
     )
 
 
