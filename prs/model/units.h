@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-/// Value of one SI unit in the unit that people read: shown = SI * factor.
+/// Factors from SI to the units shown: shown = SI * factor.
 namespace prs::per_si {
 
 inline constexpr double kilonewton = 1e-3;
