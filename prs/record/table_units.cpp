@@ -13,7 +13,8 @@
 namespace prs {
 namespace {
 
-/// Takes `[k]` from the end of a key: the number of a `thread`, for example, else as it is.
+/// Removes `[k]` from the end of a key and returns it as a text: `, thread 1` if `what` is a thread, else `[k]`; empty
+/// if there is none.
 std::string take_index(std::string_view& key, std::string_view what) {
   if (!key.ends_with(']')) return {};
   const std::size_t at = key.rfind('[');
@@ -26,7 +27,7 @@ std::string take_index(std::string_view& key, std::string_view what) {
   return shown;
 }
 
-/// Whether a number, as it is shown, is nothing but zeros.
+/// Whether the text of a number has only zeros.
 bool is_zero(std::string_view text) { return text.find_first_not_of("+-0.") == text.npos; }
 
 }  // namespace
@@ -60,17 +61,17 @@ namespace {
 
 thread_local UnitSystem system_of_tables = UnitSystem::si;
 
-// By definition (NIST SP 811, appendix B).
+// Exact by definition (NIST SP 811, appendix B).
 constexpr double kPerInch = 1.0 / 0.0254;
 constexpr double kPerPound = 1.0 / 0.45359237;
 constexpr double kPerPoundForce = kPerPound / 9.80665;
 
 struct UsUnit {
-  std::string_view si;  ///< As documents write it.
+  std::string_view si;  ///< Unit as in documents.
   ShownUnit us;
 };
 
-/// Speeds of rotation, angles, times and powers are the same: torques go with rpm and W.
+/// Units that differ: speeds of rotation, angles, times and powers stay, so that torques agree with rpm and W.
 constexpr UsUnit kUsUnits[] = {
     {"N/mm^1.5", {"", "lbf/in^1.5", kPerPoundForce * 0.004048093872429343}},  // 0.0254^1.5
     {"mm/N^(1/3)", {"", "in/lbf^(1/3)", kPerInch * 1.6446070162173028}},      // 4.4482216^(1/3)
@@ -102,7 +103,7 @@ const ShownUnit& documents_unit(std::string_view text) {
   return unit == std::end(kShownUnits) ? kNoUnit : *unit;
 }
 
-/// Decimals that the smaller or larger unit needs to show the same digits.
+/// Decimals needed in the smaller or larger unit for the same digits.
 int decimals_in(const ShownUnit& shown, const ShownUnit& unit, int decimals) {
   const int more = static_cast<int>(std::ceil(-std::log10(shown.factor / unit.factor)));
   return std::max(0, decimals + more);
@@ -110,7 +111,7 @@ int decimals_in(const ShownUnit& shown, const ShownUnit& unit, int decimals) {
 
 constexpr const char* kNumber = R"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)";
 
-/// What stands before, one number or two of a range, and one of the units that are replaced.
+/// Pattern of a number, or a range of two, before a unit that is replaced.
 std::regex quantity_in_sentence() {
   std::string units = "um";
   for (const UsUnit& unit : kUsUnits) {
@@ -124,7 +125,7 @@ std::regex quantity_in_sentence() {
       fmt::format(R"((^|[ (]|−)({0})(?:( to | and | or | x | × )({0}))? ({1})(?![\w/^(²³]))", kNumber, units));
 }
 
-/// The number converted, with as many digits as it had, three at least.
+/// The converted number, with as many digits as before, at least three.
 std::string converted_number(const std::string& number, double factor) {
   int digits = 0;
   for (const char c : number.substr(0, number.find('e')))
@@ -291,7 +292,7 @@ constexpr int kBarCells = 36;
 constexpr std::size_t kBarColumn = kBarCells + 9;
 constexpr std::string_view kEighths[] = {"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
 
-/// A bar to an eighth of a character.
+/// A bar with a resolution of an eighth of a character.
 std::string bar(double value, double largest) {
   const double share = largest > 0.0 ? std::clamp(value / largest, 0.0, 1.0) : 0.0;
   const auto [cells, eighths] = std::div(static_cast<int>(std::lround(8 * kBarCells * share)), 8);
