@@ -111,9 +111,6 @@ struct RollerPush {
   double of_thread = 0.0, of_heads = 0.0;
 };
 
-// The parts as bodies of revolution that are bounded by the pitch diameters, where a thread is as
-// wide as its groove: what crests add, roots lack, but for the difference of their radii.
-
 /// Volume and polar moment of volume of a body about its axis. The parts are bodies of revolution bounded by the pitch
 /// diameters, where a thread is as wide as its groove: crests add what roots lack, but for the difference of their
 /// radii.
