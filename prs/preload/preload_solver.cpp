@@ -192,7 +192,7 @@ constexpr int kRootBits = 44;
 constexpr boost::uintmax_t kMostEvaluations = 100;
 constexpr double kStep = 1.5;  ///< Factor of the search for a bracket.
 
-/// Load, over half the preload, up to which a closed side counts as closed forever.
+/// Largest load, over half the preload, at which the opening of a side is searched.
 constexpr double kMostOpening = 2000.0;
 /// Largest interference of deformable bodies, as a multiple of that of rigid bodies.
 constexpr double kMostInterference = 1e12;
