@@ -31,8 +31,8 @@ char separator_of(std::string_view line) {
   return ',';
 }
 
-constexpr std::size_t kLongestNumber =
-    64;  ///< Longer fields are not numbers, and would exhaust the stack of std::regex.
+/// Longer fields are not numbers, and would exhaust the stack of std::regex.
+constexpr std::size_t kLongestNumber = 64;
 
 /// Pattern of a number with a decimal comma: sign, groups of thousands, decimals.
 const std::regex& decimal_comma_number() {

@@ -109,8 +109,8 @@ struct LifeResult {
   double revolutions = 0.0;        ///< Sum over all steps; 1 if they are shares.
   bool revolutions_known = true;   ///< false if the spectrum states shares.
   std::optional<double> duration;  ///< Duration of one pass, if the clock time is known [s].
-  std::optional<double>
-      revolution_rate;                ///< Mean rate that converts lives to hours: by the clock, else in motion [1/s].
+  /// Mean rate that converts lives to hours: by the clock, else in motion [1/s].
+  std::optional<double> revolution_rate;
   std::optional<double> moving_rate;  ///< Rate at the operation's speed [1/s].
   double mean_load = 0.0;             ///< Cubic mean over all loads [N].
   double largest_force = 0.0;         ///< [N]

@@ -46,9 +46,9 @@ struct CaseColumn {
 struct CaseTable {
   std::span<const CaseColumn> columns;
   std::size_t load_columns = 0;  ///< Number of columns that describe the load; a failed case has only these.
-  std::string (*failure)(
-      const LoadCaseResult&);  ///< Text for a failed case in place of the other columns; empty for others.
-  std::string_view file;       ///< File with all points of a range.
+  /// Text for a failed case in place of the other columns; empty for others.
+  std::string (*failure)(const LoadCaseResult&);
+  std::string_view file;  ///< File with all points of a range.
 };
 
 /// The table, usually within `kTableWidth` columns. Beyond 24 cases a range shows its first, middle and last point.

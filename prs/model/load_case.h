@@ -65,8 +65,8 @@ struct Travel {
   double from = 0.0;  ///< Angle of the first position [rad].
   Part part = Part::screw;
   SlipRatio slip_ratio = SlipRatio::rolling;
-  double stated_slip_ratio =
-      std::numeric_limits<double>::quiet_NaN();  ///< Slip ratio that replaces the above if it is a number.
+  /// Slip ratio that replaces the above if it is a number.
+  double stated_slip_ratio = std::numeric_limits<double>::quiet_NaN();
 
   /// M, number of the last position: there are M + 1 positions.
   int last() const { return std::abs(turns) * steps; }
@@ -173,13 +173,13 @@ struct Preload {
   std::optional<double> backlash;  ///< Axial play instead of preload [m].
   double position = 0.0;           ///< Position of the first roller contact on the first nut [m].
   std::optional<Spacer> spacer;    ///< Ring of a double nut.
-  std::optional<double>
-      distance;  ///< Distance from the last contact of the first nut to the first contact of the second [m].
+  /// Distance from the last contact of the first nut to the first contact of the second [m].
+  std::optional<double> distance;
   LoadSweep load;
   /// Load case whose steady temperatures the curve is computed at, with `heat`; the first by default.
   std::optional<std::string> load_case;
-  std::optional<double>
-      lost_motion_load;  ///< Load at which lost motion is read [N]; `kLostMotionShare` of the largest if absent.
+  /// Load at which lost motion is read [N]; `kLostMotionShare` of the largest if absent.
+  std::optional<double> lost_motion_load;
 };
 
 /// Default load at which lost motion is read, as a share of the largest load of the curve.

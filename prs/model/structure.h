@@ -22,8 +22,8 @@ struct Guidance {
 /// Support of the guide rings of a full mechanism, one ring at each end of the rollers.
 struct Rings {
   enum class Carrier { housing, nut, screw };
-  std::optional<Carrier>
-      carrier;                ///< Part that carries the rings; default: the part on which the rollers stay in place.
+  /// Part that carries the rings; default: the part on which the rollers stay in place.
+  std::optional<Carrier> carrier;
   double stiffness = kRigid;  ///< Stiffness between ring and carrier [N/m]; below `kRigid` the ring floats.
 
   bool operator==(const Rings&) const = default;

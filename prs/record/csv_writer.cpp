@@ -24,8 +24,8 @@ constexpr auto kPowers = [] {
 }();
 
 constexpr int kMostDigits = 12;  ///< Most digits for which a product's rounding is below 1e-3 of the last one.
-constexpr int kLeastExponent =
-    -4;  ///< Decimal exponent below which, as from `digits` on, numbers are written with an exponent.
+/// Decimal exponent below which, as from `digits` on, numbers are written with an exponent.
+constexpr int kLeastExponent = -4;
 
 constexpr auto kWholePowers = [] {
   std::array<std::uint64_t, kMostDigits + 1> powers{1};

@@ -600,8 +600,8 @@ class WrittenLines {
   std::string remark(const std::string& path, const std::string& text) const {
     if (path == "life.position") return fmt::format("assumed {}: rollers in the middle of the nut", text);
     if (is_stated(path) || !has(path, true)) return {};
-    const std::size_t stroke =
-        path == "measures.shaft" ? text.find(", stroke: ") : text.npos;  // The stroke belongs to the motion.
+    // The stroke belongs to the motion.
+    const std::size_t stroke = path == "measures.shaft" ? text.find(", stroke: ") : text.npos;
     return fmt::format("assumed {}: default of `prs size`", stroke == text.npos ? text : text.substr(0, stroke) + "}");
   }
 

@@ -445,8 +445,8 @@ Figures curve(const SizeResult& r) {
     panel.series.push_back(std::move(mean));
   }
   const double largest = per_si::kilonewton * cycle.largest_force;
-  range.include(
-      std::max(1.2 * largest, std::min(1.1 * single, 3.0 * largest)));  // Lines far above would compress the others.
+  // Lines far above would compress the others.
+  range.include(std::max(1.2 * largest, std::min(1.1 * single, 3.0 * largest)));
   panel.y = fitted({"Axial force", "kN"}, {0.0, range.to}, true);
   figure.panels = {std::move(panel)};
   return {std::move(figure)};

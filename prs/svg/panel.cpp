@@ -237,8 +237,8 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
   const bool mapped = !panel.map.grid.empty() && figure.colours;
   const bool boxed = figure.to_scale || mapped, bare = f.x.hidden && f.y.hidden;
   const std::string clip = fmt::format("{}-{}", id, index);
-  const int margin =
-      figure.to_scale && !mapped ? 0 : 7;  // Width in pixels by which marks at an edge may exceed the panel.
+  // Width in pixels by which marks at an edge may exceed the panel.
+  const int margin = figure.to_scale && !mapped ? 0 : 7;
   all += fmt::format("<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>", clip,
                      b.left - margin, b.top - margin, b.width() + 2 * margin, b.height() + 2 * margin);
   all +=

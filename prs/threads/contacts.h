@@ -26,8 +26,8 @@ struct InterfaceContact {
   contact::HertzConstants hertz;  ///< Hertz contact; `not_computed` without materials.
   /// Largest shear below the centre of the ellipse; absent without Hertz contact and with Detail::numbers.
   std::optional<contact::SubsurfaceShear> shear;
-  std::optional<contact::SubsurfaceVonMises>
-      von_mises;                 ///< Largest von Mises stress below the centre; absent as above.
+  /// Largest von Mises stress below the centre; absent as above.
+  std::optional<contact::SubsurfaceVonMises> von_mises;
   double contact_modulus = 0.0;  ///< E* [Pa], 0 without materials.
   /// Peak pressure at rest [Pa], `static_pressure_limit` of the materials; absent if none is known.
   std::optional<double> pressure_limit = kStaticPressureLimit;

@@ -19,8 +19,8 @@ class BarDesignSolver {
   /// Options of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
   /// slender rollers a residual of 1e-12 can leave 1e-10 in a thread's load.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
-  bool tangent_stiffness =
-      true;  ///< Whether to compute the tangent stiffness, which costs one more sweep of the threads.
+  /// Whether to compute the tangent stiffness, which costs one more sweep of the threads.
+  bool tangent_stiffness = true;
 
   /// Solves designs with any mixture of thread counts, each under its axial force on the whole mechanism [N]; results
   /// of refined designs are not touched.
