@@ -145,8 +145,8 @@ class NewtonMethod {
   /// costs a twentieth of a factorization of a large model. After a step that left much of the residual only the same
   /// tangent is reused.
   static constexpr double kSimilarTangent = 1e-2, kSameTangent = 1e-6;
-  static constexpr int kFewUnknowns =
-      800;  ///< Number of unknowns below which a new factorization costs no more than a step.
+  /// Number of unknowns below which a new factorization costs no more than a step.
+  static constexpr int kFewUnknowns = 800;
   /// A spring with force ~ w^1.5 that has to open, and nothing else at its end, goes from w to w/3, which leaves 3^-1.5
   /// = 0.19 of its force; a step of 1.5 times the length ends at zero, a slightly longer one opens it.
   static constexpr double kLeastLeft = 0.1, kMostLeft = 0.3, kOpeningStep = 1.6;
