@@ -61,7 +61,7 @@ Bench line() {
 }
 
 struct Slope {
-  double value, sum, squares;  ///< of x^2; of residual squares
+  double value, sum, squares;  ///< The slope, the sum of x^2, that of squared residuals.
 };
 Slope slope_of(const std::vector<double>& x, const std::vector<double>& y) {
   double xy = 0.0, xx = 0.0, squares = 0.0;
