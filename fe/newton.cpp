@@ -15,7 +15,7 @@ constexpr int kMostRefinements = 10;
 /// Relative correction after which the next one would be rounding.
 constexpr double kRefined = 1e-8;
 
-/// The tangent in doubles and its factorization: what steps of Newton's method are solved with.
+/// The tangent in doubles and its factorization, with which steps of Newton's method are solved.
 class DoubleTangent {
  public:
   explicit DoubleTangent(const Equations& equations)
@@ -47,15 +47,15 @@ class DoubleTangent {
     factorized_ = status == FactorizationStatus::ok ? stiffness_ : std::vector<double>();
     return status;
   }
-  /// Whether no spring's stiffness differs from that in the factorization by more than this share
-  /// of it: a solve with the factorization then leaves at most this share of an error, in energy.
+  /// Whether no spring's stiffness differs from that in the factorization by more than this share: a solve with the
+  /// factorization then leaves at most this share of an error, in energy.
   bool factorized_within(double share) const {
     if (factorized_.empty() || factorized_.size() != stiffness_.size()) return false;
     for (std::size_t k = 0; k < stiffness_.size(); ++k)
       if (!(std::abs(stiffness_[k] - factorized_[k]) <= share * factorized_[k])) return false;
     return true;
   }
-  /// Call it after a change of the linear part.
+  /// Discards the factorization; call it after a change of the linear part.
   void forget() { factorized_.clear(); }
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { cholesky_.solve(b, x); }
   bool solved(const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
@@ -75,7 +75,7 @@ class DoubleTangent {
  private:
   const Equations* equations_;
   SparseSymmetric tangent_;
-  /// Spring stiffnesses in the matrix, and in its factorization; none where it is shifted.
+  /// Spring stiffnesses in the matrix, and in its factorization; empty if that is shifted.
   std::vector<double> stiffness_, factorized_;
   Cholesky cholesky_;
 };
@@ -95,8 +95,8 @@ class DoubleNumbers : public DoubleTangent {
   double energy_and_residual(const State& q, const Vector& f, Vector& residual) const {
     return equations_->energy_and_residual(q, f, residual);
   }
-  /// The factorized secant matrix, kept where it comes again: models that differ in gaps and loads
-  /// have it in common. Null where it is singular.
+  /// The factorized secant matrix, kept for later calls: models that differ in gaps and loads share it. Null if it is
+  /// singular.
   const Cholesky* start_factor() {
     if (matrix().value != start_value_) {
       start_value_ = matrix().value;
@@ -115,7 +115,7 @@ class DoubleNumbers : public DoubleTangent {
   bool residual_is_rounding(const State& q, const Vector& residual) const {
     return (residual.array().abs() <= equations_->rounding_residual(q).array()).all();
   }
-  /// A difference of large works.
+  /// Rounding of the energy, a difference of large works.
   static double energy_rounding(const State& q, const Vector& f, double energy) {
     return 64.0 * std::numeric_limits<double>::epsilon() * (std::abs(energy) + std::abs(f.dot(q.head)));
   }
@@ -132,10 +132,10 @@ class DoubleNumbers : public DoubleTangent {
 using Wide = Quad;
 using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
 
-/// Pivots below this share of the largest leave no digit in the solution.
+/// Smallest pivot over the largest: smaller ones leave no correct digit in the solution.
 constexpr double kSmallestWidePivotRatio = 1e-33;
 
-/// As in NewtonOptions: small compared with the softest stiffness of a model.
+/// First shift as in NewtonOptions: small compared with the softest stiffness of a model.
 constexpr double kFirstShift = 1e-26;
 
 /// Displacements as Equations reads them.
@@ -158,7 +158,7 @@ State to_state(const WideState& q) {
   return state;
 }
 
-/// What the states, forces and energies of both kinds of steps are.
+/// Types of states, forces and energies for both kinds of steps.
 struct WideNumbers {
   using Energy = Wide;
   using State = WideState;
@@ -174,7 +174,7 @@ struct WideNumbers {
     return w;
   }
 
-  /// The laws themselves have the digits of a double, of the net approach.
+  /// Response of a spring: the laws have the digits of a double, of the net approach.
   SpringResponse response(const Equations::Spring& s, const State& q) const {
     return evaluate(without_gap(s.law), static_cast<double>(net_approach(s, q)));
   }
@@ -198,7 +198,7 @@ struct WideNumbers {
 
   double largest_approach(const State& q) const { return equations.largest_approach(to_state(q)); }
   static double force_rounding(const State&) { return 0.0; }
-  /// What the laws round stays.
+  /// Whether the residual is rounding: that of the laws remains.
   bool residual_is_rounding(const State& q, const Vector& residual) const {
     Eigen::VectorXd rounding = Eigen::VectorXd::Zero(equations.size());
     for (const Equations::Spring& s : equations.springs()) {
@@ -209,7 +209,7 @@ struct WideNumbers {
     return (residual.cast<double>().array().abs() <= rounding.array()).all();
   }
 
-  /// The laws' energies have the digits of a double.
+  /// Rounding of the energy: the laws' energies have the digits of a double.
   double energy_rounding(const State& q, const Eigen::VectorXd&, const Wide&) const {
     double energy = 0.0;
     for (const Equations::Spring& s : equations.springs()) energy += response(s, q).energy;
@@ -246,7 +246,7 @@ struct DoubleSteps : WideNumbers {
 /// L D L' of a symmetric matrix in wide numbers, L row by row.
 class WideCholesky {
  public:
-  /// `pattern`: of the matrix, in the order of elimination; has to outlive this.
+  /// `pattern`: of the matrix, in the order of elimination; must outlive this object.
   explicit WideCholesky(const SparseSymmetric& pattern)
       : pattern_(pattern), columns_(size()), below_(size()), diagonal_(size()) {
     std::vector<int> parent(size(), -1), seen_by(size(), -1);
@@ -261,7 +261,7 @@ class WideCholesky {
     }
   }
 
-  /// `value`: of the entries of the pattern.
+  /// `value`: values of the entries of the pattern.
   FactorizationStatus factorize(const std::vector<Wide>& value) {
     for (auto& entries : below_) entries.clear();
     std::vector<Wide> y(size(), Wide(0.0));
@@ -333,7 +333,7 @@ struct WideSteps : WideNumbers {
   WideCholesky factor;
 };
 
-/// The tangent less what the load grows by: K + (B - P)' t B.
+/// The tangent minus the derivative of the following load: K + (B - P)' t B.
 Eigen::SparseMatrix<double> unsymmetric(const SparseSymmetric& tangent, const Equations& equations,
                                         const FollowingLoad& load, const State& q) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -363,17 +363,17 @@ std::string_view name(NewtonStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
-/// Newton's method in numbers of 113 binary digits, for models whose stiffnesses are so far apart
-/// that doubles lose the softest of them: stiffnesses 17 decades apart keep 16 digits.
+/// Newton's method in numbers of 113 binary digits, for models whose stiffnesses are so far apart that doubles lose the
+/// softest of them: stiffnesses 17 decades apart keep 16 digits.
 class WideNewton {
  public:
-  /// `doubles`: what steps in doubles are solved with.
+  /// `doubles`: tangent with which steps in doubles are solved.
   WideNewton(const Equations& equations, DoubleTangent& doubles)
       : equations_(equations), by_doubles_(equations, doubles) {}
 
-  /// As NewtonSolver::solve, in at most `limit` linear solves: forces are those of wide numbers,
-  /// but steps are solved for in doubles, whose errors the next step takes away. Where these are
-  /// too large, it goes on with a tangent in wide numbers, a thousand times as slow.
+  /// Solves like NewtonSolver::solve, in at most `limit` linear solves: forces are computed in wide numbers, but steps
+  /// in doubles, whose errors the next step corrects. If these are too large, it goes on with a tangent in wide
+  /// numbers, a thousand times as slow.
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit, State& q) {
     WideState wide = to_wide(q);
     NewtonSummary summary = by_doubles_.solve(f, options, limit, kMostShifted, wide);
@@ -462,11 +462,11 @@ FollowingLoad::FollowingLoad(const Equations& equations, Eigen::VectorXd unchang
 
 bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& options, State& q) {
   constexpr int kMostSteps = 40, kFullSteps = 10;
-  constexpr double kMuchTheSame = 0.05;  // Friction leaves more of an error.
+  constexpr double kMuchTheSame = 0.05;  // Change of stiffness that friction tolerates less exactly.
   DoubleNumbers& numbers = doubles_->method.numbers();
   Eigen::VectorXd &residual = doubles_->residual, &correction = doubles_->correction;
   const State first = q;
-  double left = 0.0;  // Of the forces, relative.
+  double left = 0.0;  // Remaining relative residual of the forces.
   const auto left_at = [&](const State& state) {
     equations_->linear_forces(state, residual);
     residual -= load.constant;
@@ -501,9 +501,9 @@ bool NewtonSolver::follow(const FollowingLoad& load, const NewtonOptions& option
       } else {
         numbers.solve(residual, correction);
       }
-      // Springs that open and close in turn keep full steps going round.
+      // Full steps can cycle if springs open and close in turn.
       q.set_to_step(State(q), step < kFullSteps || fast ? 1.0 : 0.5, correction);
-      // This step leaves a tenth of what was found.
+      // This step reduces the error found to a tenth.
       if (left <= options.residual_tolerance || (small && !fast)) return true;
     }
     q = first;
@@ -534,7 +534,7 @@ bool NewtonSolver::solve_linear(const std::vector<double>& stiffness, const std:
     Eigen::VectorXd x;
     numbers.solve(load, x);
     State refined(std::move(x));
-    // A refinement leaves about the square of what it corrects.
+    // A refinement leaves about the square of the error that it corrects.
     for (int k = 0; k < kMostRefinements; ++k) {
       equations_->secant_residual(stiffness, refined, load, doubles_->residual);
       numbers.solve(doubles_->residual, correction);

@@ -9,24 +9,24 @@
 namespace modules::fit {
 namespace {
 
-constexpr double kStep = 1e-3;           // Of z, in differences.
-constexpr double kLeastStep = 1e-4;      // Below that differences drown in the tolerances of what they are of.
-constexpr double kBound = 1e-6;          // Nearer to a bound than that a value may be held there.
-constexpr double kConverged = 1e-4;      // Of a standard deviation.
-constexpr double kSettled = 1e-6;        // What the search goes on to, where it can.
+constexpr double kStep = 1e-3;           // Step of z in differences.
+constexpr double kLeastStep = 1e-4;      // Smallest step: below, differences are lost in the tolerances of the values.
+constexpr double kBound = 1e-6;          // Distance from a bound within which a value may be held there.
+constexpr double kConverged = 1e-4;      // Tolerance of z, over a standard deviation.
+constexpr double kSettled = 1e-6;        // Tolerance towards which the search continues if it can.
 constexpr double kSpreadSettled = 1e-8;  // Relative change of a deviation.
-constexpr double kNoInfluence = 1e-12;   // Of the response.
+constexpr double kNoInfluence = 1e-12;   // Influence, relative to the response, that counts as none.
 constexpr double kEven = 1e-6;           // Difference of both sides over their distance from the middle.
-constexpr double kAside = 0.03;          // Of z, where a search cannot begin.
-constexpr double kLeastSlope = 0.05;     // Of a loss, as a mean over its curve.
+constexpr double kAside = 0.03;          // Step of z if a search cannot begin.
+constexpr double kLeastSlope = 0.05;     // Smallest slope of a loss, as a mean over its curve.
 
-/// What is known at one place of the unknowns.
+/// Results at one point z.
 struct State {
   VectorXd z;
   std::vector<VectorXd> values;            ///< Values of each fitted curve, with its offset.
-  std::vector<MatrixXd> slopes = {};       ///< By z, once they are asked for.
+  std::vector<MatrixXd> slopes = {};       ///< Derivatives by z, after they were requested.
   std::vector<MatrixXd> information = {};  ///< J'J over the squares of stated deviations.
-  std::vector<Index> even = {};            ///< Unknowns about which every curve is even here.
+  std::vector<Index> even = {};            ///< Unknowns in which every curve is even here.
 };
 using StatePtr = std::shared_ptr<State>;
 
@@ -40,7 +40,7 @@ struct Normal {
   MatrixXd inverse = {};
 };
 
-/// In the unknown's own unit.
+/// Value in the unknown's own unit.
 double shown(const Unknown& unknown, double u) { return unknown.is_log ? std::exp(u) : u; }
 Estimate shown(const Unknown& unknown, Estimate e) {
   if (!unknown.is_log) return e;
@@ -69,7 +69,7 @@ class Search {
       spread_.push_back(1.0);
       floor_.push_back(0.0);
       if (estimated) {
-        // The zero of a probe says nothing of its noise.
+        // Zero offset of a probe, which does not count as noise.
         const double middle = curve.offset ? y.mean() : 0.0;
         floor_[c] = std::max(1e-6 * (y.array() - middle).abs().maxCoeff(), 1e-150);
         spread_[c] = std::max(0.05 * std::sqrt((y.array() - y.mean()).square().sum() / n), floor_[c]);
@@ -90,12 +90,12 @@ class Search {
       if (const auto& prior = unknown(j).prior) prior_(j, j) = std::pow(range(j) / prior->deviation, 2);
   }
 
-  /// Nothing where the function has no answer at the start.
+  /// Evaluates the start; false if the function has no result there.
   bool look_at_start(const VectorXd& z, Result& result) {
     const StatePtr state = with_slopes(z);
     if (!state) return false;
     for (std::size_t c = 0; c < fitted_.size(); ++c)
-      if (is_estimated(c) && spread_[c] == floor_[c])  // All readings are equal.
+      if (is_estimated(c) && spread_[c] == floor_[c])  // Whether all readings are equal.
         spread_[c] = std::max(spread_[c], 0.05 * (measured_[c] - state->values[c]).lpNorm<Eigen::Infinity>());
     first_spread_ = spread_;
     for (Index j = 0; j < count_; ++j) {
@@ -120,14 +120,14 @@ class Search {
     return z;
   }
 
-  /// The least objective from a start on, deviations with it.
+  /// Minimises the objective from a start on, with the deviations.
   Status run(const VectorXd& from) {
     spread_ = first_spread_;
     failure_.reset();
     held_by_.reset();
     VectorXd z = from;
     reaches_more(z);
-    // No search leaves a place about which all curves are even: a tilt of 0.
+    // A search cannot leave a point at which all curves are even, such as a tilt of 0.
     if (const StatePtr state = with_slopes(z))
       for (const Index j : state->even) {
         const VectorXd aside = kAside * VectorXd::Unit(count_, j), up = moved(z, aside), down = moved(z, -aside);
@@ -139,7 +139,7 @@ class Search {
       }
     const bool jumps = std::ranges::any_of(losses_, [](const Loss& l) { return l.kind == Loss::Kind::cauchy; });
     Status status = Status::converged;
-    if (jumps) {  // From afar most rows would look like outliers.
+    if (jumps) {  // Far away most rows would look like outliers.
       const std::vector<Loss> given = losses_;
       for (Loss& loss : losses_) loss.kind = Loss::Kind::squares;
       status = settle(z, 2);
@@ -157,7 +157,7 @@ class Search {
 
   const VectorXd& place() const { return place_; }
   const std::optional<Failure>& failure() const { return failure_; }
-  /// Of the row for want of whose answer the last of all attempts took back a step.
+  /// Row whose missing result made the last of all attempts reduce a step.
   const std::optional<Failure>& held_by() const { return held_by_; }
   std::size_t iterations() const { return iterations_; }
   double value(std::size_t j) const {
@@ -165,7 +165,7 @@ class Search {
     return shown(unknown(at), u(at, place_[at]));
   }
 
-  /// What starts are compared by.
+  /// Criterion for comparing starts.
   double criterion() {
     double sum = normal(*with_slopes(place_)).objective;
     for (std::size_t c = 0; c < fitted_.size(); ++c)
@@ -235,8 +235,7 @@ class Search {
     return state;
   }
 
-  /// d(f + o)/dz by differences, of the curves that are asked for; none where a row has no answer
-  /// on either side.
+  /// d(f + o)/dz by differences, for the requested curves; none if a row has no result on either side.
   std::optional<std::vector<MatrixXd>> differentiate(const VectorXd& z, const std::vector<VectorXd>& values,
                                                      const std::vector<bool>& curves) {
     enum class Side { both, ahead, behind };
@@ -281,7 +280,7 @@ class Search {
         const Answer &one = answers[first], &two = answers[first + 1];
         if (one.failure || two.failure) {
           failure_ = one.failure ? one.failure : two.failure;
-          // A difference to both sides tries the side without the failure, one to a side the other.
+          // A central difference without a result on one side uses the other, a one-sided one the opposite side.
           const Side other = side == Side::both    ? (one.failure ? Side::ahead : Side::behind)
                              : side == Side::ahead ? Side::behind
                                                    : Side::ahead;
@@ -313,13 +312,13 @@ class Search {
     return slopes;
   }
 
-  /// Whether an unknown moves a curve, by the last differences: more than the rounding between batches does.
+  /// Whether an unknown changes a curve, by the last differences, more than the rounding between batches does.
   bool is_moved(const std::vector<MatrixXd>& slopes, std::size_t c, Index j) const {
     return moved_(static_cast<Index>(c), j) > kNoInfluence || (slopes[c].col(j).array() != 0.0).any();
   }
 
-  /// Whether an unknown moves a curve here that it moved nowhere before: what a curve feels only
-  /// beyond a threshold counts from then on.
+  /// Whether an unknown changes a curve here that it did not change before: effects beyond a threshold count from then
+  /// on.
   bool reaches_more(const VectorXd& z) {
     const StatePtr state = looked_at_ == z ? nullptr : at(z);
     if (!state) return false;
@@ -342,8 +341,8 @@ class Search {
     return more;
   }
 
-  /// Whether the step of an unknown near an end of its bounds, which may be wide, had to shrink: where a
-  /// quarter of it has slopes that differ by more than a hundredth.
+  /// Whether the step of an unknown near an end of its bounds, which may be wide, had to shrink: if a quarter of it
+  /// gives slopes that differ by more than a hundredth.
   bool takes_smaller_steps(const VectorXd& z) {
     const StatePtr state = with_slopes(z);
     if (!state) return false;
@@ -386,7 +385,7 @@ class Search {
     return sum;
   }
 
-  /// `held`: an unknown that stays.
+  /// `held`: an unknown that is fixed.
   Normal normal(const State& s, std::optional<Index> held = {}) const {
     Normal n{.curves = {}, .matrix = prior_, .gradient = VectorXd::Zero(count_), .objective = objective(s)};
     for (Index j = 0; j < count_; ++j)
@@ -421,14 +420,14 @@ class Search {
     return n;
   }
 
-  /// -1 or 1: at its lower or upper bound, and beyond it the objective would be less.
+  /// -1 or 1: at its lower or upper bound, beyond which the objective would be smaller.
   int pushed_out(const VectorXd& z, const VectorXd& gradient, Index j) const {
     if (!unknown(j).is_bounded) return 0;
     if (z[j] <= kBound && gradient[j] > 0.0) return -1;
     return z[j] >= 1.0 - kBound && gradient[j] < 0.0 ? 1 : 0;
   }
 
-  /// Estimated deviations at this state; their largest relative change.
+  /// Sets the estimated deviations at this state; returns their largest relative change.
   double set_spread(const State& s) {
     const std::vector<double> before = spread_;
     for (int round = 0; round < 1000; ++round) {
@@ -454,7 +453,7 @@ class Search {
     return change;
   }
 
-  /// Newton's step; what would leave its bounds stops there, and the others allow for that.
+  /// Newton's step; components that would leave their bounds stop there, and the others account for that.
   VectorXd step_of(const Normal& n, const VectorXd& z) const {
     VectorXd step = -(n.inverse * n.gradient);
     std::vector<Index> free = n.free;
@@ -487,7 +486,7 @@ class Search {
     return next;
   }
 
-  /// Ceres' search at given deviations; `held` stays.
+  /// Ceres' search at given deviations; `held` is fixed.
   bool search(VectorXd& z, bool roughly, std::optional<Index> held = {}) {
     std::vector<Index> moving;
     std::vector<bool> bounded;
@@ -516,7 +515,7 @@ class Search {
         for (Index i = 0; i < s->values[c].size(); ++i, ++row) {
           const double scaled_residual = scaled(*s, c, i);
           const Robust loss = robust(losses_[c], scaled_residual);
-          // The residual whose square is rho.
+          // Residual whose square is rho.
           const double root = std::copysign(std::sqrt(loss.rho), scaled_residual);
           const double by_r = std::abs(root) > 1e-100 ? loss.psi / root : 1.0;
           r[row] = root;
@@ -542,8 +541,7 @@ class Search {
     return found.has_converged;
   }
 
-  /// Steps of the normal equations, deviations with them, until nothing moves; false where one
-  /// leads nowhere.
+  /// Steps of the normal equations, with the deviations, until nothing changes; false if one fails.
   bool polish(VectorXd& z, double& norm, std::optional<Index> held = {}, double enough = kSettled) {
     double last = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 40; ++k) {
@@ -554,7 +552,7 @@ class Search {
       const VectorXd step = -(n.inverse * n.gradient);
       norm = std::sqrt(std::max(0.0, step.dot(n.matrix * step)));
       if (norm <= enough && spread_change < kSpreadSettled) return true;
-      // As near as differences lead.
+      // Limit of the accuracy of differences.
       if (k > 8 && norm <= kConverged && norm > 0.5 * last && spread_change < kSpreadSettled) return true;
       last = norm;
       ++iterations_;
@@ -563,7 +561,7 @@ class Search {
       for (int halved = 0;; ++halved, share *= 0.5) {
         const VectorXd next = moved(z, share * bounded);
         const StatePtr there = at(next);
-        // Differences are not the slope to the last digit.
+        // Differences are not exact slopes.
         if (there && objective(*there) <= n.objective + 1e-10 * n.objective + 1e-9) {
           z = next;
           break;
@@ -575,7 +573,7 @@ class Search {
     return norm <= kConverged;
   }
 
-  /// Further steps with the slopes of a state nearby, at a fraction of the effort.
+  /// Further steps with the slopes of a nearby state, at a fraction of the effort.
   void go_on(VectorXd& z, const State& near, std::optional<Index> held, double enough) {
     for (int k = 0; k < 30; ++k) {
       const StatePtr here = at(z);
@@ -608,16 +606,16 @@ class Search {
   void set_profile(Index j, const Normal& n, const Covariance& covariance, double level, UnknownResult& result);
 
   const Problem& problem_;
-  std::vector<Unknown> unknowns_;  ///< In u: the value, or its logarithm.
+  std::vector<Unknown> unknowns_;  ///< Unknowns in u: the value, or its logarithm.
   Index count_;
   std::vector<Loss> losses_;
   std::vector<VectorXd> measured_, weight_;
   std::vector<double> spread_, first_spread_, floor_;
   std::vector<std::vector<bool>> reached_;
-  VectorXd looked_at_;       ///< Point at which slopes of all curves were taken last.
+  VectorXd looked_at_;       ///< Point of the last slopes of all curves.
   VectorXd step_;            ///< Step of differences in z.
-  MatrixXd moved_;           ///< By the last differences, over the response: a row per curve.
-  std::vector<Index> even_;  ///< Unknowns whose sides were equal in them.
+  MatrixXd moved_;           ///< Effect in the last differences, relative to the response: one row per curve.
+  std::vector<Index> even_;  ///< Unknowns with equal differences on both sides.
   std::vector<bool> fitted_;
   MatrixXd prior_;
   VectorXd place_;
@@ -631,7 +629,7 @@ void Search::set_profile(Index j, const Normal& n, const Covariance& covariance,
   const double t = quantile(level, result.estimate->degrees_of_freedom);
   const double target = t * std::sqrt(covariance.full(j, j) / covariance.first(j, j));
   for (const double sense : {-1.0, 1.0}) {
-    // sqrt(S_p - S) less the target, over z_j; nearly straight.
+    // sqrt(S_p - S) minus the target, over z_j; nearly straight.
     double x0 = place_[j], y0 = -target, x = x0 + sense * t * deviation;
     VectorXd from = place_;
     std::optional<double> end;
@@ -641,10 +639,10 @@ void Search::set_profile(Index j, const Normal& n, const Covariance& covariance,
       const double edge = sense < 0.0 ? 0.0 : 1.0;
       if (unknown(j).is_bounded && sense * (x - edge) >= 0.0) {
         beyond = at_edge;
-        if (at_edge) break;  // Still too little there.
+        if (at_edge) break;  // Still below the target there.
         x = edge;
       }
-      // The others follow along the last direction.
+      // The other unknowns follow along the last direction.
       std::vector<Index> others = n.free;
       std::erase(others, j);
       VectorXd step = -(modules::fit::inverse(n.matrix, others) * n.matrix.col(j)) * (x - from[j]);
@@ -686,7 +684,7 @@ void Search::conclude(Status status, Result& result, bool whole) {
   result.status = std::min(result.status, status);
   result.unknowns.assign(problem_.unknowns.size(), {});
 
-  // What the data do not tell apart, over all unknowns.
+  // Combinations that the data do not determine, over all unknowns.
   std::size_t rows = 0;
   for (const VectorXd& v : state->values) rows += static_cast<std::size_t>(v.size());
   Spectrum spectrum;
@@ -730,7 +728,7 @@ void Search::conclude(Status status, Result& result, bool whole) {
     }
   if (!result.unidentified.empty()) result.status = std::min(result.status, Status::not_identifiable);
 
-  // What is named is never held.
+  // Named unknowns are never held.
   n.free.clear();
   for (Index j = 0; j < count_; ++j) {
     const auto at = static_cast<std::size_t>(j);
@@ -810,7 +808,7 @@ void Search::conclude(Status status, Result& result, bool whole) {
         shown(unknown(a), has_deviations ? covariance.of(g, value, level) : Estimate{.value = value});
   }
 
-  // The other curves.
+  // The other curves
   const bool everywhere = has_deviations && result.unidentified.empty();
   std::vector<bool> others(fitted_.size());
   for (std::size_t c = 0; c < others.size(); ++c)
@@ -818,7 +816,7 @@ void Search::conclude(Status status, Result& result, bool whole) {
   std::vector<VectorXd> values = state->values;
   std::vector<MatrixXd> slopes = state->slopes;
   if (std::ranges::any_of(others, std::identity{})) {
-    // One without an answer leaves the others theirs.
+    // A curve without a result does not affect the others.
     std::vector<Request> requests;
     std::vector<std::size_t> asked;
     for (std::size_t c = 0; c < others.size(); ++c) {
@@ -923,7 +921,7 @@ Result solve(const Problem& problem) {
     start.status = ends.status;
     start.objective = search.criterion();
     for (std::size_t j = 0; j < problem.unknowns.size(); ++j) start.values.push_back(search.value(j));
-    // Of two at the same minimum the one that came to rest.
+    // Of two at the same minimum the converged one is preferred.
     const auto rank = [&](std::size_t at) {
       const StartResult& s = result.starts[at];
       return *s.objective + (s.status == Status::iteration_limit ? 1e-3 : 0.0);

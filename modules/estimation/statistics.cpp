@@ -32,7 +32,7 @@ double consistency(const Loss& loss) {
     case Loss::Kind::huber:
       return std::erf(k / std::numbers::sqrt2);
     case Loss::Kind::cauchy: {
-      // exp(x^2) erfc(x) of large x by its asymptotic series.
+      // exp(x^2) erfc(x) for large x by its asymptotic series.
       const double x = k / std::numbers::sqrt2;
       if (x > 20.0) return 1.0 - 3.0 / (k * k);
       return k * k * (1.0 - k * std::sqrt(0.5 * std::numbers::pi) * std::exp(x * x) * std::erfc(x));
@@ -106,7 +106,7 @@ Spectrum spectrum_of(const MatrixXd& normal) {
     for (Index k = 0; k < n; ++k)
       scaled(i, k) /= spectrum.length[spectrum.columns[static_cast<std::size_t>(i)]] *
                       spectrum.length[spectrum.columns[static_cast<std::size_t>(k)]];
-  const Decomposition eigen(scaled, Eigen::ComputeFullV);  // Symmetric, and no eigenvalue is negative.
+  const Decomposition eigen(scaled, Eigen::ComputeFullV);  // Symmetric, without negative eigenvalues.
   spectrum.ratios = (eigen.singularValues() / eigen.singularValues()[0]).cwiseSqrt();
   spectrum.vectors = eigen.matrixV();
   return spectrum;
@@ -136,7 +136,7 @@ MatrixXd inverse(const MatrixXd& normal, const std::vector<Index>& free) {
   const auto n = static_cast<Index>(spectrum.columns.size());
   if (n == 0) return result;
   MatrixXd scaled = MatrixXd::Zero(n, n);
-  // The largest eigenvalue is got back from the trace, which is n.
+  // The largest eigenvalue follows from the trace, which is n.
   const double largest = static_cast<double>(n) / spectrum.ratios.squaredNorm();
   for (Index k = 0; k < n; ++k)
     if (spectrum.is_identifiable(k))

@@ -181,7 +181,7 @@ std::string fitted_case(const FitResult& r) {
     const modules::fit::UnknownResult& u = r.found.unknowns[j];
     const std::string value = fit_text(*u.value, p.unit);
     overrides.push_back(fmt::format("{}={}", p.path, value));
-    // Fitted again it starts where it ended.
+    // A repeated fit then starts at its end.
     if (p.has_start) overrides.push_back(fmt::format("fit.parameters[{}].start={}", j, value));
     std::string remark = u.at_bound != 0 ? "fitted, at its bound" : "fitted";
     if (u.estimate) {
@@ -194,7 +194,7 @@ std::string fitted_case(const FitResult& r) {
     remarks.emplace_back(p.path, remark + (p.stood.empty() ? "; the file said nothing" : "; was " + p.stood));
   }
   const input::Source& source = r.input.source;
-  // The readings go with the file.
+  // The readings are copied with the file.
   for (std::size_t c = 0; c < r.input.curves.size(); ++c)
     if (const FitCurve& curve = r.input.curves[c]; curve.use != FitCurve::Use::band)
       if (const std::string name = name_of_copy(r.input, c); name != curve.file)
@@ -221,7 +221,7 @@ std::string fitted_case(const FitResult& r) {
     std::ranges::stable_sort(lines, {}, [](const auto& l) { return l.first; });
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) text.insert(line->first, line->second);
     if (flow_text(document(text)) == flow_text(root)) return text;
-  } catch (const input::InputError&) {  // Where no comment may stand there are none.
+  } catch (const input::InputError&) {  // Where no comment is allowed there are none.
   }
   return plain;
 }

@@ -4,10 +4,10 @@
 
 namespace prs {
 
-/// Which solver finds the load distribution of bars and refined bodies. Both agree within 1e-10.
+/// Solver of the load distribution of bars and refined bodies. Both agree within 1e-10.
 enum class Solver {
   sparse,  ///< Newton's method on the sparse matrix of the sector.
-  chain,   ///< Station by station, several times as fast; `sparse` where it does not converge.
+  chain,   ///< Station by station, several times as fast; `sparse` if that does not converge.
 };
 
 class FullSolver;
@@ -15,7 +15,7 @@ class FullSolver;
 struct AnalysisOptions {
   Detail detail = Detail::complete;
   Solver solver = Solver::sparse;
-  /// Solver of full mechanisms, for a thread that analyses many; null: one for each analysis.
+  /// Solver of full mechanisms, for a thread that analyses many; null: a new one for each analysis.
   FullSolver* full = nullptr;
 };
 

@@ -18,7 +18,7 @@ namespace {
 using input::Conversion, input::Node, input::Readings, input::ReferenceItem, input::shown;
 
 constexpr std::size_t kMostRows = 100'000;
-constexpr std::size_t kMostComputed = 1'000;  ///< Rows that are each a case of their own.
+constexpr std::size_t kMostComputed = 1'000;  ///< Largest number of rows that each need a case of their own.
 constexpr std::string_view kThread = "thread", kForce = "axial_force", kLoadCase = "load_case";
 
 /// Responses of a load case.
@@ -37,7 +37,8 @@ bool contains(const std::vector<std::string>& words, std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-/// `screw.load_rate_percent` of `screw.load_rate_percent.max`; empty of a path with neither `.max` nor an index.
+/// Series of a path: `screw.load_rate_percent` for `screw.load_rate_percent.max`; empty for a path with neither `.max`
+/// nor an index.
 std::string series_of(const std::string& path) {
   for (const std::string& series : known_responses().series)
     if (path.size() > series.size() && path.starts_with(series) && summary_named(path.substr(series.size()), 1.0))
@@ -60,7 +61,7 @@ std::string nearest_responses(std::string_view path, bool of_threads) {
 /// The key without its unit.
 std::string_view stem(std::string_view path) { return path.substr(0, path.size() - unit_of(path).suffix.size()); }
 
-/// The unit as people write it, of the end of a name.
+/// Unit, for people, at the end of a name.
 std::string unit_behind(std::string_view name) { return unit_of_response(name); }
 
 /// A column that is read as a response.
@@ -173,7 +174,7 @@ class ReferenceReader {
     input_path_ = input_;
   }
 
-  /// What a column of that name stands for; nothing of others.
+  /// Input for a column of that name; empty for others.
   static std::string_view input_named(std::string_view name) {
     if (name == kThread) return kThread;
     const std::string_view quantity = name.substr(0, name.size() - unit_of(name).suffix.size());
@@ -245,7 +246,7 @@ class ReferenceReader {
     return names;
   }
 
-  /// A range of forces is one item, of which rows set the force.
+  /// A range of forces is one item, whose force the rows set.
   const LoadCase* find_load(std::string_view name) const {
     for (const LoadCase& load : case_.load_cases)
       if (load.is_solved() && (load.name == name || (!input_path_.empty() && load.name == fmt::format("{}[0]", name))))
@@ -288,7 +289,7 @@ class ReferenceReader {
     return along;
   }
 
-  /// The case with the row's value in the place of the input, and its load case alone.
+  /// The case with the row's value for the input, and only its load case.
   Case case_at(const Readings& table, const LoadCase& load, double value) const {
     const bool of_load = input_path_.find_first_of(".[") == std::string::npos;
     const std::string path = of_load ? path_in(load, input_path_) : with_indices(root_, input_path_);
@@ -377,7 +378,7 @@ class ReferenceReader {
   Node root_;
   std::vector<ReferenceItem> items_;
 
-  // The block that is being read.
+  // Path of the block being read.
   std::string at_;
   const ReferenceItem* item_ = nullptr;
   std::size_t load_case_ = npos, along_ = npos;

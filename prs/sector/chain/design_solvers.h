@@ -9,10 +9,9 @@ namespace prs {
 
 using simd::InstructionSet, simd::available, simd::batch_size, simd::name;
 
-/// Solves designs of `Bodies::bars` side by side: as many sectors as a batch has numbers in lock
-/// step, each with its own convergence. Set-up of the sectors is part of it. A design's result does
-/// not depend, bit for bit, on the other designs. Workspace is kept from call to call; one
-/// solver a thread.
+/// Solves designs of `Bodies::bars` side by side: as many sectors as a batch has numbers in lock step, each with its
+/// own convergence. Set-up of the sectors is included. A design's result does not depend, bit for bit, on the other
+/// designs. The workspace is kept between calls; use one solver per thread.
 class BarDesignSolver {
  public:
   explicit BarDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
@@ -20,10 +19,11 @@ class BarDesignSolver {
   /// Options of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
   /// slender rollers a residual of 1e-12 can leave 1e-10 in a thread's load.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
-  bool tangent_stiffness = true;  ///< Whether results have it; a sweep of the threads less without.
+  /// Whether to compute the tangent stiffness, which costs one more sweep of the threads.
+  bool tangent_stiffness = true;
 
-  /// Designs of any mixture of thread counts, each under its axial force on the whole mechanism
-  /// [N]; the results of refined ones stay.
+  /// Solves designs with any mixture of thread counts, each under its axial force on the whole mechanism [N]; results
+  /// of refined designs are not touched.
   void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,
              std::span<LoadDistribution> results);
 
@@ -35,23 +35,22 @@ class BarDesignSolver {
   ThreadLoads loads_;
 };
 
-/// Solves designs of `Bodies::refined` side by side, from the numbers of their bodies to the loads
-/// of their threads, as BarDesignSolver does those of bars. Sectors come from `set_sector_model`;
-/// nothing of them needs to be worked out. A design's result does not depend, bit for bit, on the
-/// other designs. Workspace is kept from call to call; one solver a thread.
+/// Solves designs of `Bodies::refined` side by side, from the numbers of their bodies to the loads of their threads,
+/// like BarDesignSolver those of bars. Sectors come from `set_sector_model`; `work_out` is not needed. A design's
+/// result does not depend, bit for bit, on the other designs. The workspace is kept between calls; use one solver per
+/// thread.
 class RefinedDesignSolver {
  public:
   explicit RefinedDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
 
-  /// As of BarDesignSolver.
+  /// Options of Newton's method, see BarDesignSolver.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
   bool tangent_stiffness = true;
 
-  /// Whether a sector has a place here: one with a nut of shells whose roller's contacts stand
-  /// opposite each other.
+  /// Whether a sector can be solved here: one with a nut of shells whose roller's contacts stand opposite each other.
   static bool takes(const SectorModel& s) { return s.is_refined && s.bodies.has_shell() && !s.contacts_apart(); }
 
-  /// Those of the designs that it takes; the results of others stay.
+  /// Solves the designs that `takes` allows; results of others are not touched.
   void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,
              std::span<LoadDistribution> results);
 

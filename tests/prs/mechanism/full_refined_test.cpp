@@ -100,8 +100,8 @@ RefinedScrew with_oval_diameters() {
   return screw;
 }
 
-/// Another program, bars and shells of n = 2 to 5 without twist: 560/567 N to 605/616, 508/524 to
-/// 490/509, 495/509 to 461/480. Here the nut is a round shell besides, which is softer.
+/// Another program, bars and shells of n = 2 to 5 without twist: 560/567 N to 605/616, 508/524 to 490/509, 495/509 to
+/// 461/480. Here the nut is a round shell besides, which is softer.
 TEST(FullRefined, AnOvalNutLoadsUnequalRollersOtherwise) {
   const auto expect = [](RefinedScrew screw, double at_screw, double at_nut) {
     screw.parts.options.refined = {false, false, true, false, false, false, false};
@@ -164,7 +164,7 @@ TEST(FullRefined, TheComplianceOfTheScrewsEndIsTheDerivative) {
   }
 }
 
-/// Of the potential energy by the force, -u: also what Poisson's effect adds to u belongs to it.
+/// Derivative of the potential energy by the force, -u: the part of u by Poisson's effect included.
 TEST(FullRefined, TheEnergyFallsByTheDisplacement) {
   SKIP_UNDER_SANITIZERS();
   const RefinedScrew screw;
