@@ -99,7 +99,7 @@ std::vector<Warning> idle_warnings(const CaseDerivatives& result) {
 
 DesignEngine engine_of(const input::OptimizeInput& in) {
   try {
-    return DesignEngine(in.start);
+    return DesignEngine(in.start, simd::InstructionSet::best, Arrays::refused);
   } catch (const UnknownResponse& error) {
     const std::string& at = in.asked_at[error.index()];
     if (at != "optimize.thread_constraints") input::fail_at(in.start.source, at, error.what());
