@@ -47,8 +47,8 @@ class NetcdfFile : public ColumnFile {
     int column = 0, dimensions[] = {dimension_, 0};
     if (!dimension.empty() && nc_inq_dimid(id_, dimension.c_str(), &dimensions[1]) != NC_NOERR)
       require(nc_def_dim(id_, dimension.c_str(), entries, &dimensions[1]));
-    require(nc_def_var(id_, name.c_str(), types[static_cast<int>(type)], dimension.empty() ? 1 : 2, dimensions,
-                       &column));
+    require(
+        nc_def_var(id_, name.c_str(), types[static_cast<int>(type)], dimension.empty() ? 1 : 2, dimensions, &column));
     require(nc_def_var_chunking(id_, column, NC_CONTIGUOUS, nullptr));
     entries_[column] = entries;
     return column;

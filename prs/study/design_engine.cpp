@@ -333,7 +333,8 @@ struct DesignEngine::Parts {
     else if (!all_rollers)
       return;
     std::vector<double> documented;
-    for (const std::string& path : study.responses) documented.push_back(response(document, path).value_or(kNoResponse));
+    for (const std::string& path : study.responses)
+      documented.push_back(response(document, path).value_or(kNoResponse));
     const auto has_all = [&](const std::vector<double>& found) {
       return std::ranges::equal(found, documented,
                                 [](double f, double d) { return std::isfinite(f) || std::isnan(d); });
@@ -378,8 +379,7 @@ struct DesignEngine::Parts {
   DesignStatus answer(Case& c, Worker& worker, double* row, const Contacts* found = nullptr) const {
     if (!numbers) {
       Json document;
-      const DesignStatus status =
-          by_document(c, of_references ? worker.reader.source() : input.source, document);
+      const DesignStatus status = by_document(c, of_references ? worker.reader.source() : input.source, document);
       if (status.converged())
         for (std::size_t k = 0; k < study.responses.size(); ++k)
           row[k] = response(document, study.responses[k]).value_or(kNoResponse);

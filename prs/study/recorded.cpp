@@ -21,15 +21,6 @@ std::size_t most_threads(const Study& study, std::size_t threads) {
   return static_cast<std::size_t>(most);
 }
 
-/// Whether a study needs one number at a path.
-bool needs_number(const Study& study, const std::string& path) {
-  const auto is_it = [&](const auto& item) { return item.response == path; };
-  return study.envelope && (std::ranges::any_of(study.envelope->measures, is_it) ||
-                            std::ranges::any_of(study.envelope->points, [&](const Envelope::Point& point) {
-                              return std::ranges::any_of(point.reach, is_it);
-                            }));
-}
-
 /// Why the base case has no number at a path.
 std::string unknown(const std::string& path, const Json& document) {
   const std::string got = fmt::format("got {}", input::shown(path));
@@ -37,10 +28,11 @@ std::string unknown(const std::string& path, const Json& document) {
     return fmt::format("{}, a row for each roller; expected a number or one row; write for example `{}`", got,
                        entry(path, 0));
   if (path.starts_with("references["))
-    return fmt::format("{}; expected a number of a model, as `prs compare FILE --json` shows them, of a case with "
-                       "`references` that `solve` or `slip` answers; write for example "
-                       "`references[0].models[0].rms_deviation`",
-                       got);
+    return fmt::format(
+        "{}; expected a number of a model, as `prs compare FILE --json` shows them, of a case with "
+        "`references` that `solve` or `slip` answers; write for example "
+        "`references[0].models[0].rms_deviation`",
+        got);
   if (const std::size_t end = path.rfind('['); path.ends_with(']') && end != path.npos)
     if (const std::size_t count = entries(document, path.substr(0, end)))
       return fmt::format("{}; expected an entry of an array of {}; write `{}` to `{}`", got, count,
@@ -49,11 +41,27 @@ std::string unknown(const std::string& path, const Json& document) {
   const std::vector<std::string_view> near = input::near_words(path, {known.begin(), known.end()});
   return fmt::format(
       "{}; expected a number of the first load case or of the document, as `prs list responses FILE` shows them; {}",
-      got, near.empty() ? "write for example `" + known.front() + "`"
-                        : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
+      got,
+      near.empty() ? "write for example `" + known.front() + "`"
+                   : fmt::format("did you mean `{}`?", fmt::join(near, "`, `")));
 }
 
 }  // namespace
+
+std::optional<std::string> place_in_envelope(const Study& study, const std::string& response) {
+  if (!study.envelope) return std::nullopt;
+  const auto index_in = [&](const auto& items) -> std::optional<std::size_t> {
+    const auto at = std::ranges::find(
+        items, response, [](const auto& item) -> auto& { return item.response; });
+    return at == items.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - items.begin()));
+  };
+  const auto& [combine, normalise, measures, points] = *study.envelope;
+  if (const auto k = index_in(measures)) return fmt::format("study.envelope.measures[{}].response", *k);
+  for (std::size_t point = 0; point < points.size(); ++point)
+    if (const auto k = index_in(points[point].reach))
+      return fmt::format("study.envelope.points[{}].reach[{}].response", point, *k);
+  return std::nullopt;
+}
 
 std::vector<std::string> recorded_columns(const Study& study, const Json& document, std::size_t threads,
                                           Arrays arrays) {
@@ -72,7 +80,8 @@ std::vector<std::string> recorded_columns(const Study& study, const Json& docume
                                              column));
       columns.push_back(column);
     };
-    if (document.is_null() ? result_number(path) || !result_number(entry(path, 0)) : response(document, path).has_value()) {
+    if (document.is_null() ? result_number(path) || !result_number(entry(path, 0))
+                           : response(document, path).has_value()) {
       add(path);
       continue;
     }
@@ -82,7 +91,7 @@ std::vector<std::string> recorded_columns(const Study& study, const Json& docume
                                            path, path));
     std::size_t count = entries(document, path);
     if (count == 0) throw UnknownResponse(k, unknown(path, document));
-    if (arrays == Arrays::refused || needs_number(study, path))
+    if (arrays == Arrays::refused || place_in_envelope(study, path))
       throw UnknownResponse(
           k, fmt::format("got {}, an array of {} numbers; expected one number; write for example `{}.max` or `{}`",
                          path, count, path, entry(path, 0)));

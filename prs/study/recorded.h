@@ -18,10 +18,13 @@ class UnknownResponse : public std::runtime_error {
 /// Whether responses may be arrays, each entry a column of its own.
 enum class Arrays { recorded, refused };
 
+/// Place in the file at which the envelope needs a response, which is then one number.
+std::optional<std::string> place_in_envelope(const Study& study, const std::string& response);
+
 /// The columns of numbers that a study records: its responses, or those of its command as far as the
 /// base case has them, and of an array `PATH[0]`, `PATH[1]`, .. with as many entries as the design with
-/// most threads. `document`: that of the base case; null where it has no answer. `threads`: those of a roller in the base
-/// case. Throws UnknownResponse.
+/// most threads. `document`: that of the base case; null where it has no answer. `threads`: those of a roller in the
+/// base case. Throws UnknownResponse.
 std::vector<std::string> recorded_columns(const Study& study, const Json& document, std::size_t threads, Arrays arrays);
 
 /// A number that is recorded, or an array with a column for each entry.

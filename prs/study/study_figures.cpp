@@ -196,10 +196,12 @@ std::optional<Figure> marked_map(const StudyResult& result, Figure figure, const
 }
 
 /// An array over a factor, the others held (Jung 2017, figs. 4.1 to 4.8).
-std::optional<Figure> array_surface(const StudyResult& result, const Recorded& array, std::size_t factor) {
+std::optional<Figure> array_surface(const StudyResult& result, const std::vector<Recorded>& all, std::size_t response,
+                                    std::size_t factor) {
   const Study& study = result.study;
+  const Recorded& array = all[response];
   Figure figure = response_figure({array.path}, 0);
-  figure.name = study_figure_name(array.first, array.path);
+  figure.name = study_figure_name(response, array.path);
   if (study.factors.size() > 1) figure.name += study_figure_name(factor, study.factors[factor].label).substr(2);
   const Held held = hold_others(study, factor, factor, figure);
   GridData grid{without_repeats(positions(study.factors[factor])), {}, {}};
@@ -417,15 +419,17 @@ Figures array_surfaces(const StudyResult& result, const FigureOptions& options) 
   std::vector<std::size_t> factors;
   if (is_sampled(study.plan)) return {};
   for (std::size_t k = 0; k < study.factors.size(); ++k)
-    if (is_mapped(study.factors[k]) && (!options.x || options.x == study.factors[k].path || options.x == study.factors[k].label))
+    if (is_mapped(study.factors[k]) &&
+        (!options.x || options.x == study.factors[k].path || options.x == study.factors[k].label))
       factors.push_back(k);
   if (!varies_one_at_a_time(study) && !factors.empty())
     factors = {*std::ranges::max_element(factors, {}, [&](std::size_t k) { return study.factors[k].levels.size(); })};
   Figures figures;
-  for (const Recorded& array : recorded(study.responses)) {
-    if (!array.is_array() || (options.response && *options.response != array.path)) continue;
+  const std::vector<Recorded> all = recorded(study.responses);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!all[k].is_array() || (options.response && *options.response != all[k].path)) continue;
     for (const std::size_t factor : factors)
-      if (auto figure = array_surface(result, array, factor); figure && figures.size() < kMostStudyFigures)
+      if (auto figure = array_surface(result, all, k, factor); figure && figures.size() < kMostStudyFigures)
         figures.push_back(std::move(*figure));
   }
   return figures;

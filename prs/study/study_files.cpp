@@ -169,8 +169,7 @@ void StudyNetcdf::define_response(const Recorded& response) {
   std::ranges::replace(name, '/', '_');
   const auto longest = std::ranges::max_element(recorded_, {}, &Recorded::count);
   const std::string dimension = response.count == longest->count ? "thread" : fmt::format("entry_{}", response.count);
-  const int id =
-      file_->add_column(name, ColumnFile::Type::real, response.is_array() ? dimension : "", response.count);
+  const int id = file_->add_column(name, ColumnFile::Type::real, response.is_array() ? dimension : "", response.count);
   variables_.push_back({id});
   const ResponseTitle title = response_title(response.path);
   file_->describe(id, "_FillValue", kNoResponse);

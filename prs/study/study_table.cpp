@@ -87,7 +87,8 @@ std::string row_line(const Columns& columns, const std::string& value, const Stu
   std::string line = fitted(value, columns.value_width, true);
   if (!row.status.converged()) return fmt::format("{}{}{}\n", line, kGap, row.status.name);
   for (std::size_t c = 0; c < columns.widths.size(); ++c)
-    line.append(kGap).append(padded(number(value_of(row, columns.responses[c]), columns.factors[c]), columns.widths[c], false));
+    line.append(kGap).append(
+        padded(number(value_of(row, columns.responses[c]), columns.factors[c]), columns.widths[c], false));
   return line + '\n';
 }
 

@@ -1,5 +1,5 @@
-#include "prs/study/design_engine.h"
 #include "prs/study/design_reader.h"
+#include "prs/study/design_engine.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

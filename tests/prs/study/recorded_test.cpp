@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -87,8 +88,8 @@ std::string refusal(const std::string& study, const std::string& more = "") {
 
 TEST(Recorded, WhatIsNoNumberIsRefused) {
   const auto of = [](const std::string& responses, const std::string& more = "") {
-    return refusal("{command: solve, factors: [{path: mechanism.rollers, values: [9]}], responses: [" + responses + "]}",
-                   more);
+    return refusal(
+        "{command: solve, factors: [{path: mechanism.rollers, values: [9]}], responses: [" + responses + "]}", more);
   };
   EXPECT_THAT(of("axial_displacement_um, 'screw.load_rate_percent[20]'"),
               HasSubstr("1: got screw.load_rate_percent[20]; expected an entry of an array of 20; write "
@@ -191,6 +192,27 @@ TEST(Recorded, DeviationsOfReferencesAreThoseOfCompare) {
   EXPECT_NE(block.responses[2], block.responses[4]);
 }
 
+/// Jung 2017, figs. 4.1 and 4.6 with table 4.10: a thin nut and a long pitch load the first threads. Starts do not:
+/// neighbouring contacts are a pitch apart.
+TEST(Recorded, FirstThreadsOfJungsSweeps) {
+  const input::StudyInput in =
+      input::read_study_input(input::load_source(PRS_SOURCE_DIR "/configs/19_jung_sweeps.yaml", {}));
+  const DesignEngine engine(in);
+  const Study& study = engine.study();
+  const RowBlock block = engine.evaluate(0, design_count(study));
+  const auto first = static_cast<std::size_t>(std::ranges::find(study.responses, "nut.load_rate_percent[0]") -
+                                              study.responses.begin());
+  std::map<std::string, std::vector<double>> of;
+  for (std::size_t k = 1; k < block.rows; ++k)
+    if (const double share = block.responses[k * study.responses.size() + first]; std::isfinite(share))
+      of[study.factors[design(study, k).settings.at(0).factor].label].push_back(share);
+  EXPECT_TRUE(std::ranges::is_sorted(of.at("D_n"), std::greater<>()));
+  EXPECT_TRUE(std::ranges::is_sorted(of.at("5 p, lead")));
+  EXPECT_GT(of.at("5 p, lead").back(), 1.5 * of.at("5 p, lead").front());
+  ASSERT_EQ(of.at("N_s, same pitch").size(), 15U);
+  EXPECT_NEAR(of.at("N_s, same pitch").back(), of.at("N_s, same pitch").front(), 0.1);
+}
+
 TEST(Recorded, TheProgramRefusesArraysWhereTheyStand) {
   const test::TemporaryDirectory folder;
   const auto run = [&](const std::string& command, const std::string& block) {
@@ -223,8 +245,9 @@ TEST(Recorded, ShardsOfArraysMerge) {
   const test::TemporaryDirectory folder;
   std::ofstream(folder.path() / "case.yaml") << over_threads("nut.axial_load_N, axial_displacement_um").source.text;
   for (const char* shard : {"1/2", "2/2"})
-    ASSERT_EQ(test::run_prs(fmt::format("study case.yaml --quiet --output parts --shard {}", shard), folder.path()).status,
-              0);
+    ASSERT_EQ(
+        test::run_prs(fmt::format("study case.yaml --quiet --output parts --shard {}", shard), folder.path()).status,
+        0);
   ASSERT_EQ(test::run_prs("study merge parts --quiet --output whole", folder.path()).status, 0);
   ASSERT_EQ(test::run_prs("study case.yaml --quiet --output alone", folder.path()).status, 0);
   const std::string csv = test::content_of(folder.path() / "whole" / "study.csv");
