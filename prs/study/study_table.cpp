@@ -78,7 +78,7 @@ Columns columns_of(const StudyResult& result) {
 }
 
 /// A number of a row, of an array the largest entry.
-std::optional<double> value_of(const StudyRow& row, const Recorded& response) {
+std::optional<double> shown_value(const StudyRow& row, const Recorded& response) {
   const auto from = row.responses.begin() + static_cast<std::ptrdiff_t>(response.first);
   return *std::max_element(from, from + static_cast<std::ptrdiff_t>(response.count));
 }
@@ -88,7 +88,7 @@ std::string row_line(const Columns& columns, const std::string& value, const Stu
   if (!row.status.converged()) return fmt::format("{}{}{}\n", line, kGap, row.status.name);
   for (std::size_t c = 0; c < columns.widths.size(); ++c)
     line.append(kGap).append(
-        padded(number(value_of(row, columns.responses[c]), columns.factors[c]), columns.widths[c], false));
+        padded(number(shown_value(row, columns.responses[c]), columns.factors[c]), columns.widths[c], false));
   return line + '\n';
 }
 
