@@ -8,6 +8,9 @@
 namespace prs {
 namespace {
 
+/// Fewer entries in a row are numbers that somebody listed.
+constexpr std::size_t kShortestArray = 3;
+
 std::string entry(std::string_view path, std::size_t k) { return fmt::format("{}[{}]", path, k); }
 
 /// Most threads of a roller of any design.
@@ -107,7 +110,7 @@ std::vector<Recorded> recorded(const std::vector<std::string>& columns) {
     const std::string path = columns[k].substr(0, columns[k].rfind('['));
     std::size_t count = 0;
     while (k + count < columns.size() && columns[k + count] == entry(path, count)) ++count;
-    all.push_back(count > 1 ? Recorded{path, k, count} : Recorded{columns[k], k});
+    all.push_back(count >= kShortestArray ? Recorded{path, k, count} : Recorded{columns[k], k});
     k += all.back().count;
   }
   return all;

@@ -58,20 +58,22 @@ TEST(Recorded, AnArrayHasAColumnForEachThreadOfTheLongestRoller) {
 }
 
 TEST(Recorded, ColumnsOfEntriesInARowAreAnArray) {
-  const std::vector<std::string> columns{"a", "b.c[0]", "b.c[1]", "b.c[2]", "d[1]", "e[0]", "f[0][0]", "f[0][1]"};
+  const std::vector<std::string> columns{"a",       "b.c[0]",  "b.c[1]",  "b.c[2]", "d[1]", "e[0]",
+                                         "f[0][0]", "f[0][1]", "f[0][2]", "g[0]",   "g[1]"};
   const std::vector<Recorded> all = recorded(columns);
-  ASSERT_EQ(all.size(), 5U);
+  ASSERT_EQ(all.size(), 7U);
   EXPECT_EQ(all[1].path, "b.c");
   EXPECT_EQ(all[1].first, 1U);
   EXPECT_EQ(all[1].count, 3U);
   EXPECT_EQ(all[2].path, "d[1]");
   EXPECT_FALSE(all[3].is_array());
   EXPECT_EQ(all[4].path, "f[0]");
-  EXPECT_TRUE(are_columns_of({"a", "b.c", "d[1]", "e[0]", "f[0]"}, columns));
+  EXPECT_EQ(all[5].path, "g[0]");
+  EXPECT_TRUE(are_columns_of({"a", "b.c", "d[1]", "e[0]", "f[0]", "g"}, columns));
   EXPECT_TRUE(are_columns_of(columns, columns));
-  EXPECT_FALSE(are_columns_of({"a", "d[1]", "e[0]", "f[0]"}, columns));
+  EXPECT_FALSE(are_columns_of({"a", "d[1]", "e[0]", "f[0]", "g"}, columns));
   EXPECT_FALSE(are_columns_of({"a", "b.c"}, columns));
-  EXPECT_FALSE(are_columns_of({"a", "b", "b.c", "d[1]", "e[0]", "f[0]"}, columns));
+  EXPECT_FALSE(are_columns_of({"a", "b", "b.c", "d[1]", "e[0]", "f[0]", "g"}, columns));
 }
 
 /// What a study of these responses is refused with.
