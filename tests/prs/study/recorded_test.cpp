@@ -109,12 +109,19 @@ TEST(Recorded, WhatIsNoNumberIsRefused) {
                         "`screw.load_rate_percent.max`"));
 }
 
-TEST(Recorded, AnArrayOfAFileWithoutAnswerIsRefused) {
-  const std::string study =
-      "{command: solve, factors: [{path: mechanism.rollers, values: [9]}], responses: [screw.load_rate_percent]}";
-  const input::StudyInput in = input::read_study_input(
-      {"case.yaml", input::kAbevi + "study: " + study + "\n", {"load_cases[0].position=80 mm"}});
-  EXPECT_THROW(DesignEngine{in}, std::exception);
+TEST(Recorded, ArraysNeedADesignThatHasAnAnswer) {
+  Study study;
+  study.command = Command::solve;
+  study.responses = {"axial_displacement_um", "iterations", "screw.load_rate_percent.max"};
+  EXPECT_EQ(recorded_columns(study, nullptr, 0, Arrays::recorded), study.responses);
+  study.responses.emplace_back("screw.load_rate_percent");
+  try {
+    recorded_columns(study, nullptr, 0, Arrays::recorded);
+    FAIL();
+  } catch (const UnknownResponse& error) {
+    EXPECT_EQ(error.index(), 3U);
+    EXPECT_THAT(error.what(), HasSubstr("an array; expected a file whose own design has an answer"));
+  }
 }
 
 /// y = x + k in thread k of 3, of which x = 4 has two.
