@@ -52,11 +52,11 @@ const std::vector<Responses>& known_responses() {
     for (const AnyAnalysis& analysis : referenced_analyses())
       for (const Place& place : analysis.places) {
         if (place.path == "model" || !places.insert(place.path).second) continue;
-        Responses& of = known.emplace_back(analysis.command, place.path.starts_with(kLoadCases));
+        Responses& of = known.emplace_back(Responses{analysis.command, place.path.starts_with(kLoadCases), {}});
         const std::size_t from = of.is_of_load_case ? std::min(kLoadCases.size() + 1, place.path.size()) : 0;
         add_paths(place.record(), std::string(place.path.substr(from)), of.paths);
       }
-    std::ranges::stable_partition(known, &Responses::is_of_load_case);
+    std::stable_partition(known.begin(), known.end(), [](const Responses& r) { return r.is_of_load_case; });
     return known;
   }();
   return all;
