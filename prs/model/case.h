@@ -16,9 +16,19 @@ struct ContactOverrides {
   PerInterface<std::optional<double>> normal_angle;    ///< psi, contact normal to axis [rad]
 };
 
-/// Contents of a case file besides the mechanism: bodies, materials, loads, operation, options. Blocks that the file
-/// leaves out are empty. Functions that compute on contacts take these conditions and the complete mechanism of the
-/// contacts, so that they cannot use the incomplete mechanism of the file by mistake.
+/// What a report says of itself, and how it shows shares of threads over the load.
+struct ReportInput {
+  enum class Butterfly {
+    of_mean,  ///< In percent of the mean thread, tension to the right.
+    of_load,  ///< In percent of the load, tension to the left (Abevi 2015, figs. 15-18).
+  };
+  std::optional<std::string> title, customer, author, number, revision;
+  Butterfly butterfly = Butterfly::of_mean;
+};
+
+/// What a file states besides the mechanism: bodies, materials, loads, operation, options. Blocks
+/// that the file leaves out are empty. What computes on contacts takes these conditions and the
+/// mechanism of the contacts, which is complete; that of the file is out of its reach.
 struct Conditions {
   // Defined in case.cpp: inline copies of so many members cost time and size in all sources that hold a case.
   Conditions();
@@ -45,9 +55,14 @@ struct Conditions {
   std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].
   std::optional<Heat> heat;
   std::optional<ResponseInput> response;
+  std::optional<ReportInput> report;
 };
 
-/// Whether threads have friction in this model: not if all rollers stand between bodies of `influence`.
+inline bool has_butterflies_of_load(const Conditions& c) {
+  return c.report && c.report->butterfly == ReportInput::Butterfly::of_load;
+}
+
+/// All rollers between bodies of `influence` know no friction on their threads.
 inline bool knows_friction(const ModelOptions& model) {
   return model.bodies != ModelOptions::Bodies::influence || model.mechanism == ModelOptions::Mechanism::sector;
 }
