@@ -8,7 +8,6 @@
 namespace prs {
 namespace {
 
-/// Fewer entries in a row are numbers that somebody listed.
 constexpr std::size_t kShortestArray = 3;
 
 std::string entry(std::string_view path, std::size_t k) { return fmt::format("{}[{}]", path, k); }

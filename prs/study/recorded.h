@@ -36,7 +36,7 @@ struct Recorded {
   bool is_array() const { return count > 1; }
 };
 
-/// Columns `PATH[0]`, `PATH[1]`, .. in a row are an array.
+/// Three and more columns `PATH[0]`, `PATH[1]`, .. in a row are an array; fewer are numbers that somebody listed.
 std::vector<Recorded> recorded(const std::vector<std::string>& columns);
 
 /// Whether columns are those of these responses.

@@ -73,6 +73,7 @@ TEST(EveryResponse, OfEveryLessonIsTheSameInAStudyAndInTheDocument) {
     if (entry.path().extension() == ".yaml") lessons.insert(entry.path());
   std::size_t compared = 0, lesson = 0;
   for (const std::filesystem::path& path : lessons) {
+    if (path.stem() == "32_press") continue;  // A requirement, no case.
     if (test::sanitized() && lesson++ % 9 != 0) continue;
     SCOPED_TRACE(path.filename().string());
     const input::Source source = input::load_source(path.string(), {});
