@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Order of rooms, width and links of documents, format, Python's style and types, and whether validation
+# Order of rooms, width, links and counts of documents, format, Python's style and types, and whether validation
 # records and the benchmark's page are what the program of build/release gives, by the tools on the PATH and
 # those that scripts/test_python.sh --tools installs. clang-tidy reads the FILEs named.
 set -uo pipefail
@@ -18,6 +18,8 @@ check links scripts/check_links.py
 # A lambda with a return type as a template argument, which clang-format takes for the end of a namespace.
 check namespaces bash -c '! git grep -nE "^[>,]" -- "*.h" "*.cpp"'
 check comments bash -c '! git grep -nE "///< (Of|That|Where|With) " -- "*.h" "*.cpp"'
+# How many there are of what grows: a list says it, a number in a text ages.
+check counts bash -c '! git grep -niE "\b([0-9]{2,}|eleven|twelve|[a-z]+teen|[a-z]+ty(-[a-z]+)?) (numbered )?(lessons|commands|notebooks)\b" -- "*.md" "*.ipynb" "*.py"'
 check format xargs -a <(git ls-files '*.h' '*.cpp') -P "$(nproc)" -n 50 clang-format --dry-run --Werror
 check ruff ruff check -q
 check records python3 scripts/validation_records.py build/release/prs/cli/prs --check

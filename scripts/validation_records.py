@@ -29,6 +29,18 @@ import run_prs
 MOST_DIGITS = 8  # Beyond, rounding differs between machines.
 MARK = "Computed on "
 
+# Pages that say how many statements of a source are compared and how many hold: page, phrase, source, section.
+COUNTED = (
+    ("docs/slip.md", r"(\d+) statements in words; (\d+)\s+hold", "sandu_2018", "[23].*"),
+    ("docs/jung.md", r"checks (\d+) statements [\s\S]*? (\d+) hold", "jung_2017", None),
+    (
+        "validation/sandu_2018/SOURCE.md",
+        r"(\d+) statements, each [\s\S]* other (\d+) hold",
+        "sandu_2018",
+        None,
+    ),
+)
+
 
 def fill(text: str, indent: str = "") -> str:
     return textwrap.fill(
@@ -125,6 +137,19 @@ def statements(form: dict, validation: dict) -> tuple[str, list[str]]:
             "| --- | --- | --- | --- | --- |\n" + lines + "\n"
         )
     return lines, failing
+
+
+def miscounted(validation: dict) -> list[str]:
+    wrong = []
+    for page, phrase, source, section in COUNTED:
+        found = [
+            s for s in sources(validation, source)["statements"] if matches(section, s["section"])
+        ]
+        right = (len(found), sum(s["verdict"] == "holds" for s in found))
+        written = re.search(phrase, (ROOT / page).read_text())
+        if not written or tuple(map(int, written.groups())) != right:
+            wrong.append(f"{page}: expected {right[0]} statements, of which {right[1]} hold")
+    return wrong
 
 
 def digits_of(row: dict, value: float) -> int:
@@ -357,7 +382,9 @@ def main() -> int:
             "scripts/validation_records.py PRS writes the records; delete what has no form",
             file=sys.stderr,
         )
-    return 1 if stale else 0
+    wrong = miscounted(validation)
+    print(*wrong, sep="\n", end="\n" if wrong else "", file=sys.stderr)
+    return 1 if stale or wrong else 0
 
 
 if __name__ == "__main__":

@@ -186,7 +186,7 @@ inline constexpr double kNutLengthSlope = 1.26, kNutLengthOffset = 20.5e-3;
 /// Most threads of a roller in a nut by rule, in roller diameters; the catalogue has up to 8.
 inline constexpr double kSlendernessOfRollers = 15.0;
 /// Toothed ends of the rollers: part of the length that the threads leave in the nut, and their
-/// diameter over the roller's, so that the rollers' inertia is 0.82 to 1.18 times the printed ones.
+/// diameter over the roller's, so that the rollers' inertia is 0.83 to 1.18 times the printed ones.
 inline constexpr double kRollerEndsShare = 0.9, kRollerEndDiameter = 0.92;
 /// Friction of the flanks with which efficiencies, mixed friction of the heads included, are 0.89 to 1.05 times the
 /// printed ones, and agree with them in the mean.

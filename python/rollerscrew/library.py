@@ -62,15 +62,14 @@ def new(
 
 def lesson(which: int | str) -> Case:
     """A lesson by its number or its name: `lesson(4)`, `lesson("flight_spectrum")`."""
-    names = list(lessons())
     asked = str(which).removesuffix(".yaml")
-    for name in names:
+    for name in lessons():
         number, _, word = name.partition("_")
         if asked in (name, word) or (asked.isdigit() and int(asked) == int(number)):
             return Case.from_yaml(_shared("lessons") / f"{name}.yaml")
     raise InputError(
-        f"lesson: got {which!r}; expected a number from 1 to {len(names)} or a name of "
-        "`rollerscrew.lessons()`"
+        f"lesson: got {which!r}; expected the number or the name of a lesson that is a case, "
+        "listed by `rollerscrew.lessons()`"
     )
 
 

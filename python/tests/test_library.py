@@ -39,7 +39,7 @@ def test_lessons_by_number_and_name() -> None:
     assert all(names.values())
     assert rs.lesson(14) == rs.lesson("14_flight_spectrum") == rs.lesson("flight_spectrum")
     assert rs.lesson(1).solve().load_cases == answer(1, "solve", rs.SolveResult).load_cases
-    with pytest.raises(rs.InputError, match="expected a number from 1 to"):
+    with pytest.raises(rs.InputError, match="expected the number or the name"):
         rs.lesson("nope")
 
 

@@ -169,6 +169,23 @@ Finding screw_contact_mostly_slides(const Case& c) {
                       screw.max_sliding_speed.front() * per_si::millimetre)};
 }
 
+Finding sliding_is_least_at_the_ideal(const Case& c) {
+  bool least_there = true;
+  const auto compare_type = [&](const Case& type, Interface sliding) {
+    const auto speed_at = [&](double ratio) {
+      return slip_of(at(type, slip_ratio, ratio)).threads[sliding].sliding_speed.front() * per_si::millimetre;
+    };
+    const double ideal = slip_of(type).ideal_slip_ratio, least = speed_at(ideal);
+    for (const double step : {1e-4, 1e-2, 0.3})
+      least_there = least_there && speed_at(ideal - step) > least && speed_at(ideal + step) > least;
+    return fmt::format("{:.1f} mm/s at {:.4f}", least, ideal);
+  };
+  const double along_axis = c.mechanism.lead * c.operation->speed / (2.0 * std::numbers::pi) * per_si::millimetre;
+  const std::string standard = compare_type(c, Interface::screw), other = compare_type(inverted(c), Interface::nut);
+  return {least_there, fmt::format("standard {}, inverted {}, of which {:.1f} mm/s along the axis remain", standard,
+                                   other, along_axis)};
+}
+
 /// (2.25) at the roller-screw contact: 1 Pa s, 300 nm.
 double newtonian_friction(const Case& c, double viscosity_pa_s) {
   const Mechanics m(at(c, slip_ratio, kMeasuredSlipRatio));
@@ -241,6 +258,14 @@ Finding friction_at_nut_rises_less(const Case& c) {
   bool holds = std::ranges::all_of(nut, rises);
   for (std::size_t k = 0; k < nut.size(); ++k) holds = holds && spread(nut[k]) < spread(screw[k]);
   return {holds, "SKF LGWA2: " + listed(nut.back(), 1, 4)};
+}
+
+Finding eight_megapascals_leave_friction_low(const Case& c) {
+  const std::vector<Values> friction = friction_along_slip(c, friction_at_screw);
+  const Values& most_viscous = friction[2];
+  return {most_viscous.back() < friction.back().back() && most_viscous.back() < 0.1,
+          fmt::format("at a slip ratio of 0.37: 5P4E {:.4f}, SKF LGWA2 with 12 MPa {:.4f} (judged against 0.1)",
+                      most_viscous.back(), friction.back().back())};
 }
 
 Finding friction_falls_with_viscosity_and_stress(const Case& c) {
@@ -628,12 +653,14 @@ const Checks<Case> kChecks{
     {"more_friction_raises_the_slip_ratio", more_friction_raises_the_slip_ratio},
     {"nut_contact_spins", nut_contact_spins},
     {"screw_contact_mostly_slides", screw_contact_mostly_slides},
+    {"sliding_is_least_at_the_ideal", sliding_is_least_at_the_ideal},
     {"newtonian_friction_is_tiny", newtonian_friction_is_tiny},
     {"newtonian_friction_under_pressure_exceeds_one", newtonian_friction_under_pressure_exceeds_one},
     {"friction_is_higher_at_the_screw", friction_is_higher_at_the_screw},
     {"coulomb_would_do", coulomb_would_do},
     {"friction_at_screw_falls_with_the_slip_ratio", friction_at_screw_falls_with_the_slip_ratio},
     {"friction_at_nut_rises_less", friction_at_nut_rises_less},
+    {"eight_megapascals_leave_friction_low", eight_megapascals_leave_friction_low},
     {"friction_falls_with_viscosity_and_stress", friction_falls_with_viscosity_and_stress},
     {"sliding_friction_dominates", sliding_friction_dominates},
     {"spin_torques_oppose_the_roller", spin_torques_oppose_the_roller},
