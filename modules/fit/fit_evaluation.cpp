@@ -12,6 +12,7 @@
 #include "prs/preload/preload_record.h"
 #include "prs/record/record_table.h"
 #include "prs/study/design_engine.h"
+#include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "prs/study/study_run.h"
 
@@ -181,7 +182,7 @@ struct FitEvaluation::Parts {
     }
     try {
       if (first.series.empty() && first.command != Command::preload)
-        group.engine = std::make_unique<DesignEngine>(group.input);
+        group.engine = std::make_unique<DesignEngine>(group.input, simd::InstructionSet::best, Arrays::refused);
       else
         check_document(group);
     } catch (const UnknownResponse& error) {

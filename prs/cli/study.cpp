@@ -166,7 +166,7 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads, cons
 bool agree(const JournalHeader& header, const Study& study) {
   const auto& asked = study.responses;
   if (header.designs != design_count(study)) return false;
-  if (!asked.empty()) return header.responses == asked;
+  if (!asked.empty()) return are_columns_of(asked, header.responses);
   const std::vector<std::string> known = default_responses(study.command);
   return std::ranges::all_of(header.responses,
                              [&](const std::string& path) { return std::ranges::find(known, path) != known.end(); });

@@ -78,7 +78,9 @@ class ColumnFile {
   ColumnFile& operator=(const ColumnFile&) = delete;
 
   virtual void set_length(const std::string& dimension, std::size_t length) = 0;
-  virtual int add_column(const std::string& name, Type type) = 0;
+  /// A number in each row or, over a second dimension, `entries` of them.
+  virtual int add_column(const std::string& name, Type type, const std::string& dimension = {},
+                         std::size_t entries = 1) = 0;
   virtual void describe(int column, const char* attribute, const Attribute& value) = 0;
 
   /// Writes from row `first` on, in the type of the column.

@@ -2,6 +2,7 @@
 #include <sys/mman.h>
 
 #include <cerrno>
+#include <map>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -40,12 +41,16 @@ class NetcdfFile : public ColumnFile {
     require(nc_def_dim(id_, dimension.c_str(), length, &dimension_));
   }
 
-  int add_column(const std::string& name, Type type) override {
+  int add_column(const std::string& name, Type type, const std::string& dimension, std::size_t entries) override {
     require_memory();
     const nc_type types[] = {NC_DOUBLE, NC_INT, NC_BYTE};
-    int column = 0;
-    require(nc_def_var(id_, name.c_str(), types[static_cast<int>(type)], 1, &dimension_, &column));
+    int column = 0, dimensions[] = {dimension_, 0};
+    if (!dimension.empty() && nc_inq_dimid(id_, dimension.c_str(), &dimensions[1]) != NC_NOERR)
+      require(nc_def_dim(id_, dimension.c_str(), entries, &dimensions[1]));
+    require(
+        nc_def_var(id_, name.c_str(), types[static_cast<int>(type)], dimension.empty() ? 1 : 2, dimensions, &column));
     require(nc_def_var_chunking(id_, column, NC_CONTIGUOUS, nullptr));
+    entries_[column] = entries;
     return column;
   }
 
@@ -56,8 +61,8 @@ class NetcdfFile : public ColumnFile {
 
   void write(int column, std::size_t first, std::span<const double> values) override {
     require_memory();
-    const std::size_t count = values.size();
-    require(nc_put_vara_double(id_, column, &first, &count, values.data()));
+    const std::size_t entries = entries_.at(column), from[] = {first, 0}, count[] = {values.size() / entries, entries};
+    require(nc_put_vara_double(id_, column, from, count, values.data()));
   }
 
   void close() override {
@@ -98,6 +103,7 @@ class NetcdfFile : public ColumnFile {
   std::string name_;
   int id_ = -1;  ///< Identifier of the open file.
   int dimension_ = 0;
+  std::map<int, std::size_t> entries_;  ///< Numbers per row, by column.
 };
 
 }  // namespace

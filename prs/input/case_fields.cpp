@@ -1162,7 +1162,7 @@ void fields(const Fields& io, StudyItem& s) {
   io("factors", s.factors, List{Block{}, 1}, required, "The inputs that vary");
   io("responses", s.responses, List{Text{"axial_stiffness_N_per_um"}, 1},
      "What is recorded of each design: paths into the first load case of its JSON document or "
-     "into the document, of an array `.max`, `.min`, `.mean` or `[k]`; a choice that suits "
+     "into the document, of an array also `.max`, `.min`, `.mean` or `[k]`; a choice that suits "
      "the command by default, with an envelope what it needs");
   io("envelope", s.envelope, Block{}, optional_only_if(s.plan == Plan::grid, "with the plan grid"),
      "Maps of measures over two factors, made one, and designs read off them");

@@ -14,7 +14,9 @@ std::string responses_table(const std::vector<std::string>& paths) {
     const ResponseTitle title = response_title(path);
     text += padded(path, widest, true) + "  " + padded(std::string(title.unit), 11, true) + "  " + title.name + '\n';
   }
-  return text + "\nOf numbers thread by thread also `.min`, `.mean` and `[k]`, k from 0.\n";
+  return text +
+         "\nOf numbers thread by thread also `.min`, `.mean` and `[k]`, k from 0; studies record all of them without "
+         "`.max`.\n";
 }
 
 Json responses_json(const std::vector<std::string>& paths) {

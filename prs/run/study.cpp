@@ -16,31 +16,15 @@ namespace {
 /// After that time what is computed goes into the journal, as soon as the design at hand is done.
 constexpr std::chrono::seconds kLongestBlock{1};
 
-/// Place of a response in the file: in the list, or in the envelope that needs it.
-std::string place_of(const input::StudyInput& in, std::size_t response) {
-  if (in.study.envelope) {
-    const Envelope& envelope = *in.study.envelope;
-    const auto is_it = [&](const auto& item) { return item.response == in.study.responses[response]; };
-    const auto index_in = [&](const auto& items) -> std::optional<std::size_t> {
-      const auto at = std::ranges::find_if(items, is_it);
-      if (at == items.end()) return std::nullopt;
-      return static_cast<std::size_t>(at - items.begin());
-    };
-    if (const auto k = index_in(envelope.measures)) return fmt::format("study.envelope.measures[{}].response", *k);
-    for (std::size_t point = 0; point < envelope.points.size(); ++point)
-      if (const auto k = index_in(envelope.points[point].reach))
-        return fmt::format("study.envelope.points[{}].reach[{}].response", point, *k);
-  }
-  return fmt::format("study.responses[{}]", response);
-}
-
 /// Reports a response that the base case does not have where it stands in the file.
 template <class Compute>
 auto with_responses_of(const input::StudyInput& in, Compute compute) {
   try {
     return compute(in);
   } catch (const UnknownResponse& error) {
-    input::fail_at(in.source, place_of(in, error.index()), error.what());
+    const std::size_t k = error.index();
+    const auto in_envelope = place_in_envelope(in.study, in.study.responses[k]);
+    input::fail_at(in.source, in_envelope.value_or(fmt::format("study.responses[{}]", k)), error.what());
   }
 }
 
@@ -99,7 +83,7 @@ std::vector<Warning> idle_warnings(const CaseDerivatives& result) {
 
 DesignEngine engine_of(const input::OptimizeInput& in) {
   try {
-    return DesignEngine(in.start);
+    return DesignEngine(in.start, simd::InstructionSet::best, Arrays::refused);
   } catch (const UnknownResponse& error) {
     const std::string& at = in.asked_at[error.index()];
     if (at != "optimize.thread_constraints") input::fail_at(in.start.source, at, error.what());

@@ -76,10 +76,9 @@ bool is_solved_anew(const Case& c, Command command, const LoadCase& load) {
 }
 
 /// The load cases that responses need stand at their index, all others are left out.
-Model model_of(const Case& given, Command command, const std::vector<ResultNumber>& numbers) {
+Model model_of(const Case& given, Command command, const std::vector<ResultNumber>& numbers, bool with_modes) {
   bool complete = false;
   for (const ResultNumber& number : numbers) complete = complete || number.needs_complete;
-  const bool with_modes = number_detail(numbers).modes;
   Model model;
   model.contacts = checked_contacts(given, complete ? Detail::complete : Detail::numbers);
   const Conditions& c = given;
@@ -144,11 +143,12 @@ Eigen::VectorXd residual(const SectorSolver& solver, const LoadCase& load, const
 /// A solved case that is moved along factors.
 class BaseCase {
  public:
-  BaseCase(const input::StudyInput& input, const Study& study)
+  BaseCase(const input::StudyInput& input, const Study& study, bool with_modes)
       : input_(input),
         study_(study),
+        with_modes_(with_modes),
         numbers_(response_numbers(study)),
-        model_(model_of(input::read_design(input, {}), study.command, numbers_)) {
+        model_(model_of(input::read_design(input, {}), study.command, numbers_, with_modes)) {
     states_.resize(model_.solvers.size());
     for (std::size_t k = 0; k < states_.size(); ++k) {
       if (!model_.solvers[k]) continue;
@@ -188,7 +188,7 @@ class BaseCase {
   Model moved(const Factor& factor, double shift) const {
     const double number = *factor.base->number + shift;
     const std::string text = fmt::format("{}={}{}{}", factor.path, number, factor.unit.empty() ? "" : " ", factor.unit);
-    return model_of(input::read_design(input_, {text}), study_.command, numbers_);
+    return model_of(input::read_design(input_, {text}), study_.command, numbers_, with_modes_);
   }
 
   Eigen::VectorXd state_rate(std::size_t k, const std::array<Model, 3>& forward, const std::array<Model, 3>& backward,
@@ -219,6 +219,7 @@ class BaseCase {
 
   const input::StudyInput& input_;
   const Study& study_;
+  bool with_modes_ = false;  ///< Whether a response is of natural modes.
   std::vector<ResultNumber> numbers_;
   Model model_;
   std::vector<fe::State> states_;
@@ -303,8 +304,9 @@ void require_model(const Study& study, const Case& c) {
 CaseDerivatives case_derivatives(const input::StudyInput& input) {
   require_model(input.study, input::read_design(input, {}));
   CaseDerivatives result;
-  result.study = DesignEngine(input).study();
-  BaseCase base(input, result.study);
+  const DesignEngine engine(input);
+  result.study = engine.study();
+  BaseCase base(input, result.study, engine.needs_modes());
   const Eigen::VectorXd values = base.values();
   for (const double value : values) result.values.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
   for (const Factor& factor : result.study.factors) result.factors.push_back(derivatives_by(factor, base, values));

@@ -1,12 +1,10 @@
 #include "prs/study/design_engine.h"
 
-#include <fmt/ranges.h>
-
 #include <numeric>
 
 #include "modules/response/response_analysis.h"
+#include "prs/compare/reference_analysis.h"
 #include "prs/heat/analyze_heat.h"
-#include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
 #include "prs/losses/life_analysis.h"
 #include "prs/losses/slip_analysis.h"
@@ -14,6 +12,7 @@
 #include "prs/measures/measures_analysis.h"
 #include "prs/slip/running.h"
 #include "prs/study/design_batches.h"
+#include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 
 namespace prs {
@@ -59,28 +58,6 @@ DesignStatus status_after(Compute compute) {
   }
 }
 
-/// The study's responses as far as the document has them, or those of its command.
-std::vector<std::string> recorded(const Study& study, const Json& document) {
-  if (study.responses.empty()) {
-    std::vector<std::string> paths = default_responses(study.command);
-    if (!document.is_null()) std::erase_if(paths, [&](const std::string& path) { return !response(document, path); });
-    return paths;
-  }
-  if (document.is_null()) return study.responses;
-  for (std::size_t k = 0; k < study.responses.size(); ++k) {
-    const std::string& path = study.responses[k];
-    if (response(document, path)) continue;
-    const std::vector<std::string> known = response_paths(document);
-    const std::vector<std::string_view> near = input::near_words(path, {known.begin(), known.end()});
-    throw UnknownResponse(k, fmt::format("got {}; expected a number of the first load case or of the document, as "
-                                         "`prs list responses FILE` shows them; {}",
-                                         input::shown(path),
-                                         near.empty() ? "write for example `" + known.front() + "`"
-                                                      : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"))));
-  }
-  return study.responses;
-}
-
 /// The responses as numbers of results; none where one of them needs the document.
 std::optional<std::vector<ResultNumber>> numbers_of(const std::vector<std::string>& responses) {
   std::vector<ResultNumber> numbers;
@@ -104,6 +81,20 @@ std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers,
   std::ranges::sort(indices);
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   return indices;
+}
+
+/// What batches compute besides loads and approaches, and whether load cases have their modes.
+struct NumberDetail {
+  LoadDetail loads;
+  SlipDetail slip;
+  bool modes = true;
+};
+
+/// Whether numbers are the same to rounding, or missing in both.
+bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) {
+    return std::isnan(x) == std::isnan(y) && !(std::abs(x - y) > 1e-9 * std::abs(x));
+  });
 }
 
 /// Designs whose contacts are found and whose sectors are solved together: many lanes, little
@@ -183,10 +174,11 @@ struct DesignEngine::Parts {
   bool needs_duty = false;                             ///< Whether one of the numbers is of a duty.
   bool in_columns = false;                             ///< Whether BarBatch or SlipBatch gets what it takes.
   NumberDetail number_detail;                          ///< What the numbers need of load cases.
+  bool of_references = false;                          ///< Whether deviations of references are recorded.
   Detail detail = Detail::numbers;                     ///< What the numbers need of the results.
   ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
   Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
-  bool all_rollers = false;                            ///< Whether it is a full mechanism.
+  bool all_rollers = false;                            ///< Whether the base case is a full mechanism.
   std::optional<LoadHistory> history;                  ///< History of the base case.
   std::optional<HistorySource> history_source;
 
@@ -252,8 +244,19 @@ struct DesignEngine::Parts {
     return {};
   }
 
-  /// The chain of the command on one case, the whole document.
-  DesignStatus by_document(const Case& c, Json& document) const {
+  /// The document of load cases, with the deviations of references if they are recorded.
+  Json document_with_references(const Case& c, const input::Source& source, Result result) const {
+    Json document = document_of(study.command == Command::slip ? slip_analysis() : solve_analysis(), result, {});
+    if (!of_references) return document;
+    ModelComparison comparison;
+    comparison.models.push_back(std::move(result));
+    compare_references(source, c, read_references(source, c), comparison);
+    put_references(document, comparison);
+    return document;
+  }
+
+  /// The chain of the command on the case of a source, the whole document.
+  DesignStatus by_document(const Case& c, const input::Source& source, Json& document) const {
     if (study.command == Command::life)
       return with_lives(c, [&](const LifeResult& lives) { document = document_of(life_analysis(), lives, {}); });
     if (study.command == Command::response) {
@@ -267,40 +270,87 @@ struct DesignEngine::Parts {
       document = document_of(measures_analysis(), result, {});
       return status_of(result.analysis);
     }
-    const Result result = analyze_for(study.command, c, checked_contacts(c, Detail::complete), {});
-    document = document_of(study.command == Command::slip ? slip_analysis() : solve_analysis(), result, {});
-    return status_of(result);
+    Result result = analyze_for(study.command, c, checked_contacts(c, Detail::complete), {});
+    DesignStatus status = status_of(result);
+    document = document_with_references(c, source, std::move(result));
+    return status;
   }
 
-  void read_base() {
+  void read_base(Arrays arrays) {
+    const auto of_reference = [](const std::string& path) { return path.starts_with("references["); };
+    of_references = (study.command == Command::solve || study.command == Command::slip) &&
+                    std::ranges::any_of(study.responses, of_reference);
     Json document;
-    std::size_t all_load_cases = 0;
+    std::size_t all_load_cases = 0, threads = 0;
     const auto worker = borrowed();
+    std::optional<Case> base;
     const DesignStatus status = status_after([&] {
-      const Case& c = worker->reader.read(0);
-      all_load_cases = c.load_cases.size();
-      bodies = c.model.bodies;
-      all_rollers = c.model.mechanism == ModelOptions::Mechanism::full;
-      if (study.command == Command::life && c.life->history) {
-        history = history_of(c);
-        history_source = c.life->history;
+      base = worker->reader.read(0);
+      all_load_cases = base->load_cases.size();
+      threads = static_cast<std::size_t>(base->mechanism.contacts_per_roller);
+      bodies = base->model.bodies;
+      all_rollers = base->model.mechanism == ModelOptions::Mechanism::full;
+      if (study.command == Command::life && base->life->history) {
+        history = history_of(*base);
+        history_source = base->life->history;
       }
-      return by_document(c, document);
+      return by_document(*base, input.source, document);
     });
+    if (base && of_references) read_references(input.source, *base);  // What is wrong in a file is no design's fault.
     if (!status.converged()) document = nullptr;
-    study.responses = recorded(study, document);
+    study.responses = recorded_columns(study, document, threads, arrays);
     if (study.command != Command::response) numbers = numbers_of(study.responses);
     if (!numbers) return;
     load_cases = load_cases_of(*numbers, all_load_cases);
     needs_duty = std::ranges::any_of(*numbers, &ResultNumber::needs_duty);
     const auto of_mechanism = [](const ResultNumber& number) { return !number.load_case; };
     if (measures() || std::ranges::any_of(*numbers, of_mechanism)) contact_detail = ContactDetail::numbers;
-    // A full mechanism has its tangent stiffness only with Detail::complete.
-    number_detail = prs::number_detail(*numbers);
-    if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete) ||
-        (all_rollers && number_detail.loads.tangent_stiffness))
-      detail = Detail::complete;
+    if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete)) detail = Detail::complete;
     in_columns = (study.command == Command::solve || study.command == Command::slip) && detail == Detail::numbers;
+    if (!document.is_null())
+      leave_out_parts(*base, *worker, document);
+    else if (all_rollers)
+      detail = Detail::complete;
+  }
+
+  /// Leaves out of all designs each part of the results without which the base case has the same numbers. What
+  /// the numbers lack is computed in full.
+  void leave_out_parts(const Case& base, const Worker& worker, const Json& document) {
+    const auto row = [&] {
+      return evaluate(0, 1, [](DesignReader& reader, std::size_t) -> Case& { return reader.read(0); }, {}).responses;
+    };
+    std::vector<bool*> parts;
+    if (std::ranges::any_of(base.load_cases, [](const LoadCase& load) { return load.modes.has_value(); }))
+      parts.push_back(&number_detail.modes);
+    else
+      number_detail.modes = false;
+    auto& [loads, slip, modes] = number_detail;
+    if (goes_to_columns(base, worker))
+      parts.insert(parts.end(), {&loads.axial_load, &loads.load_rate, &loads.ellipses, &loads.tangent_stiffness,
+                                 &slip.threads, &slip.films});
+    else if (goes_to_sectors(base))
+      parts.push_back(&loads.tangent_stiffness);
+    else if (!all_rollers)
+      return;
+    std::vector<double> documented;
+    for (const std::string& path : study.responses)
+      documented.push_back(response(document, path).value_or(kNoResponse));
+    const auto has_all = [&](const std::vector<double>& found) {
+      return std::ranges::equal(found, documented,
+                                [](double f, double d) { return std::isfinite(f) || std::isnan(d); });
+    };
+    std::vector<double> whole = row();
+    if (!has_all(whole) && detail == Detail::numbers) {
+      detail = Detail::complete;
+      in_columns = false;
+      whole = row();
+    }
+    if (!has_all(whole)) numbers.reset();
+    for (bool* part : parts) {
+      if (!numbers) return;
+      *part = false;
+      *part = !are_same(row(), whole);
+    }
   }
 
   /// `known`: all that does not depend on the load case.
@@ -329,7 +379,7 @@ struct DesignEngine::Parts {
   DesignStatus answer(Case& c, Worker& worker, double* row, const Contacts* found = nullptr) const {
     if (!numbers) {
       Json document;
-      const DesignStatus status = by_document(c, document);
+      const DesignStatus status = by_document(c, of_references ? worker.reader.source() : input.source, document);
       if (status.converged())
         for (std::size_t k = 0; k < study.responses.size(); ++k)
           row[k] = response(document, study.responses[k]).value_or(kNoResponse);
@@ -434,21 +484,31 @@ struct DesignEngine::Parts {
     }
   }
 
+  /// Whether BarBatch or SlipBatch takes the design.
+  bool goes_to_columns(const Case& c, const Worker& worker) const {
+    if (!in_columns || runs(c)) return false;
+    return study.command == Command::slip ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases);
+  }
+  bool goes_to_sectors(const Case& c) const {
+    return in_batches() && !runs(c) && c.model.bodies != Bodies::influence &&
+           c.model.mechanism != ModelOptions::Mechanism::full;
+  }
+  bool runs(const Case& c) const {
+    return study.command == Command::solve && c.model.loads == ModelOptions::Loads::running;
+  }
+
   /// False where no batch takes the design.
   bool add_to_batch(std::size_t row, Case& c, Worker& worker) const {
-    if (study.command == Command::solve && c.model.loads == ModelOptions::Loads::running) return false;
-    const bool slips = study.command == Command::slip;
-    if (in_columns && (slips ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases))) {
+    if (goes_to_columns(c, worker)) {
       const std::optional<Mechanism> mechanism = sound_mechanism(c);
       if (!mechanism) return false;
-      if (slips)
+      if (study.command == Command::slip)
         worker.slips.add(row, c, *mechanism, load_cases);
       else
         worker.columns.add(row, c, *mechanism, load_cases);
       return true;
     }
-    if (!in_batches() || c.model.bodies == Bodies::influence || c.model.mechanism == ModelOptions::Mechanism::full)
-      return false;
+    if (!goes_to_sectors(c)) return false;
     worker.sectors.add(row, c, load_cases, measures(), detail);
     return true;
   }
@@ -472,14 +532,16 @@ struct DesignEngine::Parts {
   std::vector<std::unique_ptr<Worker>> idle;
 };
 
-DesignEngine::DesignEngine(const input::StudyInput& input, simd::InstructionSet set)
+DesignEngine::DesignEngine(const input::StudyInput& input, simd::InstructionSet set, Arrays arrays)
     : parts_(std::make_unique<Parts>(input, set)) {
-  parts_->read_base();
+  parts_->read_base(arrays);
 }
 
 DesignEngine::~DesignEngine() = default;
 
 const Study& DesignEngine::study() const { return parts_->study; }
+
+bool DesignEngine::needs_modes() const { return parts_->number_detail.modes; }
 
 RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count, const std::function<bool()>& stop) const {
   return parts_->evaluate(

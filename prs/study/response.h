@@ -5,7 +5,6 @@
 #include "prs/loads/load_case_result.h"
 #include "prs/measures/measures.h"
 #include "prs/model/command.h"
-#include "prs/slip/slip.h"
 
 namespace prs {
 
@@ -13,6 +12,9 @@ namespace prs {
 /// document: `slip.efficiency`, `screw.peak_pressure_MPa.max`, `contact.nut.backlash_mm`,
 /// `load_cases[1].axial_displacement_um`. Arrays take `[k]` from 0, `.max`, `.min` and `.mean`.
 std::optional<double> response(const Json& document, std::string_view path);
+
+/// Number of entries of the array of numbers at a path; 0 where there is none.
+std::size_t entries(const Json& document, std::string_view path);
 
 /// Every path of a document that has a response, of an array `.max` only.
 std::vector<std::string> response_paths(const Json& document);
@@ -30,9 +32,6 @@ struct Answer {
   const HeatCycle* cycle = nullptr;  ///< Cases with a duty only.
 };
 
-/// Numbers that results of many designs have only where they are asked for.
-enum class OnDemand { nothing, axial_load, load_rate, ellipses, tangent_stiffness, slip_of_threads, films, modes };
-
 /// A response in the tables of quantities, read from the results without a document. Its value is
 /// the one that the document would have.
 struct ResultNumber {
@@ -40,17 +39,8 @@ struct ResultNumber {
   std::optional<std::size_t> load_case;
   bool needs_complete = false;  ///< Detail::numbers does not have it.
   bool needs_duty = false;      ///< It is read from the state that a duty comes to.
-  OnDemand on_demand = OnDemand::nothing;
   std::function<std::optional<double>(const Answer&)> value;
 };
-
-/// What the numbers need of the loads of load cases, and of their slip.
-struct NumberDetail {
-  LoadDetail loads;
-  SlipDetail slip;
-  bool modes = false;
-};
-NumberDetail number_detail(std::span<const ResultNumber> numbers);
 
 /// The response at a path, see `response`; none where only the document has it: numbers about the
 /// solution, as the iterations that it took.

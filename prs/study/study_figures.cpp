@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "prs/record/table_units.h"
+#include "prs/study/recorded.h"
 #include "prs/study/study_pictures.h"
 
 namespace prs {
@@ -112,31 +113,42 @@ std::string held_level(const Factor& factor) {
   return held->text;
 }
 
+/// Factors that a figure holds, and their levels.
+using Held = std::vector<std::pair<std::size_t, std::string>>;
+
+/// All factors but those of the axes, which the title names.
+Held hold_others(const Study& study, std::size_t x, std::size_t y, Figure& figure) {
+  Held held;
+  for (std::size_t k = 0; k < study.factors.size(); ++k) {
+    if (k == x || k == y) continue;
+    held.emplace_back(k, held_level(study.factors[k]));
+    if (study.plan == Plan::grid)
+      figure.title += fmt::format(", {} {}", factor_name(study.factors[k]), held.back().second);
+  }
+  return held;
+}
+
+bool is_shown(const StudyRow& row, const Held& held) {
+  return std::ranges::all_of(held, [&](const auto& h) {
+    const auto set = std::ranges::find(row.design.settings, h.first, &Setting::factor);
+    return set == row.design.settings.end() || set->level.text == h.second;
+  });
+}
+
 /// A response of a grid over two factors, the others held.
 std::optional<Figure> grid_map(const StudyResult& result, std::size_t response, const FigureOptions& options) {
   const Study& study = result.study;
   const auto [across, up] = map_factors(study, options);
   Figure figure = response_figure(study.responses, response);
-  std::vector<std::pair<std::size_t, std::string>> held;
-  for (std::size_t k = 0; k < study.factors.size(); ++k)
-    if (k != across && k != up) {
-      held.emplace_back(k, held_level(study.factors[k]));
-      figure.title += fmt::format(", {} {}", factor_name(study.factors[k]), held.back().second);
-    }
-  const std::vector<double> x = positions(study.factors[across]);
-  const std::vector<double> y = positions(study.factors[up]);
-  GridData grid{without_repeats(x), without_repeats(y), {}};
+  const Held held = hold_others(study, across, up, figure);
+  GridData grid{without_repeats(positions(study.factors[across])), without_repeats(positions(study.factors[up])), {}};
   grid.values.assign(grid.x.size() * grid.y.size(), kFree);
   for (std::size_t r = 1; r < result.rows.size(); ++r) {
     const StudyRow& row = result.rows[r];
-    const bool shown = std::ranges::all_of(held, [&](const auto& h) {
-      const auto set = std::ranges::find(row.design.settings, h.first, &Setting::factor);
-      return set == row.design.settings.end() || set->level.text == h.second;
-    });
     const std::optional<double> at_x = number_in(study, row, across);
     const std::optional<double> at_y = number_in(study, row, up);
     const std::optional<double>& value = row.responses[response];
-    if (!shown || !at_x || !at_y || !value) continue;
+    if (!is_shown(row, held) || !at_x || !at_y || !value) continue;
     const std::size_t i = index_in(grid.x, *at_x), j = index_in(grid.y, *at_y);
     if (i < grid.x.size() && j < grid.y.size()) grid.values[i * grid.y.size() + j] = *value;
   }
@@ -148,20 +160,25 @@ std::optional<Figure> grid_map(const StudyResult& result, std::size_t response, 
   return figure;
 }
 
-/// A map of a study with an envelope, with the designs read off it; next to it the same as a
-/// surface.
-std::optional<Figure> marked_map(const StudyResult& result, Figure figure, Axis axis, const GridMap& values) {
-  const GridMaps& maps = *result.summary.maps;
-  const GridData grid = answered({maps.axes[0].numbers, maps.axes[1].numbers, values});
-  if (grid.empty()) return std::nullopt;
-  figure.x = factor_axis(result.study.factors[0], grid.x);
-  figure.y = factor_axis(result.study.factors[1], grid.y);
+/// The figure with a map of the grid and beside it the same as a surface; false where it has no numbers.
+bool add_map_and_surface(Figure& figure, const GridData& grid, Axis axis) {
   figure.columns = 2;
   figure.aspect = 1.0;
-  if (!add_map(figure, grid, axis.label, axis.unit)) return std::nullopt;
+  if (grid.empty() || !add_map(figure, grid, axis.label, axis.unit)) return false;
   axis.from = figure.colours->from;
   axis.to = figure.colours->to;
-  Surface surface{thinned(grid, kMostSurfaceNodes), std::move(axis)};
+  figure.panels.emplace_back().surface = Surface{thinned(grid, kMostSurfaceNodes), std::move(axis)};
+  return true;
+}
+
+/// A map of a study with an envelope, with the designs read off it; next to it the same as a
+/// surface.
+std::optional<Figure> marked_map(const StudyResult& result, Figure figure, const Axis& axis, const GridMap& values) {
+  const GridMaps& maps = *result.summary.maps;
+  const GridData grid = answered({maps.axes[0].numbers, maps.axes[1].numbers, values});
+  figure.x = factor_axis(result.study.factors[0], grid.x);
+  figure.y = factor_axis(result.study.factors[1], grid.y);
+  if (!add_map_and_surface(figure, grid, axis)) return std::nullopt;
   Series marks{figure.add(points_of(Colour::ink, Mark::circle))};
   const EnvelopeResult& envelope = *result.summary.envelope;
   for (const EnvelopePoint& point : envelope.points) {
@@ -172,10 +189,39 @@ std::optional<Figure> marked_map(const StudyResult& result, Figure figure, Axis 
     figure.panels[0].labels.push_back({at_right ? point.name + "  " : "  " + point.name, x, y, false,
                                        at_right ? Label::Anchor::right : Label::Anchor::left});
     const double z = &values == &envelope.values ? point.envelope : map_value(maps, values, point.place);
-    if (std::isfinite(z)) surface.points.push_back({point.name, x, y, z});
+    if (std::isfinite(z)) figure.panels[1].surface->points.push_back({point.name, x, y, z});
   }
   if (!marks.parts.empty()) figure.panels[0].series.push_back(std::move(marks));
-  figure.panels.emplace_back().surface = std::move(surface);
+  return figure;
+}
+
+/// An array over a factor, the others held (Jung 2017, figs. 4.1 to 4.8).
+std::optional<Figure> array_surface(const StudyResult& result, const std::vector<Recorded>& all, std::size_t response,
+                                    std::size_t factor) {
+  const Study& study = result.study;
+  const Recorded& array = all[response];
+  Figure figure = response_figure({array.path}, 0);
+  figure.name = study_figure_name(response, array.path);
+  if (study.factors.size() > 1) figure.name += study_figure_name(factor, study.factors[factor].label).substr(2);
+  const Held held = hold_others(study, factor, factor, figure);
+  GridData grid{without_repeats(positions(study.factors[factor])), {}, {}};
+  for (std::size_t k = 0; k < array.count; ++k) grid.y.push_back(static_cast<double>(k + 1));
+  grid.values.assign(grid.x.size() * array.count, kFree);
+  for (std::size_t r = 1; r < result.rows.size(); ++r) {
+    const StudyRow& row = result.rows[r];
+    const std::optional<double> at = number_in(study, row, factor);
+    const auto varies = [&](const Setting& setting) { return setting.factor == factor; };
+    if (!at || !is_shown(row, held) || std::ranges::none_of(row.design.settings, varies)) continue;
+    for (std::size_t k = 0; k < array.count; ++k)
+      if (const std::optional<double>& value = row.responses[array.first + k])
+        grid.values[index_in(grid.x, *at) * array.count + k] = *value;
+  }
+  grid = answered(grid);
+  const Axis axis = figure.y;
+  figure.x = factor_axis(study.factors[factor], grid.x);
+  figure.y = {"Thread", "", 1.0, std::max(grid.y.empty() ? 1.0 : grid.y.back(), 2.0)};
+  figure.y.whole = true;
+  if (!add_map_and_surface(figure, grid, axis)) return std::nullopt;
   return figure;
 }
 
@@ -366,6 +412,27 @@ Figures study_maps(const StudyResult& result, const FigureOptions& options) {
     const Axis axis = figure.y;
     return marked_map(result, std::move(figure), axis, result.summary.maps->responses[k]);
   });
+}
+
+Figures array_surfaces(const StudyResult& result, const FigureOptions& options) {
+  const Study& study = result.study;
+  std::vector<std::size_t> factors;
+  if (is_sampled(study.plan)) return {};
+  for (std::size_t k = 0; k < study.factors.size(); ++k)
+    if (is_mapped(study.factors[k]) &&
+        (!options.x || options.x == study.factors[k].path || options.x == study.factors[k].label))
+      factors.push_back(k);
+  if (!varies_one_at_a_time(study) && !factors.empty())
+    factors = {*std::ranges::max_element(factors, {}, [&](std::size_t k) { return study.factors[k].levels.size(); })};
+  Figures figures;
+  const std::vector<Recorded> all = recorded(study.responses);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!all[k].is_array() || (options.response && *options.response != all[k].path)) continue;
+    for (const std::size_t factor : factors)
+      if (auto figure = array_surface(result, all, k, factor); figure && figures.size() < kMostStudyFigures)
+        figures.push_back(std::move(*figure));
+  }
+  return figures;
 }
 
 Figures contributions(const StudyResult& result, const FigureOptions& options) {

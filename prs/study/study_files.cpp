@@ -116,7 +116,7 @@ void input_fields(CsvWriter& csv, const std::vector<FactorColumn>& columns, cons
 
 StudyNetcdf::StudyNetcdf(const std::filesystem::path& path, const Study& study,
                          const std::vector<FactorColumn>& columns, const DocumentInfo& info)
-    : staged_(path), columns_(columns), status_names_(known_statuses()) {
+    : staged_(path), columns_(columns), recorded_(recorded(study.responses)), status_names_(known_statuses()) {
   // HDF5 does not survive a full disk. What it finds is dropped when the file is created.
   const std::uint64_t bytes = most_bytes(study, columns, info);
   staged_.reserve(bytes);
@@ -140,7 +140,7 @@ void StudyNetcdf::define(const Study& study, const DocumentInfo& info) {
   file_->set_length("design", design_count(study));
   const std::vector<DrawnInput> inputs = drawn_inputs(study);
   for (std::size_t f = 0; f < columns_.size(); ++f) define_factor(*inputs[f].input, columns_[f]);
-  for (const std::string& path : study.responses) define_response(path);
+  for (const Recorded& response : recorded_) define_response(response);
   const int status = file_->add_column("status", ColumnFile::Type::byte);
   variables_.push_back({status});
   file_->describe(status, "long_name", "how the design ended");
@@ -163,13 +163,15 @@ void StudyNetcdf::define_factor(const Factor& factor, const FactorColumn& column
   }
 }
 
-void StudyNetcdf::define_response(const std::string& path) {
+void StudyNetcdf::define_response(const Recorded& response) {
   // A slash would be a group.
-  std::string name = path;
+  std::string name = response.path;
   std::ranges::replace(name, '/', '_');
-  const int id = file_->add_column(name, ColumnFile::Type::real);
+  const auto longest = std::ranges::max_element(recorded_, {}, &Recorded::count);
+  const std::string dimension = response.count == longest->count ? "thread" : fmt::format("entry_{}", response.count);
+  const int id = file_->add_column(name, ColumnFile::Type::real, response.is_array() ? dimension : "", response.count);
   variables_.push_back({id});
-  const ResponseTitle title = response_title(path);
+  const ResponseTitle title = response_title(response.path);
   file_->describe(id, "_FillValue", kNoResponse);
   file_->describe(id, "long_name", title.name);
   file_->describe(id, "units", title.unit.empty() ? "1" : title.unit);
@@ -194,15 +196,18 @@ double StudyNetcdf::flag_of(const std::string& status) {
 }
 
 void StudyNetcdf::add(const RowBlock& block, const std::vector<double>& factors) {
-  const std::size_t inputs = columns_.size(), outputs = variables_.size() - inputs - 1;
+  const std::size_t inputs = columns_.size(), width = block.rows ? block.responses.size() / block.rows : 0;
   for (std::size_t row = 0; row < block.rows; ++row) {
     for (std::size_t f = 0; f < inputs; ++f) {
       const double value = factors[row * inputs + f];
       const bool is_there = columns_[f].is_numeric() || value >= 0.0;
       variables_[f].values.push_back(is_there ? value : kNoWord);
     }
-    for (std::size_t k = 0; k < outputs; ++k)
-      variables_[inputs + k].values.push_back(block.responses[row * outputs + k]);
+    for (std::size_t k = 0; k < recorded_.size(); ++k) {
+      const auto from = block.responses.begin() + static_cast<std::ptrdiff_t>(row * width + recorded_[k].first);
+      std::vector<double>& values = variables_[inputs + k].values;
+      values.insert(values.end(), from, from + static_cast<std::ptrdiff_t>(recorded_[k].count));
+    }
     variables_.back().values.push_back(flag_of(block.status(row).name));
   }
   if (variables_.back().values.size() >= kRows) flush();

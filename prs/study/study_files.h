@@ -2,6 +2,7 @@
 
 #include "prs/loads/load_analysis.h"
 #include "prs/study/derivatives.h"
+#include "prs/study/recorded.h"
 #include "prs/study/study_result.h"
 #include "prs/study/study_run.h"
 
@@ -33,8 +34,8 @@ class StudyCsv {
 std::string envelope_csv(const Study& study, const GridMaps& maps, const EnvelopeResult& envelope,
                          const CsvStyle& style = {});
 
-/// `study.nc`, netCDF-4: the columns of `study.csv` as variables over the dimension `design`, with
-/// units and titles. Words are flags, `status` too; reasons stand in `study.csv`. What a design
+/// `study.nc`, netCDF-4: the columns of `study.csv` as variables over the dimension `design`, arrays over
+/// `thread` too, with units and titles. Words are flags, `status` too; reasons stand in `study.csv`. What a design
 /// does not have is NaN. Nothing in it depends on when or where it was written.
 class StudyNetcdf {
  public:
@@ -60,7 +61,7 @@ class StudyNetcdf {
 
   void define(const Study& study, const DocumentInfo& info);
   void define_factor(const Factor& factor, const FactorColumn& column);
-  void define_response(const std::string& path);
+  void define_response(const Recorded& response);
   void put_flags(int column, const std::vector<std::string>& meanings);
   double flag_of(const std::string& status);
   void flush();
@@ -69,6 +70,7 @@ class StudyNetcdf {
   StagedFile staged_;
   const std::vector<FactorColumn>& columns_;
   std::unique_ptr<ColumnFile> file_;
+  std::vector<Recorded> recorded_;
   std::vector<Variable> variables_;  ///< Factors, responses, status.
   std::vector<std::string> status_names_;
   std::size_t written_ = 0;

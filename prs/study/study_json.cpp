@@ -1,3 +1,4 @@
+#include "prs/study/recorded.h"
 #include "prs/study/study_files.h"
 
 namespace prs {
@@ -272,6 +273,14 @@ constexpr Quantity<StudyResult> kEnvelope[] = {
 
 // The document.
 
+/// Entries of an array in a row, as far as the design has them.
+static std::vector<double> entries_of(const StudyRow& row, const Recorded& array) {
+  std::vector<double> entries;
+  for (std::size_t k = 0; k < array.count && row.responses[array.first + k]; ++k)
+    entries.push_back(*row.responses[array.first + k]);
+  return entries;
+}
+
 constexpr Quantity<InRow> kRow[] = {
     {"settings", always<[](auto& row) {
        ByKey<const Level*> settings;
@@ -288,8 +297,21 @@ constexpr Quantity<InRow> kRow[] = {
     {"converged", always<[](auto& row) { return row.item->status.converged(); }>},
     {"status", always<[](auto& row) { return row.item->status.name; }>},
     {"reason", filled<[](auto& row) { return row.item->status.reason; }>},
-    {"responses", always<[](auto& row) { return by_key(row.whole->study.responses, row.item->responses); }>,
+    {"responses", always<[](auto& row) {
+       ByKey<std::optional<double>> numbers;
+       for (const Recorded& r : recorded(row.whole->study.responses))
+         if (!r.is_array()) numbers.emplace_back(r.path, row.item->responses[r.first]);
+       return numbers;
+     }>,
      "by their paths"},
+    {"arrays", filled<[](auto& row) {
+       ByKey<std::vector<double>> arrays;
+       for (const Recorded& r : recorded(row.whole->study.responses))
+         if (std::vector<double> entries = entries_of(*row.item, r); r.is_array() && !entries.empty())
+           arrays.emplace_back(r.path, std::move(entries));
+       return arrays;
+     }>,
+     "responses that are arrays, by their paths; as long as in this design"},
 };
 
 constexpr Quantity<StudyDocument> kDocument[] = {

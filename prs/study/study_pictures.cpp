@@ -2,6 +2,7 @@
 
 #include "prs/losses/slip_analysis.h"
 #include "prs/record/table_units.h"
+#include "prs/study/recorded.h"
 
 namespace prs {
 namespace {
@@ -20,7 +21,8 @@ std::string shown_unit(const std::string& unit) {
   return shown;
 }
 
-/// `03_flank_angle`
+}  // namespace
+
 std::string study_figure_name(std::size_t index, const std::string& label) {
   std::string name = fmt::format("{:02}_", index + 1);
   for (const char c : label.substr(0, kMostOfName)) {
@@ -30,8 +32,6 @@ std::string study_figure_name(std::size_t index, const std::string& label) {
   while (name.back() == '_') name.pop_back();
   return name;
 }
-
-}  // namespace
 
 std::string level_text(const Level& level, const std::string& unit) {
   const std::string text = printable(level.text);
@@ -51,8 +51,10 @@ std::vector<std::size_t> chosen_responses(const std::vector<std::string>& respon
       throw NoFigure(fmt::format("no response {}; there is {}", *options.response, fmt::join(responses, ", ")));
     return {static_cast<std::size_t>(found - responses.begin())};
   }
-  const std::size_t first = std::min(responses.size(), kMostStudyFigures);
-  return spread(first, first);
+  std::vector<std::size_t> numbers;
+  for (const Recorded& r : recorded(responses))
+    if (!r.is_array() && numbers.size() < kMostStudyFigures) numbers.push_back(r.first);
+  return numbers;
 }
 
 Figure response_figure(const std::vector<std::string>& responses, std::size_t response) {
@@ -193,7 +195,7 @@ void widen(Axis& axis, double least) {
   axis.to += margin;
 }
 
-std::optional<double> recorded(const StudyResult& result, const StudyRow& row, const std::string& path) {
+std::optional<double> number_at(const StudyResult& result, const StudyRow& row, const std::string& path) {
   const auto found = std::ranges::find(result.study.responses, path);
   if (found == result.study.responses.end() || !row.status.converged()) return std::nullopt;
   return row.responses[static_cast<std::size_t>(found - result.study.responses.begin())];
@@ -204,13 +206,13 @@ std::string share_path(const PowerSource& source) { return fmt::format("slip.sha
 /// Power by source and efficiency of a row; not converged where it has none.
 SlipResult slip_of(const StudyResult& result, const StudyRow& row) {
   SlipResult slip;
-  const std::optional<double> loss = recorded(result, row, "slip.power_loss_W");
+  const std::optional<double> loss = number_at(result, row, "slip.power_loss_W");
   if (!loss) return slip;
   slip.status = SlipStatus::converged;
-  slip.efficiency = recorded(result, row, "slip.efficiency");
-  slip.efficiency_fit = recorded(result, row, "slip.efficiency_fit");
+  slip.efficiency = number_at(result, row, "slip.efficiency");
+  slip.efficiency_fit = number_at(result, row, "slip.efficiency_fit");
   for (const PowerSource& source : kPowerSources)
-    slip.power.*source.value = *loss * recorded(result, row, share_path(source)).value_or(0.0) / per_si::percent;
+    slip.power.*source.value = *loss * number_at(result, row, share_path(source)).value_or(0.0) / per_si::percent;
   return slip;
 }
 
@@ -430,6 +432,7 @@ Pictures study_pictures(const StudyResult& r) {
   const Study& study = r.study;
   const bool map = r.summary.envelope || suits_map(study);
   const bool sampled = is_sampled(study.plan);
+  const bool arrays = std::ranges::any_of(recorded(study.responses), &Recorded::is_array);
   const auto lines = varies_one_at_a_time(study) ? one_at_a_time_lines
                      : study.plan == Plan::grid  ? grid_lines
                                                  : design_clouds;
@@ -437,6 +440,8 @@ Pictures study_pictures(const StudyResult& r) {
   return {
       {"envelope", "`study.envelope` in the case", of_result(r, study_envelope)},
       {"map", "`plan: grid` with two factors of numbers", of_result(r, study_maps), drawn_if(map)},
+      {"surface", "an array among `study.responses` of the plans one_at_a_time and grid, and a factor of numbers",
+       of_result(r, array_surfaces), drawn_if(arrays && !sampled)},
       {"power", "`plan: one_at_a_time` of slip", of_result(r, study_power)},
       {"contributions", "a plan that draws samples, and a response that varies", of_result(r, contributions)},
       {"lines", "designs with an answer", of_result(r, lines), drawn_if(sampled || (!map && !power))},

@@ -24,7 +24,8 @@ inline bool varies_one_at_a_time(const Study& study) {
   return study.plan == Plan::one_at_a_time || (study.plan == Plan::grid && study.factors.size() == 1);
 }
 
-/// Indices of those that the options choose, else of the first. Throws NoFigure.
+/// Indices of the response that the options choose, else of the first numbers, entries of arrays not among them.
+/// Throws NoFigure.
 std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses, const FigureOptions& options);
 
 /// A figure of each of these responses that `make` gives one of, as far as it has data.
@@ -35,6 +36,9 @@ Figures figures_of(const std::vector<std::string>& responses, const FigureOption
     if (std::optional<Figure> figure = make(k); figure && has_data(*figure)) figures.push_back(std::move(*figure));
   return figures;
 }
+
+/// `03_flank_angle`
+std::string study_figure_name(std::size_t index, const std::string& label);
 
 /// Name and title of a figure of a response.
 Figure response_figure(const std::vector<std::string>& responses, std::size_t response);
@@ -70,6 +74,10 @@ Figures study_envelope(const StudyResult& result, const FigureOptions& options);
 
 /// Responses of a grid over two factors.
 Figures study_maps(const StudyResult& result, const FigureOptions& options);
+
+/// Arrays of one factor at a time, or of a grid over its longest factor: a map of factor and entry, and the
+/// same as a surface.
+Figures array_surfaces(const StudyResult& result, const FigureOptions& options);
 
 /// What each factor contributes to the responses: to their linear surfaces, or to their variance.
 Figures contributions(const StudyResult& result, const FigureOptions& options);

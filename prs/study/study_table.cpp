@@ -46,6 +46,7 @@ Heading heading(const ResponseTitle& title) {
 }
 
 struct Columns {
+  std::vector<Recorded> responses;  ///< Of arrays the largest entry is shown.
   std::vector<Heading> headings;
   std::vector<double> factors;  ///< From the unit of documents to that of the heading.
   std::vector<std::size_t> widths;
@@ -62,12 +63,13 @@ Columns columns_of(const StudyResult& result) {
                                      width(level_text(setting.level, result.study.factors[setting.factor].unit)) + 2);
   columns.value_width = std::min(columns.value_width, kMaxValueWidth);
   std::size_t used = columns.value_width;
-  for (const std::string& path : result.study.responses) {
-    const TableResponse response = table_response(path);
+  for (const Recorded& r : recorded(result.study.responses)) {
+    const TableResponse response = table_response(r.is_array() ? r.path + ".max" : r.path);
     const Heading h = heading(response.title);
     const std::size_t w = std::max({kMinCell, width(h.upper), width(h.lower)});
     if (used + kGap.size() + w > kTableWidth) break;
     used += kGap.size() + w;
+    columns.responses.push_back(r);
     columns.headings.push_back(h);
     columns.factors.push_back(response.factor);
     columns.widths.push_back(w);
@@ -75,11 +77,18 @@ Columns columns_of(const StudyResult& result) {
   return columns;
 }
 
+/// A number of a row, of an array the largest entry.
+std::optional<double> shown_value(const StudyRow& row, const Recorded& response) {
+  const auto from = row.responses.begin() + static_cast<std::ptrdiff_t>(response.first);
+  return *std::max_element(from, from + static_cast<std::ptrdiff_t>(response.count));
+}
+
 std::string row_line(const Columns& columns, const std::string& value, const StudyRow& row) {
   std::string line = fitted(value, columns.value_width, true);
   if (!row.status.converged()) return fmt::format("{}{}{}\n", line, kGap, row.status.name);
   for (std::size_t c = 0; c < columns.widths.size(); ++c)
-    line.append(kGap).append(padded(number(row.responses[c], columns.factors[c]), columns.widths[c], false));
+    line.append(kGap).append(
+        padded(number(shown_value(row, columns.responses[c]), columns.factors[c]), columns.widths[c], false));
   return line + '\n';
 }
 
@@ -181,9 +190,9 @@ std::string factor_tables(const StudyResult& result) {
   for (std::size_t k = 0; k < result.study.factors.size(); ++k)
     text.append("\n").append(factor_table(result, k, columns));
   text += "\n* as in the file";
-  if (columns.headings.size() < result.study.responses.size())
-    text += fmt::format("; {} more responses; {}", result.study.responses.size() - columns.headings.size(),
-                        all_in("study.csv"));
+  const std::size_t all = recorded(result.study.responses).size();
+  if (columns.headings.size() < all)
+    text += fmt::format("; {} more responses; {}", all - columns.headings.size(), all_in("study.csv"));
   return text + '\n';
 }
 

@@ -827,6 +827,16 @@ class StudyViews(Result):
         """A response of a grid over two factors, as filled contours."""
         return self.plot_figure("map", ax, **look, response=response, x=x, y=y)
 
+    def plot_threads(
+        self,
+        response: str | None = None,
+        factor: str | None = None,
+        ax: Axes | None = None,
+        **look: Unpack[Look],
+    ) -> Axes:
+        """An array such as `screw.load_rate_percent` over a factor, as filled contours."""
+        return self.plot_figure("surface", ax, **look, response=response, x=factor)
+
     def plot_histogram(
         self, response: str | None = None, ax: Axes | None = None, **look: Unpack[Look]
     ) -> Axes:
@@ -855,12 +865,20 @@ def _designs_of_document(result: StudyViews) -> Designs:
     rows = result["designs"] if "designs" in result else []
     responses = tuple(result.study["responses"])
     values = np.array(
-        [[row["responses"].get(name, np.nan) for name in responses] for row in rows],
+        [[numbers.get(name, np.nan) for name in responses] for numbers in map(_numbers_of, rows)],
         dtype=np.float64,
     ).reshape(len(rows), len(responses))
     status = np.array([row["status"] for row in rows], dtype=object)
     reason = np.array([row.get("reason", "") for row in rows], dtype=object)
     return Designs(_inputs_of_document(result.study, rows), responses, values, status, reason)
+
+
+def _numbers_of(row: Record) -> dict[str, float]:
+    """Responses of a design, those that are arrays entry by entry."""
+    numbers: dict[str, float] = row["responses"].to_dict()
+    for path, entries in (row["arrays"].to_dict() if "arrays" in row else {}).items():
+        numbers |= {f"{path}[{k}]": entry for k, entry in enumerate(entries)}
+    return numbers
 
 
 def _inputs_of_document(study: Record, rows: list[Record]) -> pd.DataFrame:

@@ -400,6 +400,24 @@ class Failing(Here):
         return fn(*args, **kwargs)
 
 
+def test_arrays_have_a_dimension_of_threads() -> None:
+    threads = {"path": "mechanism.contacts_per_roller", "values": [18, 22]}
+    study = {"command": "solve", "plan": "grid", "factors": [threads]}
+    case = lesson(1).with_(study={**study, "responses": [STIFFNESS, "screw.load_rate_percent"]})
+    designs = case.study().all_designs
+    shares = designs["screw.load_rate_percent"]
+    assert shares.shape == (2, 22)
+    np.testing.assert_allclose(np.nansum(shares, axis=1), 100.0, rtol=1e-9)
+    np.testing.assert_array_equal(np.isfinite(shares).sum(axis=1), [18, 22])
+    assert "screw.load_rate_percent[21]" in designs.to_frame()
+    array = designs.to_xarray()["screw.load_rate_percent"]
+    assert array.dims == ("mechanism.contacts_per_roller", "thread")
+    assert array.thread[0] == 1
+    again = rs.StudyResult.from_json(case.study().to_json()).all_designs
+    np.testing.assert_allclose(again["screw.load_rate_percent"], shares, rtol=1e-8)
+    assert case.study().plot_threads("screw.load_rate_percent").get_ylabel() == "Thread"
+
+
 def small_study() -> rs.StudyResult:
     result = answer(16, "study", rs.StudyResult)
     return result

@@ -13,6 +13,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/model/problems.h"
 #include "prs/study/design_engine.h"
+#include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "support/count.h"
 #include "support/sanitized.h"

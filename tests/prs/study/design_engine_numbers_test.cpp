@@ -17,6 +17,7 @@
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/study/design_engine.h"
+#include "prs/study/design_reader.h"
 #include "prs/study/designs.h"
 #include "prs/study/response.h"
 #include "support/count.h"

@@ -1,3 +1,4 @@
+#include "prs/study/design_reader.h"
 #include "prs/study/design_engine.h"
 
 #include <fmt/format.h>

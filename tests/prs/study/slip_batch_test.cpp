@@ -12,6 +12,7 @@
 #include "prs/input/study_reader.h"
 #include "prs/model/problems.h"
 #include "prs/study/design_engine.h"
+#include "prs/study/design_reader.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/prs/study/memory_of_designs.h"
 #include "tests/support/count.h"
