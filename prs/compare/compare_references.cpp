@@ -1,8 +1,6 @@
 #include "prs/compare/compare_models.h"
-#include "prs/input/document.h"
-#include "prs/loads/analyze.h"
-#include "prs/losses/slip_analysis.h"
-#include "prs/model/check_case.h"
+#include "prs/input/readings.h"
+#include "prs/losses/solve_analysis.h"
 #include "prs/record/response_path.h"
 
 namespace prs {
@@ -10,24 +8,23 @@ namespace {
 
 constexpr double kNoAnswer = std::numeric_limits<double>::quiet_NaN();
 
-/// Documents of the load cases of a case, as `solve` or `slip` has them.
-struct Answers {
-  Result result;
-  std::vector<Json> load_cases;
-};
-
-Answers answers_of(Result result, bool with_slip) {
-  Answers answers{std::move(result), {}};
-  const auto load_case = with_slip ? slip_analysis().load_case : load_case_json;
-  for (std::size_t k = 0; auto json = load_case(answers.result, k); ++k) answers.load_cases.push_back(*std::move(json));
-  return answers;
+const AnyAnalysis& analysis_of(const ReferenceCurve& reference) {
+  return *std::ranges::find(referenced_analyses(), reference.command, &AnyAnalysis::command);
 }
 
-Answers computed(const input::Source& source, const Case& c, bool with_slip) {
-  if (!with_slip) return answers_of(analyze(c), false);
+/// The document that has the reference's response.
+Json answers_of(const input::Source& source, Case c, const ReferenceCurve& reference) {
   input::CaseInput in;
-  in.values = c;
-  return answers_of(slip_analysis().run(source, in), true);
+  in.values = std::move(c);
+  return analysis_of(reference).run(source, in).document({});
+}
+
+/// The load case of a name; null where there is none.
+const Json* load_case_of(const Json& document, const std::string& name) {
+  const auto found = document.find("load_cases");
+  for (std::size_t k = 0; found != document.end() && k < found->size(); ++k)
+    if ((*found)[k]["name"] == name) return &(*found)[k];
+  return nullptr;
 }
 
 /// Threads of the most loaded roller of a full mechanism, of a sector those of its roller.
@@ -45,7 +42,7 @@ std::vector<double> threads_of(const Json* series, const LoadCaseResult& result,
 class References {
  public:
   References(const input::Source& source, const Case& c, const ModelComparison& comparison)
-      : source_(source), case_(c), comparison_(comparison), solved_(comparison.models.size()), slip_(solved_.size()) {}
+      : source_(source), case_(c), comparison_(comparison) {}
 
   ReferenceAnswer answer(const ReferenceCurve& reference, std::size_t model) {
     ReferenceAnswer answer;
@@ -62,61 +59,69 @@ class References {
     return answer;
   }
 
-  /// Forces of the readings [N].
+  /// Forces of the readings [N], with their signs.
   static std::vector<double> forces_of(const ReferenceCurve& reference) {
-    return each(reference.cases, [](const Case& c) { return c.load_cases.front().axial_force; });
+    const double newton = input::conversion(reference.along_unit, "N")->factor;
+    return each(reference.readings, [newton](const ReferenceReading& r) { return newton * r.along; });
   }
 
  private:
   std::vector<double> in_load_case(const ReferenceCurve& reference, std::size_t model) {
-    const Answers& answers = answers_of_model(reference, model);
-    const auto found = std::ranges::find(answers.result.load_cases, reference.load_case,
-                                         [](const LoadCaseResult& r) { return r.load_case.name; });
+    const Json& document = document_of_model(reference, model);
+    const Json* json = reference.load_case.empty() ? &document : load_case_of(document, reference.load_case);
     std::vector<double> values(reference.readings.size(), kNoAnswer);
-    const auto k = static_cast<std::size_t>(found - answers.result.load_cases.begin());
-    if (k >= answers.load_cases.size()) return values;
-    const Json& json = answers.load_cases[k];
+    if (!json) return values;
     if (!reference.is_over_threads()) {
-      values[0] = number_at(json, "." + reference.response).value_or(kNoAnswer);
+      values[0] = number_at(*json, "." + reference.response).value_or(kNoAnswer);
       return values;
     }
-    const std::vector<double> threads = threads_of(value_at(json, reference.response), *found, reference.response);
+    const LoadCaseResult& result = *std::ranges::find(comparison_.models[model].load_cases, reference.load_case,
+                                                      [](const LoadCaseResult& r) { return r.load_case.name; });
+    const std::vector<double> threads = threads_of(value_at(*json, reference.response), result, reference.response);
     for (std::size_t r = 0; r < values.size(); ++r)
       if (const auto thread = static_cast<std::size_t>(reference.readings[r].along); thread <= threads.size())
         values[r] = threads[thread - 1];
     return values;
   }
 
-  const Answers& answers_of_model(const ReferenceCurve& reference, std::size_t model) {
-    std::optional<Answers>& kept = (is_of_slip(reference.response) ? slip_ : solved_)[model];
-    if (kept) return *kept;
+  const Json& document_of_model(const ReferenceCurve& reference, std::size_t model) {
+    Json& kept = documents_[{reference.command, model}];
+    if (!kept.is_null()) return kept;
     const Result& result = comparison_.models[model];
-    if (!is_of_slip(reference.response)) return kept.emplace(answers_of(result, false));
-    if (const std::vector<Problem> lacks = missing(case_, Command::slip); !lacks.empty())
-      input::fail_at(source_, reference.at + ".file", "got {} of a case that `prs slip` cannot run: {}: {}",
-                     reference.response, lacks[0].path, lacks[0].message);
-    return kept.emplace(computed(source_, case_of(case_, result), true));
+    if (reference.command == Command::solve) return kept = document_of(solve_analysis(), result, {});
+    return kept = answers_of(source_, case_of(case_, result), reference);
   }
 
-  /// Each reading is a case of its own; those that differ in their load case alone are solved as one.
+  /// Each reading is a case of its own; those that differ in their load case alone are solved as one. Displacements
+  /// have the sign of the force.
   std::vector<double> over_input(const ReferenceCurve& reference, std::size_t model) {
-    const bool of_load = reference.along.find_first_of(".[") == std::string::npos;
-    std::vector<Case> cases = of_load ? std::vector{reference.cases[0]} : reference.cases;
-    for (std::size_t k = 1; of_load && k < reference.cases.size(); ++k)
+    const bool together = !reference.load_case.empty() && analysis_of(reference).takes_load_cases_apart &&
+                          reference.along.find_first_of(".[") == std::string::npos;
+    std::vector<Case> cases = together ? std::vector{reference.cases[0]} : reference.cases;
+    for (std::size_t k = 1; together && k < reference.cases.size(); ++k)
       cases[0].load_cases.push_back(reference.cases[k].load_cases[0]);
     std::vector<double> values;
+    const auto take = [&](const Json& json) {
+      values.push_back(number_at(json, "." + reference.response).value_or(kNoAnswer));
+    };
     for (const Case& c : cases) {
-      const Answers answers = computed(source_, case_of(c, comparison_.models[model]), is_of_slip(reference.response));
-      for (const Json& json : answers.load_cases)
-        values.push_back(number_at(json, "." + reference.response).value_or(kNoAnswer));
+      const Json document = answers_of(source_, case_of(c, comparison_.models[model]), reference);
+      if (reference.load_case.empty())
+        take(document);
+      else
+        std::ranges::for_each(document["load_cases"], take);
     }
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (reference.is_over_force() && reference.readings[k].along < 0.0 &&
+          reference.response.ends_with("axial_displacement_um"))
+        values[k] = -values[k];
     return values;
   }
 
   const input::Source& source_;
   const Case& case_;
   const ModelComparison& comparison_;
-  std::vector<std::optional<Answers>> solved_, slip_;
+  std::map<std::pair<Command, std::size_t>, Json> documents_;  ///< By commands and models.
 };
 
 /// Sum over a complete set of threads; absent for partial sets and for other responses.
@@ -136,6 +141,17 @@ void set_sums(const Case& c, ReferenceComparison& compared) {
     return;
   compared.sum = 0.0;
   for (const ReferenceReading& reading : reference.readings) *compared.sum += reading.value;
+}
+
+std::optional<Warning> warning_on_absence(const ReferenceComparison& r) {
+  const auto has_answer = [](const ReferenceAnswer& answer) {
+    return std::ranges::any_of(answer.computed, [](double value) { return std::isfinite(value); });
+  };
+  if (std::ranges::any_of(r.models, has_answer)) return std::nullopt;
+  return Warning{
+      r.reference.at + ".file", "reference_absent",
+      fmt::format("{}: the case gives no {}{}{}; `prs {}` shows what it has", r.reference.name, r.reference.response,
+                  r.reference.load_case.empty() ? "" : " in ", r.reference.load_case, name(r.reference.command))};
 }
 
 std::optional<Warning> warning_on_sum(const ReferenceComparison& r) {
@@ -161,7 +177,8 @@ void compare_references(const input::Source& source, const Case& c, std::vector<
     if (compared.reference.is_over_force())
       compared.slope = slope(References::forces_of(compared.reference), compared.reference.values());
     set_sums(c, compared);
-    if (auto warning = warning_on_sum(compared)) comparison.warnings.push_back(*std::move(warning));
+    for (const auto& warning : {warning_on_sum(compared), warning_on_absence(compared)})
+      if (warning) comparison.warnings.push_back(*warning);
     found.push_back(std::move(compared));
   }
   comparison.references = std::move(found);

@@ -129,8 +129,9 @@ constexpr Quantity<ComputedThere> kComputedThere[] = {
 constexpr Quantity<ComparedReference> kReference[] = {
     {"name", of<[](auto& r) { return r.reference().name; }>, "of the reference; by default that of its file"},
     {"file", of<[](auto& r) { return r.reference().file; }>, "as the case names it"},
-    {"load_case", of<[](auto& r) { return r.reference().load_case; }>, "that it belongs to"},
-    {"response", of<[](auto& r) { return r.reference().response; }>, "path in the load case"},
+    {"load_case", of<[](auto& r) { return unless_empty(r.reference().load_case); }>,
+     "that it belongs to; absent of the whole case"},
+    {"response", of<[](auto& r) { return r.reference().response; }>, "path in the load case or the whole case"},
     {"unit", of<[](auto& r) { return r.reference().unit; }>, "of the response and of all deviations; empty of ratios"},
     {"along", of<[](auto& r) { return unless_empty(r.reference().along); }>,
      "`thread`, or the input that readings set; absent of a single number"},
@@ -191,7 +192,8 @@ std::vector<std::string> cells_of(const ReferenceModel& m) {
 
 /// `fe, push: screw share of the load, %`
 std::string title_of(const ReferenceCurve& r) {
-  return fmt::format("{}, {}: {}", printable(r.name), shown_name(r.load_case), table_response(r.response).text());
+  return fmt::format("{}{}{}: {}", printable(r.name), r.load_case.empty() ? "" : ", ", shown_name(r.load_case),
+                     table_response(r.response).text());
 }
 
 /// Lines on the reference alone, above those of the models.

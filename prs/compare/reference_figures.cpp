@@ -112,7 +112,8 @@ Figures reference_figures(const ModelComparison& c, const FigureOptions&) {
       const bool is_new = known == shown.end();
       if (is_new) {
         shown.push_back(&r->reference);
-        figure.panels.push_back({fmt::format("{}, {}", place_of(r->reference), shown_name(r->reference.load_case))});
+        const std::string load_case = shown_name(r->reference.load_case);
+        figure.panels.push_back({place_of(r->reference) + (load_case.empty() ? "" : ", " + load_case)});
       }
       add_curves(figure.panels[panel], look, *r, is_new, [](double x, double y) { return std::array{x, y}; });
     }

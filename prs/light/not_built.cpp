@@ -64,6 +64,11 @@ std::span<const AnyAnalysis> analyses() {
   return all;
 }
 
+std::span<const AnyAnalysis> referenced_analyses() {
+  static const AnyAnalysis all[] = {any(solve_analysis()), any(slip_analysis()), any(contact_analysis())};
+  return all;
+}
+
 std::span<const OtherFile> other_files() {
   static const OtherFile all[] = {{.command = Command::size,
                                    .help = "A screw and a motor for a motion, a life and a stroke",

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "prs/input/source.h"
-#include "prs/model/case.h"
+#include "prs/record/analysis.h"
 
 namespace prs {
 
@@ -29,18 +28,17 @@ struct ReferenceReading {
   std::size_t line = 0;             ///< Line of the file.
 };
 
-/// Whether `prs slip` has a response of a load case.
-inline bool is_of_slip(std::string_view response) {
-  return response.starts_with("slip.") || response.starts_with("heat.");
-}
+/// Analyses whose responses references may have; those of load cases come before others that repeat them.
+std::span<const AnyAnalysis> referenced_analyses();
 
-/// What another program or a test found for a response of one load case: over the threads, over an
-/// input, or as one number.
+/// What another program or a test found for a response of one load case or of the case: over the threads, over
+/// an input, or as one number.
 struct ReferenceCurve {
   std::string name, file;
-  std::string at;  ///< Path in the document: `references[0]`.
-  std::string load_case;
-  std::string response;  ///< Path in a load case: `screw.load_rate_percent`.
+  std::string at;         ///< Path in the document: `references[0]`.
+  std::string load_case;  ///< Empty of responses of the whole case.
+  Command command = Command::solve;
+  std::string response;  ///< Path in a load case, `screw.load_rate_percent`, or in the document: `life.system.life_km`.
   std::string unit;      ///< Unit of the response as people write it: `um`; empty of ratios.
   std::string along;     ///< `thread`, the key or path of an input, or nothing.
   std::string along_unit;
@@ -49,7 +47,7 @@ struct ReferenceCurve {
   std::vector<Case> cases = {};  ///< Cases of the readings over an input, each with its load case alone.
 
   bool is_over_threads() const { return along == "thread"; }
-  bool is_over_force() const { return along == "axial_force"; }
+  bool is_over_force() const { return along == "axial_force" || along.ends_with(".axial_force"); }
   std::vector<double> values() const;
   double mean_magnitude() const;
 };

@@ -7,8 +7,7 @@
 #include "prs/input/reader.h"
 #include "prs/input/readings.h"
 #include "prs/input/varied_input.h"
-#include "prs/losses/slip_analysis.h"
-#include "prs/record/record_table.h"
+#include "prs/model/check_case.h"
 #include "prs/record/response_path.h"
 #include "prs/reference/reference.h"
 
@@ -21,40 +20,65 @@ constexpr std::size_t kMostRows = 100'000;
 constexpr std::size_t kMostComputed = 1'000;  ///< Rows that are each a case of their own.
 constexpr std::string_view kThread = "thread", kForce = "axial_force", kLoadCase = "load_case";
 
-/// Responses of a load case.
-const ResponsePaths& known_responses() {
-  static const ResponsePaths paths = [] {
-    ResponsePaths all;
-    add_paths(describe<LoadCaseResult>(), "", all);
-    add_paths(describe<SlipResult>(), "slip", all);
-    add_paths(describe<HeatResult>(), "heat", all);
-    return all;
-  }();
-  return paths;
-}
-
 bool contains(const std::vector<std::string>& words, std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-/// `screw.load_rate_percent` of `screw.load_rate_percent.max`; empty of a path with neither `.max` nor an index.
-std::string series_of(const std::string& path) {
-  for (const std::string& series : known_responses().series)
-    if (path.size() > series.size() && path.starts_with(series) && summary_named(path.substr(series.size()), 1.0))
-      return series;
-  return {};
+/// Responses of an analysis at a place of its document.
+struct Responses {
+  Command command;
+  bool is_of_load_case;
+  ResponsePaths paths;
+
+  /// `screw.load_rate_percent` of `screw.load_rate_percent.max`, which is a number as well.
+  bool has_number(const std::string& path) const {
+    return contains(paths.numbers, path) || std::ranges::any_of(paths.series, [&](const std::string& series) {
+             return path.size() > series.size() && path.starts_with(series) &&
+                    summary_named(path.substr(series.size()), 1.0);
+           });
+  }
+  bool has(const std::string& path, bool over_threads) const {
+    return over_threads ? is_of_load_case && contains(paths.series, path) : has_number(path);
+  }
+  const std::vector<std::string>& named(bool over_threads) const { return over_threads ? paths.series : paths.numbers; }
+};
+
+/// Responses of load cases first, as `prs list responses` has them.
+const std::vector<Responses>& known_responses() {
+  static const std::vector<Responses> all = [] {
+    constexpr std::string_view kLoadCases = "load_cases[]";
+    std::vector<Responses> known;
+    std::set<std::string_view> places;
+    for (const AnyAnalysis& analysis : referenced_analyses())
+      for (const Place& place : analysis.places) {
+        if (place.path == "model" || !places.insert(place.path).second) continue;
+        Responses& of = known.emplace_back(Responses{analysis.command, place.path.starts_with(kLoadCases), {}});
+        const std::size_t from = of.is_of_load_case ? std::min(kLoadCases.size() + 1, place.path.size()) : 0;
+        add_paths(place.record(), std::string(place.path.substr(from)), of.paths);
+      }
+    std::stable_partition(known.begin(), known.end(), [](const Responses& r) { return r.is_of_load_case; });
+    return known;
+  }();
+  return all;
 }
 
-bool is_number(const std::string& path) {
-  return contains(known_responses().numbers, path) || !series_of(path).empty();
+/// The place that has a response; null where none has.
+const Responses* place_of(const std::string& path, bool over_threads) {
+  const auto found =
+      std::ranges::find_if(known_responses(), [&](const Responses& r) { return r.has(path, over_threads); });
+  return found == known_responses().end() ? nullptr : &*found;
 }
 
-std::string nearest_responses(std::string_view path, bool of_threads) {
-  const std::vector<std::string>& all = of_threads ? known_responses().series : known_responses().numbers;
-  const std::vector<std::string_view> near = input::near_words(path, {all.begin(), all.end()});
-  return near.empty()
-             ? fmt::format("write for example `{}`", of_threads ? "screw.load_rate_percent" : "axial_displacement_um")
-             : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"));
+std::string nearest_responses(const std::string& path, bool over_threads) {
+  const bool of_threads = over_threads || place_of(path, true);
+  std::vector<std::string_view> all;
+  for (const Responses& of : known_responses())
+    if (of.is_of_load_case || !of_threads)
+      all.insert(all.end(), of.named(of_threads).begin(), of.named(of_threads).end());
+  const std::vector<std::string_view> near = input::near_words(path, all);
+  return near.empty() ? fmt::format("write for example `{}`; `prs list responses` has all",
+                                    of_threads ? "screw.load_rate_percent" : "axial_displacement_um")
+                      : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"));
 }
 
 /// The key without its unit.
@@ -66,9 +90,13 @@ std::string unit_behind(std::string_view name) { return unit_of_response(name); 
 /// A column that is read as a response.
 struct Column {
   std::size_t field = 0;
+  const Responses* of = nullptr;
   std::string response, unit;
   Conversion to_unit = {};
 };
+
+/// Whether the input that rows set is one of their load case: `axial_force`.
+bool is_of_load(std::string_view path) { return !path.empty() && path.find_first_of(".[") == path.npos; }
 
 class ReferenceReader {
  public:
@@ -103,7 +131,7 @@ class ReferenceReader {
     while (table.next()) {
       const std::size_t most = input_path_.empty() ? kMostRows : kMostComputed;
       if (++rows > most) table.refuse(0, fmt::format("more than {} rows", most), "fewer");
-      const LoadCase& load = load_of(table);
+      const LoadCase* load = needs_load() ? &load_of(table) : nullptr;
       ReferenceReading reading{along_at(table, load, threads), 0.0, {}, table.line()};
       std::optional<Case> row_case;
       if (!input_path_.empty()) row_case = case_at(table, load, reading.along);
@@ -150,7 +178,28 @@ class ReferenceReader {
       for (std::size_t k = 0; k < names.size(); ++k)
         if (k != along_ && k != load_case_) columns_.push_back(named_column(table, k));
     if (columns_.empty()) table.refuse_file("which has no column with the name of a response");
+    check_load(table);
     if (is_map_of_deviation()) find_deviation(table);
+  }
+
+  bool needs_load() const { return columns_[0].of->is_of_load_case || is_of_load(input_path_); }
+
+  /// Responses of load cases and of the whole case take a table each, and the latter name no load case.
+  void check_load(const Readings& table) const {
+    for (const Column& column : columns_)
+      if (column.of->is_of_load_case != columns_[0].of->is_of_load_case)
+        table.refuse_name(column.field, fmt::format("expected a response of {}, as {} is; give it a file of its own",
+                                                    columns_[0].of->is_of_load_case ? "a load case" : "the whole case",
+                                                    columns_[0].response));
+    for (const Column& column : columns_)
+      if (const std::vector<Problem> lacks = missing(case_, column.of->command); !lacks.empty())
+        fail("file", "got {} of a case that `prs {}` cannot run: {}: {}", column.response, name(column.of->command),
+             lacks[0].path, lacks[0].message);
+    if (needs_load()) return;
+    const std::string none =
+        fmt::format("expected none, since {} is a response of the whole case; delete it", columns_[0].response);
+    if (load_case_ != npos) table.refuse_name(load_case_, none);
+    if (item_->load_case) fail("load_case", "got {}; {}", shown(*item_->load_case), none);
   }
 
   void find_along(const Readings& table) {
@@ -184,11 +233,13 @@ class ReferenceReader {
 
   Column stated_column(const Readings& table) const {
     const std::string& path = *item_->response;
-    if (is_over_threads() ? !contains(known_responses().series, path) : !is_number(path))
-      fail("response", "got {}; expected {} of a load case; {}", shown(path),
-           is_over_threads() ? "an array over threads" : "a number, or with a column `thread` an array over threads,",
-           nearest_responses(path, is_over_threads() || contains(known_responses().series, path)));
-    Column column{0, path, unit_of_response(path), {}};
+    const Responses* of = place_of(path, is_over_threads());
+    if (!of)
+      fail("response", "got {}; expected {}; {}", shown(path),
+           is_over_threads() ? "an array over threads of a load case"
+                             : "a number that a command finds, or with a column `thread` an array over threads",
+           nearest_responses(path, is_over_threads()));
+    Column column{0, of, path, unit_of_response(path), {}};
     if (item_->measured && item_->measured->column)
       column.field = table.column(*item_->measured->column, at_ + ".measured.column");
     else
@@ -209,19 +260,15 @@ class ReferenceReader {
 
   Column named_column(const Readings& table, std::size_t field) const {
     const std::string& name = table.names()[field];
-    const auto known = [&](const std::string& path) {
-      return is_over_threads() ? contains(known_responses().series, path) : is_number(path);
-    };
-    if (known(name)) return {field, name, unit_of_response(name), {}};
-    const ResponsePaths& all = known_responses();
-    for (const std::string& path : is_over_threads() ? all.series : all.numbers)
-      if (const auto to_unit = input::conversion(unit_behind(name), unit_of_response(path));
-          to_unit && stem(path) == stem(name))
-        return {field, path, unit_of_response(path), *to_unit};
-    table.refuse_name(field, fmt::format("expected `thread`, `load_case`, `force_kN` or {}; {}",
-                                         is_over_threads() ? "an array over threads by its name"
-                                                           : "a number of a load case by its name",
-                                         nearest_responses(name, is_over_threads() || contains(all.series, name))));
+    if (const Responses* of = place_of(name, is_over_threads())) return {field, of, name, unit_of_response(name), {}};
+    for (const Responses& of : known_responses())
+      for (const std::string& path : of.named(is_over_threads()))
+        if (stem(path) == stem(name) && of.has(path, is_over_threads()))
+          if (const auto to_unit = input::conversion(unit_behind(name), unit_of_response(path)))
+            return {field, &of, path, unit_of_response(path), *to_unit};
+    table.refuse_name(field, fmt::format("expected `thread`, `load_case`, `force_kN` or {} by its name; {}",
+                                         is_over_threads() ? "an array over threads" : "a number that a command finds",
+                                         nearest_responses(name, is_over_threads())));
   }
 
   bool is_map_of_deviation() const { return item_->deviation && item_->deviation->starts_with('{'); }
@@ -275,7 +322,7 @@ class ReferenceReader {
   }
   const LoadCase* find_load_or_first(const std::vector<std::string>& names) const { return find_load(names.front()); }
 
-  double along_at(const Readings& table, const LoadCase& load,
+  double along_at(const Readings& table, const LoadCase* load,
                   std::set<std::pair<std::string, double>>& threads) const {
     if (along_ == npos) return 0.0;
     const double along = table.number(along_);
@@ -283,24 +330,32 @@ class ReferenceReader {
     const int count = case_.mechanism.contacts_per_roller;
     if (along != std::floor(along) || along < 1.0 || along > count)
       table.refuse(along_, fmt::format("{}", along), fmt::format("a thread from 1 to {}", count));
-    if (!threads.emplace(load.name, along).second)
-      table.refuse(along_, fmt::format("thread {} of {} a second time", along, shown(load.name)), "each thread once");
+    if (!threads.emplace(load->name, along).second)
+      table.refuse(along_, fmt::format("thread {} of {} a second time", along, shown(load->name)), "each thread once");
     return along;
   }
 
-  /// The case with the row's value in the place of the input, and its load case alone.
-  Case case_at(const Readings& table, const LoadCase& load, double value) const {
-    const bool of_load = input_path_.find_first_of(".[") == std::string::npos;
-    const std::string path = of_load ? path_in(load, input_path_) : with_indices(root_, input_path_);
-    const bool with_slip =
-        std::ranges::any_of(columns_, [](const Column& column) { return is_of_slip(column.response); });
-    const std::string text = input::with_unit(value, along_unit_);
+  /// The case with the row's value in the place of the input and, of responses of a load case, that one alone. A
+  /// negative force beside a `direction` is one in the other direction.
+  Case case_at(const Readings& table, const LoadCase* load, double value) const {
+    const std::string path = is_of_load(input_path_) ? path_in(*load, input_path_) : with_indices(root_, input_path_);
+    const std::string beside = path.substr(0, path.rfind('.')) + ".direction";
+    const Node* direction = value < 0.0 && path.ends_with("force") ? find_path(root_, beside) : nullptr;
+    const std::string text = input::with_unit(direction ? -value : value, along_unit_);
     input::ErrorList found(source_);
     Node design = root_;
     std::optional<Case> c;
-    if (set_value(design, path, input::scalar(text, {}), {}, found)) {
+    const auto set = [&](const std::string& at, const std::string& to) {
+      return set_value(design, at, input::scalar(to, {}), {}, found);
+    };
+    if (set(path, text) &&
+        (!direction ||
+         set(beside, std::string(name(direction->text == "tension" ? Direction::compression : Direction::tension))))) {
       const input::CaseFile file = read_case_file(design, found);
-      if (found.empty()) c = checked_case(file, design, with_slip ? Command::slip : Command::compare, found);
+      for (const Column& column : columns_)
+        if (found.empty())
+          c = checked_case(file, design, column.of->command == Command::solve ? Command::compare : column.of->command,
+                           found);
     }
     if (!found.empty()) {
       const std::string problem = found.first();
@@ -308,20 +363,23 @@ class ReferenceReader {
       table.refuse(along_, text,
                    fmt::format("{} ({})", expected == problem.npos ? problem : problem.substr(expected + 11), path));
     }
-    std::erase_if(c->load_cases, [&](const LoadCase& other) { return other.input_path != load.input_path; });
+    if (!columns_[0].of->is_of_load_case) return *std::move(c);
+    std::erase_if(c->load_cases, [&](const LoadCase& other) { return other.input_path != load->input_path; });
     c->load_cases.resize(1);
     if (c->heat) c->heat->duty.clear();
     return *std::move(c);
   }
 
-  ReferenceCurve& of_column(std::vector<ReferenceCurve>& all, const Column& column, const LoadCase& load) const {
+  ReferenceCurve& of_column(std::vector<ReferenceCurve>& all, const Column& column, const LoadCase* load) const {
+    const std::string name = load && column.of->is_of_load_case ? load->name : "";
     for (ReferenceCurve& reference : all)
-      if (reference.response == column.response && reference.load_case == load.name) return reference;
+      if (reference.response == column.response && reference.load_case == name) return reference;
     ReferenceCurve& reference = all.emplace_back();
     reference.name = item_->name.value_or(std::filesystem::path(item_->file).stem().string());
     reference.file = item_->file;
     reference.at = at_;
-    reference.load_case = load.name;
+    reference.load_case = name;
+    reference.command = column.of->command;
     reference.response = column.response;
     reference.unit = column.unit;
     reference.along = along_ == npos ? "" : input_;

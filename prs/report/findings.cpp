@@ -20,7 +20,7 @@ std::vector<Warning> warnings_of(const Findings& all) {
     std::vector<Warning> its = answer.delivery.warnings();
     if (answer.command == Command::compare &&
         all.answer(Command::solve))  // The page shows the loads of the case's model.
-      std::erase_if(its, [](const Warning& warning) { return warning.code != "reference_sum"; });
+      std::erase_if(its, [](const Warning& warning) { return !warning.code.starts_with("reference_"); });
     std::ranges::move(its, std::back_inserter(warnings));
   }
   return warnings;

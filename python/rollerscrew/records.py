@@ -1550,8 +1550,8 @@ class ComparedReference(Record):
 
     name: of the reference; by default that of its file
     file: as the case names it
-    load_case: that it belongs to
-    response: path in the load case
+    load_case: that it belongs to; absent of the whole case
+    response: path in the load case or the whole case
     unit: of the response and of all deviations; empty of ratios
     along: `thread`, or the input that readings set; absent of a single number
     along_unit: of the places
@@ -1571,7 +1571,7 @@ class ComparedReference(Record):
     __slots__ = ()
     name: str
     file: str
-    load_case: str
+    load_case: str | None
     response: str
     unit: str
     along: str | None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import random
 import re
 import shutil
 import unicodedata
@@ -13,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import Run, lessons
+from conftest import CONFIGS, Run, lessons
 
 webdriver = pytest.importorskip("selenium.webdriver")
 pypdf = pytest.importorskip("pypdf")
@@ -284,6 +285,88 @@ def test_a_wrong_value_is_told_and_changes_nothing(
     browser.write(path, "60 mm")
     assert browser.text("#trouble") == ""
     assert browser.tiles() != before
+
+
+#: Whether each state of the verdict has the colour of a remark, neither green nor red.
+IS_GREY = """
+const quiet = getComputedStyle(document.querySelector('.where')).color;
+return [...document.querySelectorAll('#verdict .state')]
+  .map((state) => getComputedStyle(state).color === quiet);
+"""
+
+
+def reference_tile(browser: Browser) -> str:
+    return browser.text('[data-tile="reference"]')
+
+
+def test_a_reference_follows(browser: Browser, page: Callable[..., Path], program: Run) -> None:
+    browser.open(page(38))
+    assert "not met" not in reference_tile(browser)
+    path = "structure.nut.outer_diameter"
+    browser.write(path, "90 mm")
+    assert "computed when" not in reference_tile(browser)
+    run = program("check", CONFIGS / "38_reference.yaml", "--json", "--set", f"{path}=90 mm")
+    (own,) = (c for c in json.loads(run.stdout)["verdict"]["criteria"] if c["name"] == "reference")
+    shown = browser.text('[data-tile="reference"] .value')
+    assert float(shown) == pytest.approx(own["value"], rel=2e-3)
+    assert (own["state"] == "red") == ("not met" in reference_tile(browser))
+    # While a value moves the others follow later: neither green nor red.
+    browser.driver.execute_script(
+        "window.moving = setInterval(() => arguments[0].dispatchEvent(new Event('input')), 100)",
+        browser.control(path)[1],
+    )
+    try:
+        browser.wait("document.querySelector('[data-tile=reference].stale') !== null")
+        assert "computed when the values rest" in reference_tile(browser)
+        assert browser.find('[data-tile="reference"]').get_attribute("class") == "stale"
+    finally:
+        browser.changed(lambda: browser.driver.execute_script("clearInterval(window.moving)"))
+    assert "computed when" not in reference_tile(browser)
+    # Where a value cannot be computed all that stands is grey.
+    browser.write(path, "90 kg")
+    assert set(browser.driver.execute_script(IS_GREY)) == {True}
+    browser.write(path, "46 mm")
+    assert not all(browser.driver.execute_script(IS_GREY))
+
+
+#: What the page says that is of its values; where they cannot be computed its numbers are none.
+SAID = """
+const main = document.querySelector('main').cloneNode(true);
+for (const other of main.querySelectorAll('.stale, #thread, [hidden]')) other.remove();
+const wrong = document.body.classList.contains('is-wrong');
+return [wrong || main.textContent, wrong || document.querySelector('header').textContent,
+  ...['trouble', 'state', 'changed'].map((id) => document.getElementById(id).textContent)];
+"""
+
+
+def test_any_walk_of_values_says_what_a_fresh_page_says(
+    browser: Browser, page: Callable[..., Path]
+) -> None:
+    chance = random.Random(38)
+    values = {
+        "structure.nut.outer_diameter": ("46 mm", "60 mm", "90 kg", "1 mm"),
+        "mechanism.contacts_per_roller": ("20", "18", "-3", "many"),
+    }
+
+    def put(path: str, value: str) -> None:
+        if browser.control(path)[0].get_attribute("value") != value:
+            browser.write(path, value)
+
+    file = page(4)
+    browser.open(file)
+    stand: dict[str, str] = {}
+    seen = []
+    for _ in range(12):
+        path, choices = chance.choice(list(values.items()))
+        stand[path] = chance.choice([value for value in choices if value != stand.get(path)])
+        put(path, stand[path])
+        seen.append((dict(stand), browser.driver.execute_script(SAID)))
+    assert {True, False} == {said[0] is True for _, said in seen}
+    for written, said in seen[-4:]:
+        browser.open(file)
+        for path, value in written.items():
+            put(path, value)
+        assert browser.driver.execute_script(SAID) == said, written
 
 
 def test_copies_are_the_changed_case(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -95,6 +96,94 @@ def browser(page: Path) -> Iterator[Workbench]:
     browser.driver.quit()
     assert complaints == []
     assert requests == []
+
+
+def opened(browser: Workbench, *paths: Path) -> None:
+    """By the dialog of the page, until all is computed."""
+    dialog = browser.find("#open-file")
+    browser.changed(lambda: dialog.send_keys("\n".join(str(path) for path in paths)))
+
+
+@pytest.mark.parametrize("file", files())
+def test_the_dialog_asks_for_no_file_that_is_there(file: Path, browser: Workbench) -> None:
+    opened(browser, file)
+    assert browser.yaml() == file.read_text(encoding="utf-8")
+    assert browser.driver.find_elements("css selector", ".note") == []
+    assert browser.driver.find_elements("css selector", "#view > .trouble") == []
+
+
+def test_a_reference_that_is_not_there_is_asked_for(browser: Workbench, tmp_path: Path) -> None:
+    case, curve = tmp_path / "case.yaml", tmp_path / "my curve.csv"
+    block = 'references: [{file: "curves/my curve.csv", tolerance: 30 % of the mean}]'
+    case.write_text(f"{LESSON}\n{block}\n", encoding="utf-8")
+    curve.write_text("load_case,axial_displacement_um\ntension,1000\n", encoding="utf-8")
+    opened(browser, case)
+    assert "The case names curves/my curve.csv: open that file too." in browser.text(".note")
+    assert "Deviation over tolerance" not in browser.text("#view")
+    dialog = browser.find("#missing-file")
+    browser.changed(lambda: dialog.send_keys(str(curve)))
+    assert browser.driver.find_elements("css selector", ".note") == []
+    (row,) = (
+        row.text
+        for row in browser.driver.find_elements("css selector", ".verdict tbody tr")
+        if "Deviation over tolerance" in row.text
+    )
+    assert "missed" in row and "source." not in row
+    summary = browser.find("#section-references summary")
+    browser.driver.execute_script("arguments[0].click()", summary)
+    browser.wait("document.querySelector('#section-references table') !== null")
+    assert "my curve" in browser.text("#section-references")
+    browser.driver.execute_script("arguments[0].click()", summary)
+
+
+#: What a page says that is computed: not what stands in grey until the text can be read again.
+SHOWN = """
+const view = document.getElementById('view').cloneNode(true);
+for (const stale of view.querySelectorAll('.stale, .mechanism-place')) stale.remove();
+const wrong = [...document.querySelectorAll('[aria-invalid]')].map((field) => field.dataset.path);
+const states = [...view.querySelectorAll('.state')].map((state) => state.className);
+const said = [...document.querySelectorAll('.note, .variants .status')].map((n) => n.textContent);
+return [view.textContent, states, wrong, said];
+"""
+
+
+def test_any_walk_of_edits_shows_what_a_fresh_page_shows(browser: Workbench, page: Path) -> None:
+    chance = random.Random(38)
+    edits = [
+        ("structure.nut.outer_diameter", ("66 mm", "70 mm", "90 kg", "20 mm")),
+        ("mechanism.rollers", ("10", "9", "900", "many")),
+        ("load_cases[0].axial_force", ("20 kN", "30 kN", "-5 kN")),
+        ("operation.speed", ("200 rpm", "fast")),
+        ("materials.youngs_modulus", ("[", "209 GPa", "{a: 1}")),
+    ]
+    browser.open_case(LESSON)
+    browser.find(".pane-of-yaml").click()
+    seen = {}
+    for _ in range(24):
+        act = chance.choice(("set", "set", "set", "undo", "redo", "broken"))
+        if act == "set":
+            path, values = chance.choice(edits)
+            browser.set(path, chance.choice(values))
+        elif act == "broken":
+            editor = browser.driver.execute_script(
+                "return document.querySelector('.editor-place').shadowRoot"
+                ".querySelector('.cm-content')"
+            )
+            browser.driver.execute_script("arguments[0].focus()", editor)
+            editor.send_keys(chance.choice(("{", "a: ", "\n- ", "# ")))
+        else:
+            browser.driver.execute_script(f"prs.{act}()")
+        browser.wait("document.querySelector('.variants .status button') === null")
+        seen[browser.yaml()] = browser.driver.execute_script(SHOWN)
+    browser.find(".pane-of-form").click()
+    assert len(seen) > 8
+    assert len({str(shown) for shown in seen.values()}) > 5
+    for text, shown in seen.items():
+        browser.open(page)
+        browser.wait("globalThis.prs !== undefined")
+        browser.open_case(text)
+        browser.wait("document.querySelector('.variants .status button') === null")
+        assert browser.driver.execute_script(SHOWN) == shown, text
 
 
 def stated(program: Run, file: Path) -> list[dict[str, Any]]:

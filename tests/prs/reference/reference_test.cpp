@@ -8,6 +8,7 @@
 #include "prs/compare/compare_analysis.h"
 #include "prs/input/reader.h"
 #include "prs/reference/curve_deviations.h"
+#include "prs/study/response.h"
 #include "support/program.h"
 #include "support/temporary_directory.h"
 
@@ -173,6 +174,77 @@ TEST_F(AgainstReferences, AnyInputMaySetTheRows) {
   EXPECT_NEAR(c.references[0].models[0].computed[0], *soft.models[0].load_cases[0].axial_displacement * 1e6, 1e-9);
 }
 
+TEST_F(AgainstReferences, NegativeForcesAreThoseOfTheOtherDirection) {
+  const auto displacement = [&](const std::string& direction) {
+    const std::string load =
+        fmt::format("load_cases=[{{name: pull, axial_force: 30 kN, direction: {}, position: 20 mm}}]", direction);
+    return *run("[]", "", {load}).models[0].load_cases[0].axial_displacement * 1e6;
+  };
+  const double pulled = displacement("tension"), pushed = displacement("compression");
+  ASSERT_NE(pulled, pushed);
+  for (const std::string direction : {"tension", "compression"}) {
+    const std::string load =
+        fmt::format("load_cases=[{{name: load, axial_force: 1 kN, direction: {}, position: 20 mm}}]", direction);
+    for (const std::string along : {"", ", along: {column: force_kN, input: 'load_cases[0].axial_force', unit: kN}"}) {
+      const ModelComparison c = run(fmt::format("[{{file: x.csv, response: axial_displacement_um{}}}]", along),
+                                    "force_kN,u\n30,1\n-30,-1\n", {load});
+      const auto& computed = c.references[0].models[0].computed;
+      const bool is_tension = direction == "tension";
+      EXPECT_NEAR(computed[0], -(is_tension ? pushed : pulled), 1e-9);
+      EXPECT_NEAR(computed[1], is_tension ? pulled : pushed, 1e-9);
+      EXPECT_NEAR(document(c)["references"][0]["stiffness_N_per_um"], 60e3 / 2.0, 1e-6);
+      EXPECT_NEAR(document(c)["references"][0]["models"][0]["stiffness_N_per_um"], 60e3 / (pulled + pushed), 1e-6);
+    }
+  }
+  const ModelComparison shares = run("[{file: x.csv, response: screw.load_rate_percent.max}]",
+                                     "load_case,force_kN,x\n" + name() + ",-30,7\n" + name() + ",30,7\n");
+  EXPECT_GT(shares.references[0].models[0].computed[0], 100.0 / 20.0);
+}
+
+/// Numbers of all commands, of the load case and of the whole case: each by the document of its command.
+TEST(ReferencesOfAnyCommand, AreTheirNumbers) {
+  const std::pair<const char*, std::vector<const char*>> kResponses[] = {
+      {"31_running_screw",
+       {"slip.efficiency", "life.system.l10_revolutions", "contact.nut.backlash_mm", "measures.geometry_factor"}},
+      {"12_preload", {"preload.lost_motion_um", "axial_stiffness_N_per_um"}},
+      {"34_reversal", {"response.lost_motion_um"}},
+  };
+  for (const auto& [lesson, paths] : kResponses) {
+    const std::string file = fmt::format("{}/configs/{}.yaml", PRS_SOURCE_DIR, lesson);
+    for (const std::string path : paths) {
+      const std::string command = path.substr(0, path.find('.'));
+      const std::string known[] = {"slip", "life", "contact", "measures", "preload", "response"};
+      const bool named = std::ranges::find(known, command) != std::end(known);
+      const test::Outcome own = test::run_prs(fmt::format("{} {} --json --quiet", named ? command : "solve", file));
+      const auto value = response(Json::parse(own.out), path);
+      ASSERT_TRUE(value) << path;
+      const Json document = Json::parse(own.out);
+      input::Source source = input::load_source(file, {"references=[{file: x.csv}]"});
+      const bool of_load = path.starts_with("slip.") || !named;
+      const std::string load = of_load ? document["load_cases"][0]["name"].get<std::string>() : "";
+      source.files = {{"x.csv", fmt::format("{}{}\n{}{:.12g}\n", of_load ? "load_case," : "", path,
+                                            of_load ? load + "," : "", *value)}};
+      const ModelComparison c = compare_analysis().run(source, input::read_case_input(source, Command::compare));
+      ASSERT_EQ(c.references.size(), 1U);
+      const double computed = c.references[0].models[c.stated].computed[0];
+      EXPECT_NEAR(computed, *value, 1e-9 * std::abs(*value)) << path;
+      EXPECT_EQ(c.references[0].reference.load_case, load);
+    }
+  }
+}
+
+TEST_F(AgainstReferences, WhatTheCaseDoesNotGiveIsSaid) {
+  EXPECT_THAT(refusal("life.system.l10_revolutions\n1e6\n"),
+              HasSubstr("references[0].file: got life.system.l10_revolutions of a case that `prs life` cannot run"));
+  EXPECT_THAT(refusal("load_case,contact.nut.backlash_mm\n" + name() + ",0.1\n"),
+              HasSubstr("x.csv:1:1: error: heading: got load_case; expected none, since contact.nut.backlash_mm is a "
+                        "response of the whole case"));
+  EXPECT_THAT(refusal("contact.nut.backlash_mm,axial_displacement_um\n0.1,5\n"),
+              HasSubstr("got axial_displacement_um; expected a response of the whole case"));
+  const ModelComparison c = run("[{file: x.csv}]", "measures.weight_kg\n5\n");
+  EXPECT_EQ(std::ranges::count(c.warnings, "reference_absent", &Warning::code), 1);
+}
+
 TEST_F(AgainstReferences, OneNumberOfEachLoadCaseIsAReference) {
   const auto& r = plain().models[0].load_cases[0];
   const ModelComparison c = run("[{file: x.csv}]", fmt::format("load_case,axial_stiffness_N_per_um\n{},{:.12g}\n",
@@ -203,8 +275,8 @@ TEST_F(AgainstReferences, WhatIsWrongIsNamedWhereItStands) {
   EXPECT_THAT(refusal(head), HasSubstr("x.csv, which has no rows"));
   EXPECT_THAT(refusal("thread,screw.load_rate_percent\n1,5\n"), HasSubstr("which names no load case"));
   EXPECT_THAT(refusal("load_case,thread\n" + name() + ",1\n"), HasSubstr("no column with the name of a response"));
-  EXPECT_THAT(refusal("load_case,force_kN,axial_displacement_um\n" + name() + ",-5,5\n"),
-              HasSubstr(fmt::format("x.csv:2:{}: error: force_kN: got -5 kN", name().size() + 2)));
+  EXPECT_THAT(refusal("load_case,force_kN,axial_displacement_um\n" + name() + ",0,5\n"),
+              HasSubstr(fmt::format("x.csv:2:{}: error: force_kN: got 0 kN", name().size() + 2)));
 }
 
 TEST_F(AgainstReferences, WhatIsWrongInTheBlockIsNamedThere) {

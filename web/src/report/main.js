@@ -41,7 +41,9 @@ function keepStaleTiles(old, fresh) {
       continue;
     }
     const stale = tile.cloneNode(true);
-    stale.classList.add('stale');
+    stale.className = 'stale';
+    const state = stale.querySelector('.state');
+    if (state) state.replaceWith('computed when the values rest');
     if (before) before.after(stale);
     else place.prepend(stale);
     before = stale;

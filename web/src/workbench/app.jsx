@@ -9,7 +9,7 @@ import { reportPage } from './report_page.js';
 import { Results } from './results.jsx';
 import { FileButton, Start } from './start.jsx';
 import {
-  addVariant, changed, chooseVariant, current, mostVariants, otherFile, page, redo, removeVariant, setLanguage, setUnits, state, stop, undo,
+  addVariant, changed, chooseVariant, current, lacking, mostVariants, otherFile, page, redo, removeVariant, setLanguage, setUnits, state, stop, undo,
 } from './store.js';
 import { Studies } from './studies.jsx';
 import { t } from './texts.js';
@@ -143,11 +143,13 @@ export function App() {
     document.title = v ? `${v.name} · ${t('title')}` : t('title');
   });
   const close = () => setStarts(false);
+  const files = v ? lacking(v) : [];
   return (
     <>
       <a class="skip" href="#results">{t('skip')}</a>
       <Header starts={starts || !v} setStarts={setStarts} />
       {state.note && <p class="note" role="status" lang="en">{state.note} <button type="button" class="quiet" aria-label={t('remove', '')} onClick={() => { state.note = ''; changed(); }}>×</button></p>}
+      {files.length > 0 && <p class="note" role="status">{t('missingFile', files.join(', '))} <FileButton id="missing-file" label={t('open')} /></p>}
       {(starts || !v) && (v ? <aside class="start-place" aria-label={t('start')}><Start done={close} /></aside> : <main class="start-place" id="results"><Start done={close} /></main>)}
       {v && (
         <main>

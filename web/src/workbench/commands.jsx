@@ -14,7 +14,7 @@ export function Commands() {
     setRunning(command);
     const answer = await ask({ command });
     setRunning(null);
-    setShown({ command, text: v.text, ...answer });
+    setShown({ command, of: v.text, ...answer });
   };
   const text = shown?.document ? JSON.stringify(shown.document, null, 2) : '';
   return (
@@ -35,7 +35,7 @@ export function Commands() {
         })}
       </ul>
       {running && <p role="status">{t('computing')} prs {running} <button type="button" onClick={() => { stop(); setRunning(null); }}>{t('stop')}</button></p>}
-      {shown && (
+      {shown?.of === v.text && (
         <>
           <h3>prs {shown.command}</h3>
           {shown.messages?.length > 0 && <ul class="warnings" lang="en">{shown.messages.map((line) => <li>{line}</li>)}</ul>}

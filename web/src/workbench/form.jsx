@@ -2,7 +2,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { keysAt, lengthAt, valueAt, withBlock, withItem, without } from './case_text.js';
 import { choices, help, isWhole, join, meaning, missingKeys, nodeAt, skeleton } from './schema.js';
-import { current, edit, schemaOf, set, state, withUnit } from './store.js';
+import { changed, current, edit, schemaOf, set, state, withUnit } from './store.js';
 import { languageOf, t, title } from './texts.js';
 import { inSystem } from './units.js';
 
@@ -43,8 +43,11 @@ function Field({ input, schema }) {
     if (typed === '') return setDraft(''); // The value stays, in grey, until another is written.
     if (typed === text) return setDraft(null);
     set(path, typed, `field ${path}`).then(({ status, messages }) => {
-      if (valueAt(current().text, path) !== typed) setDraft(null);
+      // What stands in the text is told beside it.
+      if (valueAt(current().text, path) === typed) return;
+      setDraft(null);
       state.note = status === 2 && messages?.length ? messages[0] : '';
+      changed();
     });
   };
   // What is whole is computed while it is typed.

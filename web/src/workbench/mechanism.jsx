@@ -25,6 +25,10 @@ export function Mechanism() {
   useEffect(() => () => view.current?.dispose(), []);
 
   useEffect(() => {
+    if (!document?.contact) {
+      view.current?.dispose();
+      view.current = shown.current = null;
+    }
     if (!seen || !document?.contact) return;
     const key = [document, state.loadCase, state.language];
     if (shown.current && key.every((part, k) => part === shown.current[k])) return;

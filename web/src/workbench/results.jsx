@@ -23,11 +23,12 @@ export function LoadCaseChoice() {
 }
 
 export function Headlines() {
-  const v = current();
+  // Of a text that cannot be read those of the one before, in grey.
+  const stale = !current().documents.contact;
+  const v = stale ? { documents: current().before } : current();
   const all = headlinesOf(v);
-  const stale = v.status === 2 || v.answered !== v.text;
   const tiles = (rows) => (
-    <dl class={`tiles headlines${stale && v.status === 2 ? ' stale' : ''}`}>
+    <dl class="tiles headlines">
       {rows.map(({ path, value, unit, title: name }) => {
         const shown = quantity(value, path, unit, state.units);
         return (
@@ -43,7 +44,7 @@ export function Headlines() {
   const whole = all.filter((row) => row.whole);
   const names = loadCaseNames(v);
   return (
-    <section aria-labelledby="headlines-title">
+    <section aria-labelledby="headlines-title" class={stale ? 'stale' : undefined}>
       <h2 id="headlines-title">{t('headlines')}</h2>
       <LoadCaseChoice />
       {ofCase.length > 0 && <><h3>{t('ofLoadCase', names[Math.min(state.loadCase, names.length - 1)] ?? '')}</h3>{tiles(ofCase)}</>}
@@ -111,6 +112,7 @@ export function Html({ html, id }) {
 }
 
 export function Warnings() {
+  if (!current().sections) return null;
   const html = current().sections.warnings;
   return (
     <section aria-labelledby="warnings-title">
@@ -124,6 +126,7 @@ const ownPlaces = new Set(['verdict', 'warnings', 'studies', 'provenance']);
 
 export function Sections() {
   const v = current();
+  if (!v.sections) return null;
   return page.sections.filter(({ id }) => !ownPlaces.has(id)).map(({ id, title: name }) => {
     const html = v.sections[id];
     const isOpen = state.open.has(id);

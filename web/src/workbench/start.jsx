@@ -1,7 +1,7 @@
 // Where a reader begins: catalogue data, a lesson, a file, or what was at hand last time.
 import { useState } from 'preact/hooks';
 import { readFiles } from './files.js';
-import { ask, changed, current, filesOf, kept, lessons, open, page, restore, state } from './store.js';
+import { ask, changed, current, kept, lessons, open, page, refresh, restore, state } from './store.js';
 import { languageOf, t } from './texts.js';
 
 export const lesson = (l) => open(l.text, `${l.name}.yaml`);
@@ -58,11 +58,7 @@ export async function takeFiles(list) {
   const { cases, tables } = await readFiles(list);
   state.files = { ...state.files, ...tables };
   if (cases.length > 0) await open(cases[0].text, cases[0].name);
-  else if (current()) await open(current().text, current().file);
-  const named = current() && [...current().text.matchAll(/(?<!\w)file:\s*([^\s,}]+)/g)].map(([, name]) => name);
-  const lacking = named?.filter((name) => !(name in filesOf(current().text)));
-  state.note = lacking?.length ? t('missingFile', lacking.join(', ')) : '';
-  changed();
+  else if (current()) await refresh();
 }
 
 export function FileButton({ id, label, className, done }) {

@@ -63,14 +63,22 @@ export const schemaOf = (text) => {
 let engines = {};
 const engine = (name) => (engines[name] ??= new Engine());
 
-/** The files that a text names and the page has. */
-export const filesOf = (text) =>
-  Object.fromEntries(Object.entries(state.files).filter(([name]) => text.includes(name)));
+/** Texts of the files that a case names, by their names there; undefined of those that the page lacks. */
+const filesOf = ({ inputs }) =>
+  Object.fromEntries(
+    inputs
+      .filter(({ path }) => /(^|\.)file(\.name)?$/.test(path))
+      .map(({ text }) => [text, state.files[text] ?? state.files[text.replace(/^.*[\\/]/, '')]]),
+  );
+
+/** Names of files that have to be opened too. */
+export const lacking = (variant) =>
+  Object.entries(filesOf(variant)).filter(([, text]) => text === undefined).map(([name]) => name);
 
 export const questionOf = (variant, more) => ({
   yaml: variant.text,
   file: variant.file,
-  histories: filesOf(variant.text),
+  histories: filesOf(variant),
   set: [],
   ...more,
 });
@@ -122,8 +130,9 @@ export const warm = () => ['numbers', 'pictures', 'asked'].forEach(engine);
 const variant = (name, file, text) => ({
   name, file, text,
   undone: [], done: [],
-  documents: {}, // Of commands, by their names.
-  sections: {}, head: '',
+  documents: {}, // Of commands, by their names: of this text, or while it is computed of the one before.
+  before: {}, // Of the last text that could be read.
+  sections: {}, // Null where the text cannot be read.
   inputs: statedInputs(text, schemaOf(text)),
   messages: [], status: 0, answered: '',
 });
@@ -187,6 +196,7 @@ export function edit(text, key = null) {
 function takeText(v, text) {
   v.text = text;
   v.inputs = statedInputs(text, schemaOf(text));
+  state.note = '';
 }
 
 const turn = (from, to) => {
@@ -246,6 +256,7 @@ export function refresh() {
   const round = ++refreshing;
   const v = current();
   endStale();
+  if (v.documents.check) v.before = v.documents;
   state.busy = true;
   changed();
   // The numbers that a reader waits for come first.
@@ -262,19 +273,26 @@ export function refresh() {
   return Promise.race([settled, patience]);
 }
 
+/** What a command found, or that it found nothing, in place of what it found before. */
+function take(v, command, document) {
+  v.documents = { ...v.documents, [command]: document };
+  if (!document) delete v.documents[command];
+}
+
 async function askNumbers(v, round) {
   const { text } = v;
+  const drop = () => {
+    for (const command of singles) take(v, command, null);
+    changed();
+  };
+  if (otherFile(text)) return drop();
   for (const command of singles) {
-    if (round !== refreshing || v.text !== text || otherFile(text)) return;
+    if (round !== refreshing || v.text !== text) return;
     const answer = await answerOf(command, v);
     if (round !== refreshing || v.text !== text || answer.ended) return;
-    // What is wrong in the text is told, and the numbers stay as they were.
-    if (answer.status === 2 && command === 'contact' && !v.fresh) return;
-    if (command === 'solve') v.fresh = Boolean(answer.document);
-    if (answer.document) {
-      v.fresh = true;
-      v.documents = { ...v.documents, [command]: answer.document };
-    } else if (v.fresh) v.documents = Object.fromEntries(Object.entries(v.documents).filter(([name]) => name !== command));
+    // What cannot be read is wrong for all.
+    if (answer.status === 2 && command === 'contact' && !v.documents.solve) return drop();
+    take(v, command, answer.document);
     changed();
   }
 }
@@ -287,10 +305,8 @@ async function askCheck(v, round) {
   v.status = answer.status;
   v.messages = answer.messages;
   v.answered = text;
-  if (answer.document) {
-    v.documents = { ...v.documents, check: answer.document };
-    takeInputs(v);
-  }
+  take(v, 'check', answer.document);
+  if (answer.document) takeInputs(v);
   changed();
 }
 
@@ -318,17 +334,15 @@ async function askSections(v, round) {
   const text = v.text;
   const report = { own: 0, units: state.units };
   // Those of a requirement take all its candidates: when they are asked for.
+  if (otherFile(text)) v.sections = null;
   if (otherFile(text) || round !== refreshing) return;
   report.sections = page.sections.map((s) => s.id).filter((id) => state.open.has(id) && id !== 'verdict');
   report.sections.push('warnings');
   const answer = await send({ command: 'report', report }, v, 'pictures');
-  if (round !== refreshing || v.text !== text) return;
+  if (round !== refreshing || v.text !== text || answer.ended) return;
   v.units = state.units;
-  if (answer.document) {
-    v.sections = answer.document.sections;
-    if (answer.document.head) v.head = answer.document.head;
-    v.threads = answer.document.threads;
-  }
+  v.sections = answer.document?.sections ?? null;
+  if (!answer.document && v.status !== 2) Object.assign(v, { status: answer.status, messages: answer.messages });
   changed();
 }
 
@@ -349,8 +363,8 @@ export async function refreshAll() {
     for (const command of ['check', ...singles]) {
       const { text } = v;
       const { document } = await answerOf(command, v);
-      if (document && v.text === text && v.documents[command] !== document) {
-        v.documents = { ...v.documents, [command]: document };
+      if (v.text === text && v.documents[command] !== document) {
+        take(v, command, document);
         changed();
       }
     }

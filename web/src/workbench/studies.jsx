@@ -167,6 +167,12 @@ export function Studies() {
   const [result, setResult] = useState(null);
   const [trouble, setTrouble] = useState('');
   const abort = useRef(null);
+  // A result is that of its text.
+  useEffect(() => {
+    setResult(null);
+    setTrouble('');
+    return () => abort.current?.abort();
+  }, [v.text]);
 
   const run = async () => {
     const wanted = response ?? headlinesOf(v)[0]?.path;

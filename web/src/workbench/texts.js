@@ -53,7 +53,7 @@ const table = {
   'state.not_applicable': ['does not apply', 'entfällt'],
   atLeast: ['at least {}', 'mindestens {}'],
   atMost: ['at most {}', 'höchstens {}'],
-  'source.stated': ['stated', 'vorgegeben'],
+  'source.case': ['stated', 'vorgegeben'],
   'source.recommended': ['recommended', 'empfohlen'],
   'source.physics': ['physics', 'Physik'],
   setLimits: ['Limits are inputs: add them under “limits”.', 'Grenzen sind Eingaben: fügen Sie sie unter „limits“ hinzu.'],
