@@ -282,11 +282,13 @@ const Analysis<ModelComparison>& compare_analysis() {
             if (!r.references.empty()) files.push_back({"references.csv", references_csv(r, style)});
             return files;
           },
-      .pictures = [](const ModelComparison& r, const Case&) -> Pictures {
+      .pictures = [](const ModelComparison& r, const Case& c) -> Pictures {
         return {{"loads_by_model", "a load case that converged with every model", of_result(r, loads_by_model)},
                 {"references", "references, and answers to their load cases", of_result(r, reference_figures)},
                 {"reference_butterfly", "references over the threads in tension and compression",
-                 of_result(r, reference_butterfly)}};
+                 [&r, left = has_butterflies_of_load(c)](const FigureOptions&) {
+                   return in_kilonewtons(reference_butterfly(r, left));
+                 }}};
       },
       .converged = [](const ModelComparison& r) { return std::ranges::all_of(r.models, all_converged); },
       .within_tolerance =

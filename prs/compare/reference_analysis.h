@@ -32,8 +32,8 @@ PageTable reference_page_table(const ModelComparison& c);
 /// case and response, a figure for each quantity.
 Figures reference_figures(const ModelComparison& c, const FigureOptions& options);
 
-/// References over the threads, tension to the right and compression to the left: a panel per
+/// References over the threads, tension to one side and compression to the other: a panel per
 /// configuration and response.
-Figures reference_butterfly(const ModelComparison& c, const FigureOptions& options);
+Figures reference_butterfly(const ModelComparison& c, bool tension_to_left);
 
 }  // namespace prs

@@ -128,14 +128,16 @@ Figures reference_figures(const ModelComparison& c, const FigureOptions&) {
   return figures;
 }
 
-Figures reference_butterfly(const ModelComparison& c, const FigureOptions&) {
+Figures reference_butterfly(const ModelComparison& c, bool tension_to_left) {
   const auto stem = [](const std::string& load_case) { return load_case.substr(0, load_case.find_last_of("- _")); };
   const auto direction = [&](const ReferenceCurve& r) {
     const auto load =
         std::ranges::find(c.best().load_cases, r.load_case, [](const LoadCaseResult& l) { return l.load_case.name; });
     return load == c.best().load_cases.end() ? std::nullopt : load->load_case.direction;
   };
-  Figure figure{"reference_butterfly", "Reference and models, compression to the left, tension to the right"};
+  const Direction left = tension_to_left ? Direction::tension : Direction::compression;
+  Figure figure{"reference_butterfly", fmt::format("Reference and models, {} to the left, {} to the right",
+                                                   prs::name(left), prs::name(opposite(left)))};
   const Look look(figure, c);
   std::vector<std::pair<std::string, std::string>> panels;
   const ReferenceCurve* first = nullptr;
@@ -156,7 +158,7 @@ Figures reference_butterfly(const ModelComparison& c, const FigureOptions&) {
       panels.push_back(key);
       figure.panels.push_back({fmt::format("{}, {}", place_of(its), shown_name(key.first))});
     }
-    const double sense = direction(its) == Direction::tension ? 1.0 : -1.0;
+    const double sense = direction(its) == left ? -1.0 : 1.0;
     add_curves(figure.panels[panel], look, r, true, [sense](double x, double y) { return std::array{sense * y, x}; });
     for (const ReferenceReading& reading : its.readings) largest = std::max(largest, std::abs(reading.value));
   }

@@ -1284,12 +1284,18 @@ void fields(const Fields& io, ReferenceItem& r) {
      "Largest deviation that is allowed: `10 % of the mean`, `10 % of each value`, or a value in the response's unit");
 }
 
-void fields(const Fields& io, ReportTexts& r) {
+void alternatives(Choices& io, ReportInput::Butterfly& b) {
+  io("mean", b, ReportInput::Butterfly::of_mean, "in percent of the mean thread, tension to the right");
+  io("load", b, ReportInput::Butterfly::of_load, "in percent of the load, tension to the left, as in papers");
+}
+
+void fields(const Fields& io, ReportInput& r) {
   io("title", r.title, Text{"\"Press 40 kN\""}, "What was calculated");
   io("customer", r.customer, Text{"\"Customer\""}, "For whom");
   io("author", r.author, Text{"\"Author\""}, "By whom");
   io("number", r.number, Text{"\"C-1234\""}, "Of the calculation or the drawing");
   io("revision", r.revision, Text{"\"A\""}, "Of the calculation");
+  io("butterfly", r.butterfly, Choice{}, "Shares of the threads over the load and beside references, in all pictures");
 }
 
 void alternatives(Choices& io, SignalTerm::Spacing& s) {
@@ -1566,7 +1572,7 @@ void fields(const Fields& io, CaseFile& file) {
   io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");
   io("fit", file.fit, Block{}, "What `prs fit` finds from measured curves");
   io("references", file.references, List{Block{}, 1, 100}, "Curves of other programs or tests, for `prs compare`");
-  io("report", file.report, Block{}, "Title block of `prs report`");
+  io("report", c.report, Block{}, "Title block of `prs report`, and how pictures show shares");
 }
 
 Value value_of(Range& range, const OneOrRange& kind) {

@@ -204,11 +204,6 @@ struct ReferenceItem {
   std::optional<Along> along;
 };
 
-/// What a report says of itself.
-struct ReportTexts {
-  std::optional<std::string> title, customer, author, number, revision;
-};
-
 /// A file as it is written: `values` lacks the load cases.
 struct CaseFile {
   Case values;
@@ -220,7 +215,6 @@ struct CaseFile {
   std::optional<FitItem> fit;
   std::vector<ReferenceItem> references;
   bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
-  std::optional<ReportTexts> report;
 };
 
 }  // namespace prs::input

@@ -295,8 +295,9 @@ Figures displacement(const Result& result, const FigureOptions&) {
 }
 
 /// Load of each thread in % of the mean against the load of each range, tension to the right: a row
-/// of panels for each configuration, a column for each interface (Abevi 2015, figs. 15-18).
-Figures butterfly(const Result& result, const FigureOptions& options) {
+/// of panels for each configuration, a column for each interface (Abevi 2015, figs. 15-18). `of_load`: as there, in %
+/// of the load and tension to the left.
+Figures butterfly(const Result& result, bool of_load, const FigureOptions& options) {
   auto sweeps = loaded_configurations(result.load_cases, kMinSweepPoints, is_solved);
   if (sweeps.empty()) return {};
   Figure figure{"butterfly", "Load distribution against the load"};
@@ -310,7 +311,18 @@ Figures butterfly(const Result& result, const FigureOptions& options) {
     for (const Interface i : kInterfaces)
       if (!options.interface || i == *options.interface) figure.panels.push_back(butterfly_panel(sweep, i));
   figure.columns = options.interface ? 1 : std::size(kInterfaces);
-  add_mean(figure, per_si::percent);
+  double mean = per_si::percent;
+  if (of_load) {
+    const auto count = static_cast<double>(thread_count(sweeps.front()));
+    mean /= count;
+    figure.x = {"Axial force, compression >\u00a00", "kN", -figure.x.to, -figure.x.from};
+    figure.y.unit = "% of the load";
+    for (Panel& panel : figure.panels)
+      for (Series& series : panel.series)
+        for (Polyline& part : series.parts)
+          for (auto& [x, y] : part) x = -x, y /= count;
+  }
+  add_mean(figure, mean);
   fit_y_range(figure);
   return {std::move(figure)};
 }
@@ -434,7 +446,7 @@ Pictures with_loads_in_titles(Pictures pictures, const Result& r) {
   return pictures;
 }
 
-Pictures load_pictures(const Result& r) {
+Pictures load_pictures(const Result& r, bool butterflies_of_load = false) {
   const Picture::Drawn of_threads = drawn_if(has_several_threads(r));
   Pictures all{
       {"load_distribution", "a load case that converged, or equal shares", of_result(r, load_distribution), of_threads},
@@ -443,7 +455,9 @@ Pictures load_pictures(const Result& r) {
       {"displacement", kRange, of_result(r, displacement)},
       {"stiffness", kRange, of_result(r, stiffness)},
       {"butterfly", "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged",
-       of_result(r, butterfly)}};
+       [&r, butterflies_of_load](const FigureOptions& options) {
+         return in_kilonewtons(butterfly(r, butterflies_of_load, options));
+       }}};
   std::ranges::move(roller_pictures(r), std::back_inserter(all));
   std::ranges::move(motion_pictures(r), std::back_inserter(all));
   all.push_back({"convergence", "at most a few load cases, not of equal shares", of_result(r, convergence),
@@ -496,8 +510,8 @@ std::array<double, 2> towards(double radius, double azimuth) {
 
 Pictures contact_pictures(const Result& r) { return with(contact_drawings(r), load_pictures(r)); }
 
-Pictures solve_pictures(const Result& r) {
-  return with(with_loads_in_titles(load_pictures(r), r), contact_drawings(r));
+Pictures solve_pictures(const Result& r, bool butterflies_of_load) {
+  return with(with_loads_in_titles(load_pictures(r, butterflies_of_load), r), contact_drawings(r));
 }
 
 bool has_rollers(const LoadCaseResult& result) { return result.full && result.threads; }

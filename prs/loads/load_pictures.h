@@ -73,7 +73,7 @@ Pictures motion_pictures(const Result& result);
 
 // What each command can show. The result must outlive the list.
 Pictures contact_pictures(const Result& result);
-Pictures solve_pictures(const Result& result);
+Pictures solve_pictures(const Result& result, bool butterflies_of_load = false);
 /// Sections of the threads through their contacts, and the contact ellipses.
 Pictures contact_drawings(const Result& result);
 /// Pictures of all rollers; full mechanism only.

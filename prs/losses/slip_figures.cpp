@@ -358,7 +358,7 @@ Pictures slip_pictures(const Case& c, const Result& r) {
        {"thread_friction", kConvergedSlip,
         [&c, &r](const FigureOptions& options) { return thread_friction(c, r, options); }, by_name},
        {"heat_cycle", "a `duty` in `heat` that comes to repeat itself", of_result(r, heat_cycle)}},
-      solve_pictures(r));
+      solve_pictures(r, has_butterflies_of_load(c)));
 }
 
 namespace {

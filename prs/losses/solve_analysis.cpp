@@ -91,7 +91,8 @@ const Analysis<Result>& solve_analysis() {
       .full_table = full_solve_text,
       .notes = summary_of_warnings,
       .files = load_files,
-      .pictures = [](const Result& r, const Case& c) { return with_drawings(solve_pictures(r), c, r); },
+      .pictures = [](const Result& r,
+                     const Case& c) { return with_drawings(solve_pictures(r, has_butterflies_of_load(c)), c, r); },
       .converged = all_converged,
       .headlines =
           [](const Result& r) {

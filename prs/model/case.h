@@ -16,6 +16,16 @@ struct ContactOverrides {
   PerInterface<std::optional<double>> normal_angle;    ///< psi, contact normal to axis [rad]
 };
 
+/// What a report says of itself, and how it shows shares of threads over the load.
+struct ReportInput {
+  enum class Butterfly {
+    of_mean,  ///< In percent of the mean thread, tension to the right.
+    of_load,  ///< In percent of the load, tension to the left (Abevi 2015, figs. 15-18).
+  };
+  std::optional<std::string> title, customer, author, number, revision;
+  Butterfly butterfly = Butterfly::of_mean;
+};
+
 /// What a file states besides the mechanism: bodies, materials, loads, operation, options. Blocks
 /// that the file leaves out are empty. What computes on contacts takes these conditions and the
 /// mechanism of the contacts, which is complete; that of the file is out of its reach.
@@ -45,7 +55,12 @@ struct Conditions {
   std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].
   std::optional<Heat> heat;
   std::optional<ResponseInput> response;
+  std::optional<ReportInput> report;
 };
+
+inline bool has_butterflies_of_load(const Conditions& c) {
+  return c.report && c.report->butterfly == ReportInput::Butterfly::of_load;
+}
 
 /// All rollers between bodies of `influence` know no friction on their threads.
 inline bool knows_friction(const ModelOptions& model) {

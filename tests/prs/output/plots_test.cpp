@@ -211,6 +211,27 @@ TEST(Figures, MoreConfigurationsThanStylesAreLimited) {
   EXPECT_NE(figure->title.find("first 8 of 12"), std::string::npos);
 }
 
+/// As Abevi prints them: tension to the left, and a share of 1/n stands at 100/n %.
+TEST(Plots, AButterflyOfTheLoadIsThatOfTheMeanMirrored) {
+  const Result result = sweeps();
+  const Figure mean = figure(solve_pictures(result), "butterfly", {});
+  const Figure load = figure(solve_pictures(result, true), "butterfly", {});
+  const auto threads = static_cast<double>(result.contacts.mechanism.contacts_per_roller);
+  EXPECT_EQ(load.y.unit, "% of the load");
+  EXPECT_EQ(load.x.from, -mean.x.to);
+  EXPECT_EQ(load.x.to, -mean.x.from);
+  for (std::size_t p = 0; p < mean.panels.size(); ++p) {
+    EXPECT_DOUBLE_EQ(load.panels[p].references[0].at, 100.0 / threads);
+    for (std::size_t s = 0; s < mean.panels[p].series.size(); ++s)
+      for (std::size_t k = 0; k < mean.panels[p].series[s].parts.size(); ++k)
+        for (std::size_t i = 0; i < mean.panels[p].series[s].parts[k].size(); ++i) {
+          const auto [x, y] = mean.panels[p].series[s].parts[k][i];
+          EXPECT_DOUBLE_EQ(load.panels[p].series[s].parts[k][i][0], -x);
+          EXPECT_DOUBLE_EQ(load.panels[p].series[s].parts[k][i][1], y / threads);
+        }
+  }
+}
+
 TEST(Plots, EveryFigureIsDrawn) { expect_drawn(figures(solve_pictures(sweeps()))); }
 
 TEST(Plots, FewThreadsAndAbsentTangentsAreDrawn) {

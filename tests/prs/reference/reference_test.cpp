@@ -347,6 +347,19 @@ TEST(ReferencesOfTheProgram, StandOnThePage) {
   EXPECT_THAT(text, HasSubstr("finite elements, config1-tension"));
 }
 
+TEST(ReferencesOfTheProgram, HaveTensionOnTheSideThatTheCaseAsksFor) {
+  for (const std::string butterfly : {"mean", "load"}) {
+    const input::Source source =
+        input::load_source(PRS_SOURCE_DIR "/configs/38_reference.yaml", {"report.butterfly=" + butterfly});
+    const input::CaseInput in = input::read_case_input(source, Command::compare);
+    const ModelComparison c = compare_analysis().run(source, in);
+    const Figure drawn = figure(compare_analysis().pictures(c, in.values), "reference_butterfly", {});
+    const double x = drawn.panels[0].series.back().parts[0][0][0];  // Compression comes last.
+    EXPECT_THAT(drawn.title, HasSubstr(butterfly == "mean" ? "tension to the right" : "tension to the left"));
+    EXPECT_EQ(x < 0.0, butterfly == "mean");
+  }
+}
+
 TEST(ReferencesOfTheProgram, EndWithFourBeyondATolerance) {
   const std::string lesson = "compare configs/38_reference.yaml";
   EXPECT_EQ(test::run_prs(lesson + " --quiet").status, 0);
