@@ -1,5 +1,6 @@
 #include "prs/compare/reference_analysis.h"
 #include "prs/loads/load_record.h"
+#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {
