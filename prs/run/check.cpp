@@ -225,11 +225,14 @@ std::vector<LoadCaseResult> solved_largest(const input::CaseInput& in, double la
   return analyze(c).load_cases;
 }
 
+bool has_life(const input::CaseInput& in) {
+  return analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty();
+}
+
 /// What `solve` finds unusual about the largest loads, and `life` about those of its block.
 std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in, double largest) {
   std::vector<Warning> warnings = all_warnings({}, solved_largest(in, largest));
-  if (analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty())
-    std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
+  if (has_life(in)) std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
   return warnings;
 }
 
@@ -260,7 +263,7 @@ std::optional<Warning> perfect_parts(const input::Source& source, const input::C
                behind = largest_load(with_start(-kOff));
   if (!(std::max(ahead, behind) > perfect) || perfect == 0.0) return std::nullopt;
   std::string life;
-  if (analysis_of(Command::life).is_built && input::unmet(in, Command::life).empty()) {
+  if (has_life(in)) {
     const double whole = life_of(source, in).system_life;
     const double left =
         std::min(life_of(source, with_start(kOff)).system_life, life_of(source, with_start(-kOff)).system_life);
