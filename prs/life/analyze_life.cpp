@@ -358,9 +358,9 @@ void compare_with_rest(const LifeModel& p, Sense& s, Direction d, const ShareCur
 }
 
 /// Loads of rated contacts; the largest of forces up to `greatest` are kept.
-ShareCurve::Solve keeping_larger(const ContactSolver& solve, double greatest,
+ShareCurve::Solve keeping_larger(ContactSolver solve, double greatest,
                                  std::optional<PerDirection<LargestLoads>>& kept) {
-  return [&solve, greatest, &kept](double force) -> std::optional<std::vector<double>> {
+  return [solve = std::move(solve), greatest, &kept](double force) -> std::optional<std::vector<double>> {
     std::optional<ContactLoads> loads = solve(force);
     if (!loads) return std::nullopt;
     if (force <= greatest) keep_larger(*loads, kept);
@@ -375,7 +375,7 @@ std::optional<double> find_cubes(const LifeModel& p, Sense& s, Direction d) {
     s.error = std::max(s.error, curve.error());
     return curve.failed_at();
   };
-  s.curve = curve_of_sense(p, s, keeping_larger(s.solve, HUGE_VAL, s.resting));
+  s.curve = curve_of_sense(p, s, keeping_larger([&](double force) { return s.solve(force); }, HUGE_VAL, s.resting));
   if (const auto failed = found(*s.curve)) return failed;
   s.cubes = s.cubes_at_rest = cubes_of(p, s, *s.curve, s.turns);
   if (!p.running()) return std::nullopt;

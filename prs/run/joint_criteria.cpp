@@ -24,6 +24,7 @@ std::optional<FoundCriterion> axial_play(const Contacts& contacts) {
       if (crest) found.take(2.0 * *crest * per_si::millimetre, "", at + ", at a crest");
   }
   if (!found.value) return std::nullopt;
+  found.best.reset();  // At another place.
   found.limit = 0.0;
   found.standing = *found.value < -kTouching ? Standing::red : Standing::green;
   if (found.standing == Standing::red) found.note += ": the threads interfere";

@@ -80,13 +80,13 @@ struct Evidence {
     return why == lacking.end() ? nullptr : &why->second;
   }
 
-  /// All that was found of a criterion; nothing where no command but `preload` says anything.
+  /// All that was found of a criterion; nothing where there is a limit alone, or a value of `preload` alone.
   std::optional<FoundCriterion> sum(const CriterionRow& row) const {
     std::optional<FoundCriterion> sum;
     bool is_known = false;
     for (const auto& [command, part] : found) {
       if (part.row != &row) continue;
-      is_known = is_known || command != Command::preload;
+      is_known = is_known || (command != Command::preload && !part.physical);
       if (sum)
         sum->add(part);
       else
