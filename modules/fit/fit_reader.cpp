@@ -52,11 +52,9 @@ void add_numbers(const Node& node, const std::string& path, std::vector<std::str
   }
 }
 
-constexpr std::pair<std::string_view, Command> kCommands[] = {
-    {"slip.", Command::slip},       {"heat.", Command::slip},       {"heat_cycle.", Command::slip},
-    {"preload.", Command::preload}, {"life.", Command::life},       {"measures.", Command::measures},
-    {"contact.", Command::contact}, {"threads.", Command::contact}, {"response.", Command::response},
-};
+/// Commands whose responses curves may have; a response whose block names none is of `solve`.
+constexpr Command kCommands[] = {Command::contact, Command::solve,    Command::slip,    Command::preload,
+                                 Command::life,    Command::measures, Command::response};
 
 constexpr std::string_view kResponseTime = "response.time_s";
 
@@ -274,13 +272,14 @@ class FitReader : input::VariedInput {
     std::string_view rest = response;
     if (rest.starts_with("load_cases["))
       if (const std::size_t dot = rest.find("]."); dot != rest.npos) rest.remove_prefix(dot + 2);
-    Command command = Command::solve;
-    for (const auto& [head, its] : kCommands)
-      if (rest.starts_with(head)) command = its;
-    if (!written) return command;
-    for (const Command one : {Command::contact, Command::solve, Command::slip, Command::preload, Command::life,
-                              Command::measures, Command::response})
-      if (one.word == *written) return one;
+    const std::string_view block = rest.substr(0, std::min(rest.find('.'), rest.size()));
+    const std::string_view word = written                     ? *written
+                                  : block.starts_with("heat") ? "slip"
+                                  : block == "threads"        ? "contact"
+                                                              : block;
+    const auto found = std::ranges::find(kCommands, word, &Command::word);
+    if (found != std::end(kCommands)) return *found;
+    if (!written) return Command::solve;
     fail(at + ".command", "got {}; expected contact, solve, slip, preload, life, measures or response; delete the key",
          shown(*written));
   }

@@ -209,6 +209,19 @@ std::vector<Headline> headlines(const ResponseResult& r) {
   return all;
 }
 
+std::vector<FoundCriterion> criteria(const ResponseResult& r, const JudgedCase&) {
+  FoundCriterion pressure("peak_pressure"), speed("largest_speed"), compression("largest_compression");
+  for (const Direction d : kDirections)
+    if (const auto& largest = r.largest[d]; largest && largest->peak_pressure)
+      pressure.take(*largest->peak_pressure * per_si::megapascal, "response",
+                    fmt::format("largest force in {}", name(d)));
+  pressure.best.reset();  // Of load cases.
+  speed.take(r.run.largest_speed, "response");
+  if (const auto& largest = r.largest.compression; largest && largest->force != 0.0)
+    compression.take(std::abs(largest->force), "response", "largest force in compression");
+  return {pressure, speed, compression};
+}
+
 PageSection section(const ResponseResult&) {
   return {.in_document = {{"response.largest", {"tension", "compression", "motor_torque_Nm", "end_stop_force_N"}}},
           .folded = {"response_energy"},
@@ -235,6 +248,7 @@ const Analysis<ResponseResult>& response_analysis() {
       .pictures = [](const ResponseResult& r, const Case&) { return response_pictures(r); },
       .converged = [](const ResponseResult& r) { return r.converged(); },
       .headlines = headlines,
+      .criteria = criteria,
       .place = {"Response", 5},
       .section = section,
       .responses = kResponses};

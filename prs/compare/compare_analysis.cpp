@@ -251,6 +251,23 @@ ModelComparison compared(const input::Source& source, const input::CaseInput& in
 
 std::vector<Warning> warnings_of(const ModelComparison& r) { return all_warnings(r.warnings, r.best().load_cases); }
 
+/// The curve that leaves its tolerance most.
+std::vector<FoundCriterion> reference_criterion(const ModelComparison& c, const JudgedCase&) {
+  const ReferenceComparison* worst = nullptr;
+  const auto use = [](const ReferenceComparison& r) { return r.models[r.stated].tolerance_use.value_or(0.0); };
+  for (const ReferenceComparison& r : c.references)
+    if (r.reference.tolerance && (!worst || use(r) > use(*worst))) worst = &r;
+  if (!worst) return {};
+  FoundCriterion found("reference");
+  if (std::isfinite(use(*worst))) found.value = use(*worst);
+  found.limit = 1.0;
+  found.standing = worst->met() ? Standing::green : Standing::red;
+  found.where = worst->reference.load_case;
+  found.note = fmt::format("{} against {}, tolerance {}", worst->reference.response, worst->reference.name,
+                           worst->reference.tolerance->text);
+  return {found};
+}
+
 std::vector<std::string> notes(const ModelComparison& r) {
   std::string text = warning_summary(warnings_of(r));
   return text.empty() ? std::vector<std::string>{} : std::vector{std::move(text)};
@@ -293,6 +310,7 @@ const Analysis<ModelComparison>& compare_analysis() {
       .converged = [](const ModelComparison& r) { return std::ranges::all_of(r.models, all_converged); },
       .within_tolerance =
           [](const ModelComparison& r) { return std::ranges::all_of(r.references, &ReferenceComparison::met); },
+      .criteria = reference_criterion,
       .all_warnings = warnings_of,
       .takes_load_cases_apart = true};
   return analysis;

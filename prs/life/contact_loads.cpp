@@ -76,9 +76,7 @@ ShareCurve::ShareCurve(const Solve& solve, double least, double greatest, Accura
   shared_.clear();
 }
 
-ShareCurve::ShareCurve(const Solve& solve, std::vector<double> forces) {
-  std::ranges::sort(forces);
-  forces.erase(std::unique(forces.begin(), forces.end()), forces.end());
+ShareCurve::ShareCurve(const Solve& solve, const std::set<double>& forces) {
   for (const double force : forces) {
     const double x = std::cbrt(force);
     const auto shares = solve_at(solve, x);

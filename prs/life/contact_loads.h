@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/threads/contacts.h"
@@ -40,7 +41,7 @@ class ShareCurve {
 
   /// Solves at these forces alone [N], of which there must be one; a load between them counts with
   /// the shares at the next smaller one.
-  ShareCurve(const Solve& solve, std::vector<double> forces);
+  ShareCurve(const Solve& solve, const std::set<double>& forces);
 
   /// Force at which no equilibrium was found; the curve must then not be used.
   std::optional<double> failed_at() const { return failed_at_; }

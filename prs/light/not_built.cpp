@@ -11,6 +11,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/measures/measures_analysis.h"
+#include "prs/measures/measures_criteria.h"
 #include "prs/run/check.h"
 #include "prs/run/commands.h"
 #include "prs/run/compare_cases.h"
@@ -25,12 +26,13 @@ namespace {
 
 using modules::NotBuilt;
 
-AnyAnalysis left_out(Command command, std::string_view help) {
+AnyAnalysis left_out(Command command, std::string_view help, bool is_judged = false) {
   const std::string what = fmt::format("prs {}", name(command));
   return {.command = command,
           .help = help,
           .run = [what](const input::Source&, const input::CaseInput&) -> Delivery { throw NotBuilt(what); },
-          .is_built = false};
+          .is_built = false,
+          .is_judged = is_judged};
 }
 
 /// Any function of a requirement, in place of one that is left out.
@@ -54,9 +56,9 @@ std::span<const AnyAnalysis> analyses() {
       any(compare_analysis()),
       any(slip_analysis()),
       left_out(Command::preload, "Closure, stiffness and lost motion of a preloaded nut"),
-      left_out(Command::life, "Life and static safety"),
-      left_out(Command::measures, "Weight, stiffness terms, buckling, critical speed, capacities"),
-      left_out(Command::response, "The screw in its drive over time"),
+      left_out(Command::life, "Life and static safety", true),
+      left_out(Command::measures, "Weight, stiffness terms, buckling, critical speed, capacities", true),
+      left_out(Command::response, "The screw in its drive over time", true),
       left_out(Command::study, "Many designs"),
       left_out(Command::optimize, "The best design"),
       left_out(Command::fit, "Unknown inputs from measured curves"),
@@ -145,10 +147,10 @@ FitInput read_fit_input(const input::Source&) { throw NotBuilt("prs fit"); }
 
 // What the verdict says of them.
 std::string describe(StaticLimit) { throw NotBuilt("prs life"); }
-LifeInUse in_use(const LifeResult&, double) { throw NotBuilt("prs life"); }
-std::optional<double> largest_speed(const LoadHistory&, double) { throw NotBuilt("prs life"); }
-std::optional<double> loaded_stroke(const LoadHistory&, double) { throw NotBuilt("prs life"); }
 MeasuresResult analyze_measures(const Conditions&, Contacts, AnalysisOptions) { throw NotBuilt("prs measures"); }
+std::vector<FoundCriterion> measures_criteria(const MeasuresResult&, const JudgedCase&) {
+  throw NotBuilt("prs measures");
+}
 StaticForces solved_static_forces(const Conditions&, const Contacts&, Direction, double, double) {
   throw NotBuilt("prs life");
 }

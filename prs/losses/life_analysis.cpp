@@ -2,6 +2,7 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/input/force_history.h"
+#include "prs/life/life_criteria.h"
 #include "prs/life/life_record.h"
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_analysis.h"
@@ -522,6 +523,7 @@ const Analysis<LifeResult>& life_analysis() {
                 {"thread_lives", kLives, of_result(r, thread_lives)}};
       },
       .converged = [](const LifeResult& r) { return r.converged(); },
+      .criteria = life_criteria,
       .place = {"Life", 1},
       .section = life_section,
       .responses = kLifeResponses};

@@ -2,6 +2,7 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
+#include "prs/losses/slip_criteria.h"
 #include "prs/model/check_case.h"
 
 namespace prs {
@@ -345,6 +346,7 @@ const Analysis<Result>& slip_analysis() {
                                          .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
                                          .converged = have_slip,
                                          .headlines = losses,
+                                         .criteria = slip_criteria,
                                          .all_warnings = all_warnings,
                                          .place = {"Slip and losses", 2},
                                          .section = slip_section,

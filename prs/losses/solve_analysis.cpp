@@ -2,6 +2,7 @@
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/full_result.h"
+#include "prs/loads/load_criteria.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/model/check_case.h"
@@ -100,6 +101,7 @@ const Analysis<Result>& solve_analysis() {
             std::ranges::move(frequencies(r), std::back_inserter(all));
             return all;
           },
+      .criteria = load_criteria,
       .all_warnings = all_warnings,
       .responses = kSolveResponses,
       .takes_load_cases_apart = true};

@@ -66,6 +66,20 @@ void need_solve(const Case& c, Problems& problems) {
     require_slip(c, problems);
 }
 
+bool solve_takes_running_loads(const Case& c) {
+  return std::ranges::any_of(c.load_cases,
+                             [&](const auto& load) { return solve_takes_running_loads(c.model, load.share); });
+}
+
+bool slip_takes_running_loads(const Case& c) {
+  return std::ranges::any_of(c.load_cases,
+                             [&](const auto& load) { return slip_takes_running_loads(c.model, load.share); });
+}
+
+bool life_takes_running_loads(const Case& c) {
+  return c.life && life_takes_running_loads(static_cast<const Conditions&>(c));
+}
+
 void need_compare(const Case& c, Problems& problems) {
   require_load_cases(c, Command::compare, problems);
   require_loads(c, Command::compare, problems);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <typeinfo>
 
+#include "prs/model/criterion.h"
 #include "prs/model/warning.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/pictures.h"
@@ -106,6 +107,7 @@ struct Delivery {
   /// The document as text, piece by piece, from its outline; empty: `json_text`.
   std::function<void(const Json&, const TextSink&)> write = {};
   std::function<std::vector<Headline>()> headlines = {};
+  std::function<std::vector<FoundCriterion>(const JudgedCase&)> criteria = {};
   std::function<PageSection()> section = {};  ///< On the page.
 
   /// The result itself; null where it is of another type.
