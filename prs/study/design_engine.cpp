@@ -19,8 +19,6 @@
 namespace prs {
 namespace {
 
-using Bodies = ModelOptions::Bodies;
-
 Result analyze_for(Command command, const Conditions& c, Contacts contacts, AnalysisOptions options) {
   if (command == Command::contact) return analyze_contacts(c, std::move(contacts), options.detail);
   return command == Command::slip ? analyze_heat(c, std::move(contacts), options)
@@ -185,7 +183,7 @@ struct DesignEngine::Parts {
   NumberDetail number_detail;                          ///< What the numbers need of load cases.
   Detail detail = Detail::numbers;                     ///< What the numbers need of the results.
   ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
-  Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
+  bool side_by_side = true;                            ///< Whether the bodies of the base case take many designs.
   bool all_rollers = false;                            ///< Whether it is a full mechanism.
   std::optional<LoadHistory> history;                  ///< History of the base case.
   std::optional<HistorySource> history_source;
@@ -279,8 +277,8 @@ struct DesignEngine::Parts {
     const DesignStatus status = status_after([&] {
       const Case& c = worker->reader.read(0);
       all_load_cases = c.load_cases.size();
-      bodies = c.model.bodies;
-      all_rollers = c.model.mechanism == ModelOptions::Mechanism::full;
+      side_by_side = c.model.bodies->side_by_side;
+      all_rollers = c.model.all_rollers();
       if (study.command == Command::life && c.life->history) {
         history = history_of(c);
         history_source = c.life->history;
@@ -447,8 +445,7 @@ struct DesignEngine::Parts {
         worker.columns.add(row, c, *mechanism, load_cases);
       return true;
     }
-    if (!in_batches() || c.model.bodies == Bodies::influence || c.model.mechanism == ModelOptions::Mechanism::full)
-      return false;
+    if (!in_batches() || !c.model.side_by_side()) return false;
     worker.sectors.add(row, c, load_cases, measures(), detail);
     return true;
   }
@@ -492,7 +489,7 @@ RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) c
 }
 
 std::size_t DesignEngine::chunk() const {
-  if (parts_->bodies == Bodies::influence || parts_->needs_duty) return 1;
+  if (!parts_->side_by_side || parts_->needs_duty) return 1;
   if (!parts_->numbers || parts_->study.command == Command::life) return 8;
   if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
   return 512;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "prs/bodies/body_models.h"
 #include "prs/validation/validate.h"
 #include "validation/reference_fe/comparison.h"
 
