@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "modules/fit/fit.h"
-#include "prs/bodies/body_models.h"
 #include "prs/bodies/body_solver.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/program.h"
@@ -87,7 +86,7 @@ std::span<const DocumentForm> document_forms() {
 
 std::string_view left_out(const Case& c) {
   if (c.model.all_rollers()) return "model.mechanism: full";
-  if (c.model.bodies == &kInfluence) return "model.bodies: influence";
+  if (c.model.bodies->meshes) return "model.bodies: influence";
   return c.heat ? "heat" : "";
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/bodies/body_models.h"
 #include "prs/input/case_file.h"
 #include "prs/input/reader.h"
 
@@ -54,7 +53,7 @@ bool asks_for_much(const input::Source& source) try {
   }
   const int threads =
       m.contacts_per_roller <= 50 && m.rollers <= 40 ? m.contacts_per_roller * (full ? m.rollers : 1) : 1000;
-  const bool influence = c.model.bodies == &kInfluence;
+  const bool influence = c.model.bodies->meshes;
   if (c.response && vibrates_much(*c.response)) return true;
   if (file.fit && fits_much(*file.fit)) return true;
   return threads > 100 || loads * (full ? 4 : 1) > 24 || influence || c.model.patch_points > 25;

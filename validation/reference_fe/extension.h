@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prs/bodies/body_models.h"
 #include "prs/validation/validate.h"
 #include "validation/reference_fe/comparison.h"
 
