@@ -3,6 +3,7 @@
 #include <Eigen/Jacobi>
 
 #include "fe/lu.h"
+#include "prs/sector/influence/influence_solver.h"
 
 namespace prs {
 namespace {
