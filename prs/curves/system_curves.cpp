@@ -190,7 +190,7 @@ class LoadsOfCase {
     conditions_.load_cases.clear();
     for (const double force : forces) conditions_.load_cases.push_back(at(d, force));
     // Only complete results of a full mechanism have the stiffness of the loaded section.
-    const bool full = conditions_.model.mechanism == ModelOptions::Mechanism::full;
+    const bool full = conditions_.model.all_rollers();
     const AnalysisOptions options{full ? Detail::complete : Detail::numbers, Solver::chain, &full_};
     std::vector<LoadCaseResult> results = analyze(conditions_, contacts_, options).load_cases;
     for (const LoadCaseResult& r : results)
@@ -224,7 +224,7 @@ void add_loaded_branches(const Conditions& c, const Contacts& contacts, const Lo
                          Errors& errors, SystemCurves& curves) {
   LoadsOfCase loads(c, contacts, pattern);
   // Rollers that a misalignment presses to one side take seconds to find hold without a load.
-  const bool full = c.model.mechanism == ModelOptions::Mechanism::full;
+  const bool full = c.model.all_rollers();
   const int octaves = full ? kOctavesOfFull : kOctaves;
   for (const Direction d : kDirections) {
     const Solve solve = [&](const std::vector<double>& forces) {

@@ -1,3 +1,4 @@
+#include "prs/bodies/body_models.h"
 #include "prs/input/field.h"
 
 namespace prs::input {
@@ -74,9 +75,7 @@ void alternatives(Choices& io, ModelOptions::ContactPhase& p) {
 }
 
 void alternatives(Choices& io, ModelOptions::Bodies& b) {
-  io("bars", b, ModelOptions::Bodies::bars, "one-dimensional elements, as the paper");
-  io("refined", b, ModelOptions::Bodies::refined, "one-dimensional elements with what bars miss");
-  io("influence", b, ModelOptions::Bodies::influence, "grooved bodies of revolution by finite elements");
+  for (const auto& row : kBodyModels) io(row.model.name, b, &row.model, row.model.help);
 }
 
 void alternatives(Choices& io, ModelOptions::Loads& l) {

@@ -161,8 +161,8 @@ ContactSolver equal_solver(const LifeModel& model, Direction d) {
 
 ContactSolver sector_solver(const LifeModel& model, Direction d) {
   return [&model, d,
-          solve = distribution_solver(model.c, model.contacts, model.laws, d, *model.c.life->position, Solver::chain)](
-             double force) {
+          solve = body_solver(model.c).at_rest({{model.c, model.contacts, model.laws}, d, *model.c.life->position},
+                                               Solver::chain)](double force) {
     const LoadDistribution solved = solve(force);
     if (!solved.solve.converged()) return std::optional<ContactLoads>();
     ContactLoads loads;

@@ -130,7 +130,7 @@ struct LifeModel {
   bool running() const { return life_takes_running_loads(c); }
   bool solved() const { return c.life->share == LoadCase::Share::solved; }
   bool preloaded() const { return c.preload.has_value(); }
-  bool full() const { return solved() && c.model.mechanism == ModelOptions::Mechanism::full; }
+  bool full() const { return solved() && c.model.all_rollers(); }
   /// Whether threads carry, and may reach a limit, without any axial force: not only by preload.
   bool is_loaded_across() const;
   RatedContacts rated() const;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "modules/fit/fit.h"
+#include "prs/bodies/body_solver.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/program.h"
 #include "prs/compare/compare_analysis.h"
@@ -91,8 +92,8 @@ std::span<const DocumentForm> document_forms() {
 }
 
 std::string_view left_out(const Case& c) {
-  if (c.model.mechanism == ModelOptions::Mechanism::full) return "model.mechanism: full";
-  if (c.model.bodies == ModelOptions::Bodies::influence) return "model.bodies: influence";
+  if (c.model.all_rollers()) return "model.mechanism: full";
+  if (c.model.bodies->meshes) return "model.bodies: influence";
   return c.heat ? "heat" : "";
 }
 
@@ -116,6 +117,13 @@ Orbit full_orbit(const LoadCase&, const Conditions&, const Contacts&, const PerI
 
 bool travels(const LoadCaseResult&) { return true; }
 Warning no_orbit(const Orbit::Failure&) { throw NotBuilt("model.mechanism: full"); }
+
+std::unique_ptr<RollersOnBodies> rollers_on_beams(const LoadedMechanism&, const MakeModel&, FullSolver&) {
+  throw NotBuilt("model.mechanism: full");
+}
+std::unique_ptr<RollersOnBodies> rollers_on_meshes(const LoadedMechanism&, const MakeModel&, FullSolver&) {
+  throw NotBuilt("model.mechanism: full");
+}
 
 MatrixCache& shared_matrix_cache() { throw NotBuilt("model.bodies: influence"); }
 InfluenceSolver influence_solver(const Conditions&, const Contacts&, const PerInterface<ContactLaw>&, Direction, double,

@@ -1,4 +1,4 @@
-#include "prs/mechanism/full_model.h"
+#include "prs/mechanism/full_structure.h"
 
 #include <fmt/format.h>
 

@@ -165,8 +165,8 @@ void add_parts(std::vector<VoidInput>& inputs, const PerPart<bool>& is_void, std
 std::vector<VoidInput> void_inputs(const Case& c) {
   using Teeth = ModelOptions::ToothCompliance::Kind;
   std::vector<VoidInput> inputs;
-  if (!c.structure || c.model.bodies == ModelOptions::Bodies::influence) return inputs;
-  const bool bars = c.model.bodies == ModelOptions::Bodies::bars;
+  if (!c.structure || c.model.bodies->meshes) return inputs;
+  const bool bars = !c.model.bodies->grooves;
   const bool rigid_teeth = c.model.tooth_compliance.kind == Teeth::none;
   PerInterface<bool> hertz, both;
   for (const Interface i : kInterfaces) {

@@ -54,7 +54,7 @@ double default_root_depth(double pitch, double flank_angle);
 /// flanks allow.
 Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle, double forward_angle);
 
-/// Least wall that `Bodies::refined` takes below the roots, and under a flange outside the pitch
+/// Least wall that `kRefined` takes below the roots, and under a flange outside the pitch
 /// radius, in pitches.
 inline constexpr double kLeastWall = 0.1;
 

@@ -48,7 +48,7 @@ Findings nothing_of(input::Source source, const input::CaseInput& in) {
   Findings all;
   all.source = std::move(source);
   all.date = date_of_report();
-  all.is_full = in.values.model.mechanism == ModelOptions::Mechanism::full;
+  all.is_full = in.values.model.all_rollers();
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "prs/bodies/body_models.h"
 #include "prs/compare/compare_analysis.h"
 #include "prs/compare/reference_analysis.h"
 #include "prs/loads/full_result.h"
@@ -489,11 +490,12 @@ std::set<std::string> validation_records(const Findings& all) {
   if (all.is_full) names.insert("full_mechanism");
   for (const CommandAnswer& answer : all.answers) {
     const std::string command(name(answer.command));
-    if (command == "compare") names.insert({"bars", "refined", "influence"});
+    if (command == "compare")
+      for (const auto& row : kBodyModels) names.emplace(row.model.name);
     if (command != "check" && command != "compare" && command != "solve") names.insert(command);
     const Result* result = answer.delivery.result<Result>();
     if (!result) continue;
-    if (has_solved(*result)) names.insert(std::string(prs::name(result->model.bodies)));
+    if (has_solved(*result)) names.insert(std::string(result->model.bodies->name));
     if (result->heat_cycle) names.insert("heat");
     for (const LoadCaseResult& load_case : result->load_cases) {
       if (load_case.running) names.insert("running");
@@ -522,7 +524,7 @@ std::string provenance_html(Findings& all) {
   fact("Schema of the input", html(all.origin.schema_version));
   const CommandAnswer* solve = all.answer(Command::solve);
   if (const Result* result = all.result<Result>(Command::solve); result && has_solved(*result)) {
-    fact("Model of the bodies", html(prs::name(result->model.bodies)));
+    fact("Model of the bodies", html(result->model.bodies->name));
     fact("What the model means", html(known_bias(result->model)));
   }
   std::string records;

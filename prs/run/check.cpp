@@ -292,8 +292,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   const Case& c = in.values;
   const auto force = [](const LoadCase& load) { return std::abs(load.axial_force); };
   const auto largest = std::ranges::max_element(c.load_cases, {}, force);
-  const bool is_quick =
-      c.model.mechanism == ModelOptions::Mechanism::sector && c.model.bodies != ModelOptions::Bodies::influence;
+  const bool is_quick = c.model.side_by_side();
   std::vector<Warning> warnings;
   try {
     if (is_quick && input::unmet(in, Command::solve).empty()) {
@@ -342,7 +341,7 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
   CheckResult result = checked(source, in);
   std::vector<Attempt> attempts;
   std::vector<std::unique_ptr<const Delivery>> deliveries;
-  const bool takes_long = in.values.model.bodies == ModelOptions::Bodies::influence;
+  const bool takes_long = in.values.model.bodies->meshes;
   const auto attempt = [&](Command command) {
     if (!input::unmet(in, command).empty()) return false;
     const std::string_view lacking = left_out(in.values);
@@ -351,7 +350,9 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
       return true;
     }
     if (takes_long) {
-      attempts.push_back({command, nullptr, "`influence` takes long: see `prs report`", Attempt::Lacking::time});
+      attempts.push_back({command, nullptr,
+                          fmt::format("`{}` takes long: see `prs report`", in.values.model.bodies->name),
+                          Attempt::Lacking::time});
       return true;
     }
     try {

@@ -59,6 +59,12 @@ struct LoadDistribution {
   std::vector<GuideLoads> guides;  ///< Those of each roller solved, if they have a clearance.
 };
 
+/// Solver of the load distribution of one-dimensional bodies. Both agree within 1e-10.
+enum class Solver {
+  sparse,  ///< Newton's method on the sparse matrix of the sector.
+  chain,   ///< Station by station, several times as fast; `sparse` where it does not converge.
+};
+
 /// Adds the energy of a spring of this compliance [m/N] between the loaded section and a force [N]:
 /// what the model has of the displacement without its freedoms, -c F^2/2.
 void add_offset_energy(fe::NewtonSummary& summary, double compliance, double force);

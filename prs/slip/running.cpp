@@ -420,9 +420,9 @@ void start(LoadCaseResult& rest) {
 
 LoadCaseResult RunningSolver::solve(const LoadCase& load_case, Detail detail, std::optional<SlipEquilibrium>& slip) {
   second_nut_.reset();
-  return has_both_flanks(conditions_, load_case.share)                  ? of_flanks(load_case, slip)
-         : conditions_.model.mechanism == ModelOptions::Mechanism::full ? of_all_rollers(load_case, detail, slip)
-                                                                        : of_sector(load_case, slip);
+  return has_both_flanks(conditions_, load_case.share) ? of_flanks(load_case, slip)
+         : conditions_.model.all_rollers()             ? of_all_rollers(load_case, detail, slip)
+                                                       : of_sector(load_case, slip);
 }
 
 LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip) {
@@ -504,78 +504,48 @@ LoadCaseResult RunningSolver::of_flanks(const LoadCase& load_case, std::optional
 
 RunningSolver::SectorAt& RunningSolver::sector_at(Direction d, double position) {
   std::unique_ptr<SectorAt>& kept = sectors_[{d, position}];
-  if (!kept)
-    kept = std::make_unique<SectorAt>(
-        build_sector(sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
-                                  conditions_.model, laws_, d, position, conditions_.deviations)));
-  if (conditions_.model.bodies == ModelOptions::Bodies::influence && !kept->meshed)
-    kept->meshed.emplace(influence_solver(conditions_, contacts_, laws_, d, position, shared_matrix_cache(), true));
+  if (!kept) kept = std::make_unique<SectorAt>(LoadedSector{{conditions_, contacts_, laws_}, d, position});
   return *kept;
 }
 
 LoadCaseResult RunningSolver::of_sector(const LoadCase& load_case, std::optional<SlipEquilibrium>& slip) {
   SectorAt& at = sector_at(*load_case.direction, *load_case.position);
-  SectorSolver& solver = at.solver;
-  const Sector& sector = solver.sector();
-  const double force = load_case.axial_force, pitch = axial_pitch(contacts_.mechanism);
-  LoadDistribution last = at.meshed ? at.meshed->solve(force) : solver.solve(force);
-  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, last);
+  RunningSector& bodies = *at.bodies;
+  LoadCaseResult rest = solved_result(load_case, contacts_, laws_, bodies.at_rest(load_case.axial_force));
   start(rest);
   if (!rest.threads) return not_running(std::move(rest));
   const auto answer_to = [&](const RollerPush& push, fe::NewtonStatus status) {
-    Answer answer{status, {}, {}};
-    for (const Interface i : kInterfaces)
-      for (int k = 0; k < sector.contacts(); ++k)
-        answer.normal_load[i].push_back(at.meshed
-                                            ? last.normal_load[i][static_cast<std::size_t>(k)]
-                                            : solver.equations().response(solver.state(), sector.spring(i, k)).force);
+    Answer answer{status, bodies.normal_load(), {}};
     if (at.guides)
       answer.guide_force.push_back(at.guides->forces(answer.normal_load, push));
-    else if (sector.has_loose_guides())
-      answer.guide_force.push_back(
-          (at.meshed ? last.guides.front() : guide_loads(sector, solver.equations(), solver.state())).of_ends());
+    else if (at.sector.has_loose_guides())
+      answer.guide_force.push_back(bodies.guides().of_ends());
     return answer;
   };
 
-  const auto threads = static_cast<std::size_t>(sector.contacts());
-  const auto under = [&](const RollerPush& push, bool is_trial) {
-    return solver.go_on(force, push_loads(sector, push), is_trial);
-  };
+  const auto threads = static_cast<std::size_t>(at.sector.contacts());
   FixedPoint point(conditions_, contacts_, models_, {{0}, threads}, rest);
-  slip = point
-             .solve(
-                 answer_to(no_push(threads), fe::NewtonStatus::converged),
-                 [&](const std::vector<RollerPush>& push) {
-                   return answer_to(push.front(),
-                                    at.meshed ? fe::NewtonStatus::no_equilibrium : under(push.front(), true).status);
-                 },
-                 [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
-                   RollerPush push = per_normal_load.front();
-                   if (at.meshed) {
-                     LoadDistribution now = at.meshed->solve(force, push, sector.sense, pitch);
-                     if (!now.solve.converged()) return std::nullopt;
-                     last = std::move(now);
-                   } else if (!solver.follow(force, turned_loads(solver, force, push))) {
-                     return std::nullopt;
-                   }
-                   const Answer loads = answer_to(push, fe::NewtonStatus::converged);
-                   for (const Interface i : kInterfaces)
-                     for (std::size_t k = 0; k < threads; ++k) {
-                       push.axial[i][k] *= loads.normal_load[i][k];
-                       push.radial[i][k] *= loads.normal_load[i][k];
-                     }
-                   return answer_to(push, fe::NewtonStatus::converged);
-                 },
-                 last_slip_ratio_)
-             .front();
+  slip =
+      point
+          .solve(
+              answer_to(no_push(threads), fe::NewtonStatus::converged),
+              [&](const std::vector<RollerPush>& push) { return answer_to(push.front(), bodies.go_on(push.front())); },
+              [&](const std::vector<RollerPush>& per_normal_load) -> std::optional<Answer> {
+                RollerPush push = per_normal_load.front();
+                if (!bodies.follow(push)) return std::nullopt;
+                const Answer loads = answer_to(push, fe::NewtonStatus::converged);
+                for (const Interface i : kInterfaces)
+                  for (std::size_t k = 0; k < threads; ++k) {
+                    push.axial[i][k] *= loads.normal_load[i][k];
+                    push.radial[i][k] *= loads.normal_load[i][k];
+                  }
+                return answer_to(push, fe::NewtonStatus::converged);
+              },
+              last_slip_ratio_)
+          .front();
   if (!rest.running->converged()) return not_running(std::move(rest));
   last_slip_ratio_ = slip->balance.motion.slip_ratio;
-  if (!at.meshed) {
-    fe::NewtonSummary summary = under(point.push().front(), false);
-    last = solver.at(solver.state(), force);
-    last.solve = std::move(summary);
-  }
-  return with_friction(solved_result(load_case, contacts_, laws_, std::move(last)), std::move(rest));
+  return with_friction(solved_result(load_case, contacts_, laws_, bodies.loads(point.push().front())), std::move(rest));
 }
 
 /// The running loads of all rollers where the carrier stands, and what they are found by.

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "prs/bodies/body_solver.h"
 #include "prs/loads/full_result.h"
 #include "prs/preload/preloaded_mechanism.h"
-#include "prs/sector/influence/influence_solver.h"
+#include "prs/sector/roller_guides.h"
 #include "prs/slip/slip_model.h"
 
 namespace prs {
@@ -44,12 +45,13 @@ class RunningSolver {
 
  private:
   struct SectorAt {
-    explicit SectorAt(Sector sector) : solver(std::move(sector)) {
-      if (solver.sector().bends() && !solver.sector().has_loose_guides()) guides.emplace(solver.sector());
+    explicit SectorAt(const LoadedSector& of)
+        : sector(build_sector(of.model())), bodies(body_solver(of.conditions).running(of)) {
+      if (sector.bends() && !sector.has_loose_guides()) guides.emplace(sector);
     }
-    SectorSolver solver;
-    std::optional<RollerGuides> guides;     ///< None of rollers that stay straight or whose guides have a clearance.
-    std::optional<InfluenceSolver> meshed;  ///< Solver of meshed bodies, in place of `solver`.
+    Sector sector;
+    std::unique_ptr<RunningSector> bodies;
+    std::optional<RollerGuides> guides;  ///< None of rollers that stay straight or whose guides have a clearance.
   };
 
   SectorAt& sector_at(Direction d, double position);

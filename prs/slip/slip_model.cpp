@@ -135,7 +135,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.axial_force = axial_force_on_nut(load_case);
   m.speed = screw_speed(c, load_case);
   m.rollers = mechanism.rollers;
-  if (c.model.mechanism == ModelOptions::Mechanism::full && load_case.share == LoadCase::Share::solved)
+  if (c.model.all_rollers() && load_case.share == LoadCase::Share::solved)
     m.rollers -= static_cast<int>(c.deviations.missing_rollers.size());
   m.screw_torque = c.carrier.screw_torque;
   m.nut_torque = c.carrier.nut_torque;

@@ -71,8 +71,7 @@ LoadCaseResult solved_anew(const Case& given, Command command, const LoadCase& l
 
 /// Whether a load case is solved at each step of the differences: all rollers, and what runs.
 bool is_solved_anew(const Case& c, Command command, const LoadCase& load) {
-  return command == Command::slip || c.model.mechanism == ModelOptions::Mechanism::full ||
-         solve_takes_running_loads(c.model, load.share);
+  return command == Command::slip || c.model.all_rollers() || solve_takes_running_loads(c.model, load.share);
 }
 
 /// The load cases that responses need stand at their index, all others are left out.
@@ -293,10 +292,10 @@ void require_model(const Study& study, const Case& c) {
     throw CaseError("study.command",
                     "got another command than `contact`, `solve` or `slip`; expected one of them "
                     "with `plan: derivatives`; write `command: solve`");
-  if (study.command != Command::contact && c.model.bodies == ModelOptions::Bodies::influence)
-    throw CaseError("model.bodies",
-                    "got influence; expected `bars` or `refined` with `plan: derivatives`; write "
-                    "`bodies: refined`");
+  if (study.command != Command::contact && !c.model.bodies->derivatives)
+    throw CaseError("model.bodies", fmt::format("got {}; expected `bars` or `refined` with `plan: derivatives`; write "
+                                                "`bodies: refined`",
+                                                c.model.bodies->name));
 }
 
 }  // namespace

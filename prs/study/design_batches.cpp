@@ -28,8 +28,7 @@ bool SharedContacts::get(std::optional<std::size_t> k, ContactDetail detail, Con
 
 bool BarBatch::takes(const Case& c, std::span<const std::size_t> load_cases) {
   using Compliance = ModelOptions::ToothCompliance::Kind;
-  const bool plain = c.model.bodies == ModelOptions::Bodies::bars &&
-                     c.model.mechanism == ModelOptions::Mechanism::sector &&
+  const bool plain = c.model.side_by_side() && !c.model.bodies->effects &&
                      c.model.tooth_compliance.kind == Compliance::none && c.structure && c.materials &&
                      c.structure->roller.guidance.clearance == 0.0;
   return plain && std::ranges::all_of(load_cases, [&](std::size_t k) {

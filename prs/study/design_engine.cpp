@@ -18,8 +18,6 @@
 namespace prs {
 namespace {
 
-using Bodies = ModelOptions::Bodies;
-
 Result analyze_for(Command command, const Conditions& c, Contacts contacts, AnalysisOptions options) {
   if (command == Command::contact) return analyze_contacts(c, std::move(contacts), options.detail);
   return command == Command::slip ? analyze_heat(c, std::move(contacts), options)
@@ -177,8 +175,8 @@ struct DesignEngine::Parts {
   bool of_references = false;                          ///< Whether deviations of references are recorded.
   Detail detail = Detail::numbers;                     ///< What the numbers need of the results.
   ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
-  Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
-  bool all_rollers = false;                            ///< Whether the base case is a full mechanism.
+  bool side_by_side = true;                            ///< Whether the bodies of the base case take many designs.
+  bool all_rollers = false;                            ///< Whether it is a full mechanism.
   std::optional<LoadHistory> history;                  ///< History of the base case.
   std::optional<HistorySource> history_source;
 
@@ -288,8 +286,8 @@ struct DesignEngine::Parts {
       base = worker->reader.read(0);
       all_load_cases = base->load_cases.size();
       threads = static_cast<std::size_t>(base->mechanism.contacts_per_roller);
-      bodies = base->model.bodies;
-      all_rollers = base->model.mechanism == ModelOptions::Mechanism::full;
+      side_by_side = base->model.bodies->side_by_side;
+      all_rollers = base->model.all_rollers();
       if (study.command == Command::life && base->life->history) {
         history = history_of(*base);
         history_source = base->life->history;
@@ -490,8 +488,7 @@ struct DesignEngine::Parts {
     return study.command == Command::slip ? worker.slips.takes(c, load_cases) : BarBatch::takes(c, load_cases);
   }
   bool goes_to_sectors(const Case& c) const {
-    return in_batches() && !runs(c) && c.model.bodies != Bodies::influence &&
-           c.model.mechanism != ModelOptions::Mechanism::full;
+    return in_batches() && !runs(c) && c.model.side_by_side();
   }
   bool runs(const Case& c) const {
     return study.command == Command::solve && c.model.loads == ModelOptions::Loads::running;
@@ -554,7 +551,7 @@ RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) c
 }
 
 std::size_t DesignEngine::chunk() const {
-  if (parts_->bodies == Bodies::influence || parts_->needs_duty) return 1;
+  if (!parts_->side_by_side || parts_->needs_duty) return 1;
   if (!parts_->numbers || parts_->study.command == Command::life) return 8;
   if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
   return 512;

@@ -14,7 +14,7 @@
 #include "prs/loads/full_result.h"
 #include "prs/losses/solve_analysis.h"
 #include "prs/mechanism/full_distribution.h"
-#include "prs/mechanism/full_model.h"
+#include "prs/mechanism/full_structure.h"
 #include "prs/sector/sector.h"
 #include "prs/threads/contacts.h"
 #include "support/count.h"

@@ -23,7 +23,7 @@ struct RefinedScrew {
   RefinedScrew() {
     parts.mechanism.centre_distance = 14e-3;
     parts.options.mechanism = ModelOptions::Mechanism::full;
-    parts.options.bodies = ModelOptions::Bodies::refined;
+    parts.options.bodies = &kRefined;
     parts.structure.roller.rings.carrier = Rings::Carrier::nut;
     load.axial_force = 45e3;
     load.direction = Direction::tension;

@@ -154,7 +154,7 @@ inline std::vector<NamedCase> special_cases() {
 inline SectorCase refined(SectorCase c, std::mt19937_64& random) {
   using Contacts = prs::ModelOptions::RollerContacts;
   const auto mostly = [&] { return std::uniform_int_distribution(0, 3)(random) > 0; };
-  c.options.bodies = prs::ModelOptions::Bodies::refined;
+  c.options.bodies = &prs::kRefined;
   c.options.refined = {mostly(), mostly(), mostly(), mostly(), mostly(), mostly(), mostly()};
   c.options.roller_contacts = mostly() && mostly() ? Contacts::opposite : Contacts::half_pitch_apart;
   return c;

@@ -28,7 +28,7 @@ using RollerContacts = ModelOptions::RollerContacts;
 constexpr RefinedEffects kNone{false, false, false, false, false, false, false};
 
 SectorCase refined(SectorCase c, const RefinedEffects& effects = {}) {
-  c.options.bodies = ModelOptions::Bodies::refined;
+  c.options.bodies = &kRefined;
   c.options.refined = effects;
   return c;
 }
@@ -465,7 +465,7 @@ TEST(SectorNumbers, AreAllVisited) {
 TEST(SectorModel, RefinedWithoutEffectsIsBars) {
   SectorCase c = test::abevi();
   const SectorModel bars = c.model();
-  c.options.bodies = ModelOptions::Bodies::refined;
+  c.options.bodies = &kRefined;
   c.options.refined = {false, false, false, false, false, false, false};
   c.options.roller_contacts = ModelOptions::RollerContacts::opposite;
   const SectorModel refined = c.model();
