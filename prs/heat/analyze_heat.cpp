@@ -357,7 +357,7 @@ Oils warm_oils(const Conditions& c, const PerInterface<double>& oil) {
   return c.lubricant ? oils_at(*c.lubricant, oil) : Oils{};
 }
 
-bool heat_may_grow(const Conditions& c) { return c.friction->model == Friction::Model::mixed; }
+bool heat_may_grow(const Conditions& c) { return c.friction->is(contact::Lubrication::mixed); }
 
 CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load, LoadCase::Share share)
     : conditions_(c),

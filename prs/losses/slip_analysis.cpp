@@ -19,7 +19,7 @@ void add_preload_notes(const Case& c, Result& result) {
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
   add_preload_notes(in.values, result);
-  if (in.values.friction->of_film())
+  if (in.values.friction->facts().has_film())
     if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
       result.warnings.push_back(std::move(*estimated));
   return result;

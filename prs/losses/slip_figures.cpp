@@ -343,7 +343,7 @@ Pictures slip_pictures(const Case& c, const Result& r) {
       return make(r.load_cases[k], fields->at(k));
     });
   };
-  const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
+  const bool mixed = c.friction && c.friction->is(contact::Lubrication::mixed);
   return with(
       {{"power_by_source", kConvergedSlip, of_result(r, power_by_source)},
        {"thread_power", kConvergedSlip, of_result(r, thread_power)},

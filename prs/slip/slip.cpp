@@ -144,8 +144,8 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
   if (!roughness) return;
   const auto film_ratio = [&](std::size_t k) { return film_factor(k) * central_film(k) / *roughness; };
   add(slip.film_ratio, film_ratio);
-  add(slip.boundary_share,
-      [&](std::size_t k) { return contact::boundary_share(film_ratio(k), model.friction.mixed.exponent); });
+  const contact::Mixed<PerInterface<double>>& touching = model.friction;
+  add(slip.boundary_share, [&](std::size_t k) { return contact::boundary_share(film_ratio(k), touching.exponent[i]); });
 }
 
 void find_hottest(SlipResult& slip) {
@@ -193,10 +193,11 @@ void set_drive(SlipResult& slip, const PowerFlow& flow, double axial_force, doub
 }
 
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction, std::vector<Warning>& warnings) {
-  if (friction.model == Friction::Model::mixed) return;
-  const bool jacod = friction.model == Friction::Model::jacod;
+  if (friction.is(contact::Lubrication::mixed)) return;
+  const bool film = friction.facts().has_film();
   for (const Interface i : kInterfaces) {
-    if (!jacod && friction.coefficient[i] >= kTouchingFriction) continue;
+    const std::vector<double>& mu = slip.threads[i].friction_coefficient;
+    if (!film && (mu.empty() || std::ranges::max(mu) >= kTouchingFriction * (1.0 - 1e-9))) continue;
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)
       if (ratio > 0.0) least = std::min(least, ratio);
@@ -205,9 +206,9 @@ void warn_of_lubrication(const SlipResult& slip, const Friction& friction, std::
                                  fmt::format("{} lubrication at the {} contacts: film over roughness is {{value}} "
                                              "at the least",
                                              lubrication(least), label(i)),
-                                 jacod ? "real friction is higher than that of the full film computed here: take "
-                                         "`friction: {model: {mixed: {boundary: 0.11}}}`"
-                                       : "take a friction coefficient of surfaces that touch"}
+                                 film ? "real friction is higher than that of the full film computed here: take "
+                                        "`friction: {model: {mixed: {boundary: 0.11}}}`"
+                                      : "take a friction coefficient of surfaces that touch"}
                              .with(least, kFullFilm, {}, Warning::Worse::smaller));
   }
 }
@@ -416,8 +417,8 @@ std::optional<SlipOfSpeed> slip_at_speed(const Conditions& c, const Contacts& co
 SlipResult held(const Conditions& c, const Contacts& contacts, const LoadCase& load, const std::optional<Oils>& oils) {
   constexpr double kCreep = 1e-3;  // Friction does not depend on it, inertia is far below rounding [rad/s].
   Conditions creeping = c;
-  if (c.friction->model == Friction::Model::mixed)
-    creeping.friction = Friction{Friction::Model::coulomb, at_both(c.friction->mixed.boundary)};
+  creeping.friction = friction_by(contact::Coulomb{PerInterface<double>{
+      friction_at_rest(c.friction->at(Interface::screw)), friction_at_rest(c.friction->at(Interface::nut))}});
   if (creeping.operation) creeping.operation->slip_ratio.reset();
   creeping.load_cases = {load};
   creeping.load_cases.front().travel.reset();
@@ -583,8 +584,8 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   slip.torque_nut = torques.nut;
   slip.power_loss_input_output = flow.lost();
   set_drive(slip, flow, model.axial_force, model.geometry.lead);
-  const bool jacod = model.friction.model == Friction::Model::jacod;
-  if (jacod && slip.status == SlipStatus::converged && slip.driven_by == DrivenBy::screw)
+  if (model.friction.is(contact::Lubrication::film) && slip.status == SlipStatus::converged &&
+      slip.driven_by == DrivenBy::screw)
     slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
   if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
   slip.forces = b.forces;
@@ -661,7 +662,7 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
     if (!contacts.interfaces[i].geometry.ok() || !contacts.interfaces[i].has_hertz()) return std::nullopt;
   if (!rolls(contacts.mechanism)) return std::nullopt;
   Oils oils = oils_in_operation(c);
-  const bool oiled = c.friction->of_film() || c.carrier.is_oiled();
+  const bool oiled = c.friction->facts().has_film() || c.carrier.is_oiled();
   if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
   Conditions free = c;
   if (free.operation) free.operation->slip_ratio.reset();

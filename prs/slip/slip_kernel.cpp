@@ -12,35 +12,21 @@ template <class Number, class Real>
 contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared, const SharedContactNumbers<Real>& c,
                                                    const double* viscosity_ratio,
                                                    const contact::PatchMotionOf<Number>& motion) {
-  using simd::any, simd::value;
-  constexpr std::size_t kLanes = simd::kLanes<Real>;
   const contact::SlidingFieldOf<Number> field = contact::sliding_field(motion, c.semi_major, c.semi_minor);
-  const contact::PatchLawOf<Number> law = contact::law_at(c.friction, c.peak_pressure, motion);
+  const contact::RollingContactOf<Number> contact = contact::rolling_contact(c.friction, c.peak_pressure, motion);
   contact::PatchSumsOf<Number> sums;
-  const auto add_points = [&](auto friction_at) __attribute__((always_inline)) {
+  c.friction.visit([&]<class Law>(const Law& law, const simd::Lanes<Real>& which) __attribute__((always_inline)) {
+    const auto friction = law.in(contact);
     contact::PatchSumsOf<Number> found;
     for (std::size_t k = 0; k < shared.points.size; ++k) {
-      const contact::PatchPoint<Real> at{Real(shared.points.along_major[k]), Real(shared.points.along_minor[k]),
-                                         Real(shared.points.dome[k]), Real(shared.points.inverse_dome[k])};
-      contact::add_point(
-          found, field,
-          at, [&](const Number& speed) __attribute__((always_inline)) { return friction_at(k, at.dome, speed); });
+      contact::PatchPoint<Real> at{Real(shared.points.along_major[k]), Real(shared.points.along_minor[k]),
+                                   Real(shared.points.dome[k]), Real(shared.points.inverse_dome[k])};
+      if constexpr (Law::facts.has_film())
+        at.viscosity_ratio = Real::load_unaligned(viscosity_ratio + shared.dome_of_point[k] * simd::kLanes<Real>);
+      contact::add_point(found, field, at, friction);
     }
-    sums = found;
-  };
-  const auto film = [&](std::size_t k, const Number& speed) __attribute__((always_inline)) {
-    const Real ratio = Real::load_unaligned(viscosity_ratio + shared.dome_of_point[k] * kLanes);
-    return law.scale * simd::asinh_of_positive(Number(law.factor * ratio * speed));
-  };
-  if (!any(c.friction.has_film()))
-    add_points([&](std::size_t, const Real& dome, const Number&)
-                   __attribute__((always_inline)) { return law.coefficient * dome; });
-  else if (!any(value(law.coefficient) > Real(0.0)))
-    add_points([&](std::size_t k, const Real&, const Number& speed)
-                   __attribute__((always_inline)) { return film(k, speed); });
-  else
-    add_points([&](std::size_t k, const Real& dome, const Number& speed)
-                   __attribute__((always_inline)) { return law.coefficient * dome + film(k, speed); });
+    simd::take_where<Real>(which, found, sums);
+  });
   return contact::patch_friction(sums, shared.cell_load, static_cast<double>(shared.points.size), c.semi_major,
                                  c.semi_minor);
 }

@@ -67,17 +67,11 @@ std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials&
 }
 
 contact::FrictionLaw friction_of(const SlipModel& model, Interface i, const contact::FilmContact& film) {
-  const Friction& friction = model.friction;
-  switch (friction.model) {
-    case Friction::Model::coulomb:
-      break;
-    case Friction::Model::jacod:
-      return contact::film_friction(*model.oils.threads[i], film);
-    case Friction::Model::mixed:
-      return contact::mixed_friction(*model.oils.threads[i], film,
-                                     {friction.mixed.boundary, friction.mixed.exponent, *model.roughness[i]});
-  }
-  return contact::coulomb_friction(friction.coefficient[i]);
+  contact::FrictionLaw law = model.friction.at(i);
+  law.oil = model.oils.threads[i].value_or(contact::Lubricant{});
+  law.film = film;
+  law.roughness = model.roughness[i].value_or(0.0);
+  return law;
 }
 
 /// A patch under a normal load, by default that of its static axial one.
