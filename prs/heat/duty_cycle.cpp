@@ -1,4 +1,4 @@
-#include "prs/heat/analyze_heat.h"
+#include "prs/heat/duty_cycle.h"
 
 #include <Eigen/LU>
 #include <boost/math/tools/toms748_solve.hpp>

@@ -2,6 +2,8 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
+#include "prs/losses/slip_figures.h"
+#include "prs/losses/slip_table.h"
 #include "prs/model/check_case.h"
 
 namespace prs {

@@ -1,7 +1,8 @@
+#include "prs/losses/slip_figures.h"
 
 #include "prs/loads/case_table.h"
 #include "prs/loads/load_pictures.h"
-#include "prs/losses/slip_analysis.h"
+#include "prs/slip/slip_warnings.h"
 
 namespace prs {
 namespace {

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_warnings.h"
 
 namespace prs {
 namespace {
@@ -699,31 +700,6 @@ Orbit RunningSolver::turned(const LoadCase& load_case, const SpatialLoad::Orbit&
   return full_orbit(load_case, conditions_, contacts_, laws_, solved, wanted);
 }
 
-std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static) {
-  constexpr double kMuch = 0.2;
-  const auto change = [&](Interface i) { return over_static[i].largest - 1.0; };
-  const Interface i =
-      std::abs(change(Interface::nut)) > std::abs(change(Interface::screw)) ? Interface::nut : Interface::screw;
-  if (std::abs(change(i)) <= kMuch) return std::nullopt;
-  constexpr std::string_view kGuidance[] = {"both_end_nodes", "outer_node", "ring"};
-  const Guidance& guidance = c.structure->roller.guidance;
-  const std::string_view kind = kGuidance[static_cast<std::size_t>(guidance.kind)];
-  const bool loose = guidance.clearance > 0.0;
-  const double all = over_static[i].all, taken = 1.0 - std::pow(all, -3.0);
-  return Warning{
-      "structure.roller.guidance", loose ? "guides_with_clearance" : "guides_without_play",
-      fmt::format(
-          "friction moves the largest load of a {} thread by {:+.1f} %: by {:+.1f} %{}, N = F/(cos psi - mu sin "
-          "psi), whatever guides the rollers; the rest because friction presses them against their guides, {} "
-          "{}; other guides give another rest",
-          name(i), change(i) * per_si::percent, (all - 1.0) * per_si::percent,
-          taken > 0.0 ? fmt::format(", which takes {:.0f} % of its life", taken * per_si::percent) : "", kind,
-          loose ? fmt::format("with a clearance of {:g} um", guidance.clearance * per_si::micrometre)
-                : "taken without play")}
-      .with(std::abs(change(i)), kMuch, text_unit::percent)
-      .as_assumption();
-}
-
 namespace {
 
 bool has_slip_ratio_to_find(const LoadCase& load) {
@@ -743,12 +719,7 @@ std::optional<Conditions> with_slip_ratios(const Conditions& c, const Contacts& 
       found = ideal_slip_ratio(kinematic_geometry(contacts, axial_force_on_nut(load)));
       continue;
     }
-    Conditions alone = c;
-    alone.load_cases = {load};
-    alone.load_cases.front().travel.reset();
-    alone.load_cases.front().modes.reset();
-    const Result result = analyze_slip(alone, contacts, {.detail = Detail::numbers});
-    const std::optional<SlipResult>& slip = result.load_cases.front().slip;
+    const std::optional<SlipResult> slip = slip_alone(c, contacts, load);
     if (!slip || !slip->converged())
       throw CaseError(path_in(load, "travel.slip_ratio"),
                       "got solved, but `slip` finds none for this load case; expected a number from "

@@ -219,10 +219,15 @@ PowerBySource lost_power(const SlipModel& m, const SlipBalance& b) {
           m.screw_torque * std::abs(b.motion.screw_to_carrier), m.nut_torque * std::abs(b.motion.nut_to_carrier)};
 }
 
-PowerFlow power_flow(const SlipModel& m, const SlipBalance& b, const DriveTorques& torques) {
+PowerFlow power_flow(const SlipModel& m, const SlipBalance& b) {
+  const DriveTorques torques = drive_torques(m, b);
   const double advance = b.motion.nut_advance - b.motion.screw_advance;
   return {(m.geometry.is_standard() ? torques.screw : torques.nut) * turning_speed(m.geometry.type, m.speed),
           m.axial_force * advance};
+}
+
+DrivenBy driven_by(double axial_force, double speed, double lead) {
+  return axial_force * speed * lead < 0.0 ? DrivenBy::load : DrivenBy::screw;
 }
 
 std::optional<double> PowerFlow::efficiency() const {

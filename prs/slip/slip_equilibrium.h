@@ -155,6 +155,8 @@ struct PowerFlow {
   /// Output over input (Sandu 2018, (3.52)); absent where both flow in, as in a self-locking screw.
   std::optional<double> efficiency() const;
 };
-PowerFlow power_flow(const SlipModel& model, const SlipBalance& balance, const DriveTorques& torques);
+PowerFlow power_flow(const SlipModel& model, const SlipBalance& balance);
+
+DrivenBy driven_by(double axial_force, double speed, double lead);
 
 }  // namespace prs

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_pictures.h"
 
 namespace prs::sandu_2018 {
 namespace {
