@@ -234,10 +234,9 @@ GuideForces SlipModels::guides_of(const LoadCaseResult& loaded) const {
   } else {
     std::optional<RollerGuides>& known = roller_guides_[*loaded.load_case.direction];
     if (!known)
-      known.emplace(
-          build_sector(sector_model(contacts_.mechanism, *conditions_.structure, *conditions_.materials,
-                                    conditions_.model, contact_laws(conditions_, contacts_),
-                                    *loaded.load_case.direction, *loaded.load_case.position, conditions_.deviations)));
+      known.emplace(build_sector(contacts_.mechanism, *conditions_.structure, *conditions_.materials, conditions_.model,
+                                 contact_laws(conditions_, contacts_), *loaded.load_case.direction,
+                                 *loaded.load_case.position, conditions_.deviations));
     const std::vector<double> none(loaded.threads->screw.normal_load.size(), 0.0);
     guides.of_roller.push_back(known->forces({loaded.threads->screw.normal_load, loaded.threads->nut.normal_load},
                                              {{none, none}, {none, none}}));
