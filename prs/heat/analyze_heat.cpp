@@ -139,7 +139,7 @@ SteadyHeat steady_heat_of(const Conditions& c, const Contacts& contacts, std::sp
     return shares;
   };
   const std::vector<LossShare> equal = shares_of(c, LoadCase::Share::equal);
-  SteadyHeat found = find_steady_heat(network, mean_heat(equal, equal, heat_may_grow(c)));
+  SteadyHeat found = find_steady_heat(network, mean_heat(equal, equal, c.friction->is(contact::Lubrication::mixed)));
   const bool solved =
       std::ranges::any_of(loads, [](const TimedLoad& l) { return l.load.share == LoadCase::Share::solved; });
   if (!solved || !found.converged()) return found;

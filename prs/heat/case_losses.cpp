@@ -23,8 +23,6 @@ Oils warm_oils(const Conditions& c, const PerInterface<double>& oil) {
   return c.lubricant ? oils_at(*c.lubricant, oil) : Oils{};
 }
 
-bool heat_may_grow(const Conditions& c) { return c.friction->is(contact::Lubrication::mixed); }
-
 CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load, LoadCase::Share share)
     : conditions_(c),
       contacts_(contacts),
@@ -80,9 +78,9 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
   return all();
 }
 
-std::optional<OfParts> CaseLosses::estimate(const SlipModels& models, const PerInterface<double>& oil) const {
+std::optional<OfParts> CaseLosses::estimate(const PerInterface<double>& oil, bool rough) const {
   const Oils oils = warm_oils(conditions_, oil);
-  const SlipModel model = models.equal_shares(load_, &oils);
+  const SlipModel model = (rough ? rough_models_ : models_).equal_shares(load_, &oils);
   SlipBalance balance;
   if (!balance_at(model, slip_ratio_, balance)) return std::nullopt;
   return heat_of(lost_power(model, balance));
@@ -112,7 +110,7 @@ HeatSource mean_heat(const std::vector<LossShare>& exact, const std::vector<Loss
             return sum(equal, [&](const LossShare& part) { return part.losses->estimate(oil); });
           },
           [=](const PerInterface<double>& oil) {
-            return sum(equal, [&](const LossShare& part) { return part.losses->rough_estimate(oil); });
+            return sum(equal, [&](const LossShare& part) { return part.losses->estimate(oil, true); });
           },
           may_grow};
 }

@@ -19,9 +19,6 @@ Conditions at_temperatures(const Conditions& c, const LoadCase& load, const OfPa
 /// The lubricant at these temperatures of the contacts [K]; none where the case has none.
 Oils warm_oils(const Conditions& c, const PerInterface<double>& oil);
 
-/// Whether friction may grow with temperature: that of full films falls, Coulomb's stays.
-bool heat_may_grow(const Conditions& c);
-
 /// Losses of one load case over the temperatures of the parts. Refers to conditions and contacts.
 class CaseLosses {
  public:
@@ -34,14 +31,11 @@ class CaseLosses {
   const std::string& failure() const { return failure_; }
 
   /// A good estimate for a small part of the effort: heat of equal shares at the slip ratio that
-  /// `at` found last, for the temperatures of the oils [K].
-  std::optional<OfParts> estimate(const PerInterface<double>& oil) const { return estimate(models_, oil); }
-  /// The same on a coarse grid of points in the patches, some per cent off.
-  std::optional<OfParts> rough_estimate(const PerInterface<double>& oil) const { return estimate(rough_models_, oil); }
+  /// `at` found last, for the temperatures of the oils [K]. `rough`: on a coarse grid of points in the patches, some
+  /// per cent off, for still less.
+  std::optional<OfParts> estimate(const PerInterface<double>& oil, bool rough = false) const;
 
  private:
-  std::optional<OfParts> estimate(const SlipModels& models, const PerInterface<double>& oil) const;
-
   const Conditions& conditions_;
   const Contacts& contacts_;
   LoadCase load_;

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 
 namespace prs {
