@@ -121,15 +121,16 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
   if (!model.oils.threads[i] || !detail.films) return;
   const contact::Lubricant& oil = *model.oils.threads[i];
   add(slip.film_thickness, [&](std::size_t k) {
-    return contact::sandu_film(oil, threads.contacts[k].film, motion(k).rolling_speed).thickness;
+    return contact::sandu_film(oil, threads.contacts[k].friction.film, motion(k).rolling_speed).thickness;
   });
   const auto central_film = [&](std::size_t k) {
-    return contact::central_film(oil, threads.contacts[k].film, motion(k).rolling_speed, motion(k).along_major);
+    return contact::central_film(oil, threads.contacts[k].friction.film, motion(k).rolling_speed,
+                                 motion(k).along_major);
   };
   add(slip.central_film, central_film);
   const auto film_factor = [&](std::size_t k) {
     const LoadedThreads::Contact& c = threads.contacts[k];
-    return contact::film_factor(oil, c.film, c.ellipse.peak_pressure, motion(k).rolling_speed, sliding(k));
+    return contact::film_factor(oil, c.friction.film, c.ellipse.peak_pressure, motion(k).rolling_speed, sliding(k));
   };
   add(slip.film_factor, film_factor);
   const std::optional<double>& roughness = model.roughness[i];

@@ -15,8 +15,7 @@ struct LoadedThreads {
     std::optional<double> normal_load = {};  ///< N_i where the running screw has it [N].
     bool other_flank = false;                ///< See `SlipModel::other_flank`.
     contact::HertzContact ellipse;
-    contact::FilmContact film;
-    contact::FrictionLaw friction;
+    contact::FrictionLaw friction;  ///< With the film of the contact, whatever the law.
   };
   std::vector<Contact> contacts;
   std::vector<contact::Patch> patches;  ///< Patches of these contacts.

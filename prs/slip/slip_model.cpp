@@ -67,27 +67,21 @@ std::optional<std::array<contact::HeatedBody, 2>> heated_bodies(const Materials&
   return bodies;
 }
 
-contact::FrictionLaw friction_of(const SlipModel& model, Interface i, const contact::FilmContact& film) {
-  contact::FrictionLaw law = model.friction.at(i);
-  law.oil = model.oils.threads[i].value_or(contact::Lubricant{});
-  law.film = film;
-  law.roughness = model.roughness[i].value_or(0.0);
-  return law;
-}
-
 /// A patch under a normal load, by default that of its static axial one.
 LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact, Interface i,
                                   double axial_load, const std::optional<double>& known = {}) {
   const double normal_load = known.value_or(axial_load / std::abs(model.frames[i].normal.z));
   const contact::PrincipalValues& relative = contact.geometry.relative;
-  const contact::FilmContact film{.normal_load = normal_load,
-                                  .curvature = relative.second,
-                                  .contact_modulus = contact.contact_modulus,
-                                  .curvature_ratio = relative.first / relative.second,
-                                  .direction = model.film_direction,
-                                  .thinning = model.film_thinning};
-  return {
-      axial_load, std::nullopt, false, contact::at_load(contact.hertz, normal_load), film, friction_of(model, i, film)};
+  contact::FrictionLaw law = model.friction.at(i);
+  law.oil = model.oils.threads[i].value_or(contact::Lubricant{});
+  law.film = {.normal_load = normal_load,
+              .curvature = relative.second,
+              .contact_modulus = contact.contact_modulus,
+              .curvature_ratio = relative.first / relative.second,
+              .direction = model.film_direction,
+              .thinning = model.film_thinning};
+  law.roughness = model.roughness[i].value_or(0.0);
+  return {axial_load, std::nullopt, false, contact::at_load(contact.hertz, normal_load), law};
 }
 
 }  // namespace

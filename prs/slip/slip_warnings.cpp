@@ -77,7 +77,7 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Wa
     const double along_major = slip.threads[i].along_major;
     if (slip.threads[i].central_film.empty() || model.threads[i].contacts.empty()) continue;
     const double off_major = 90.0 - std::asin(std::sqrt(along_major)) * 180.0 / std::numbers::pi;
-    const double ratio = contact::rolling_radius_ratio(model.threads[i].contacts.front().film, along_major);
+    const double ratio = contact::rolling_radius_ratio(model.threads[i].contacts.front().friction.film, along_major);
     const bool follows = model.film_direction == contact::FilmDirection::rolling;
     if (!follows && along_major > 0.5)
       warnings.push_back(Warning{"lubricant.film", fmt::format("{}_film_direction", name(i)),

@@ -95,25 +95,30 @@ TEST(Patch, TheCentreOfPureSpinHasNoDirection) {
   }
 }
 
-TEST(Patch, JacodSumsWhatItsFieldsShow) {
+/// Batches of points give what the law gives point by point.
+TEST(Patch, SumsWhatItsFieldsShow) {
   const PatchGrid grid(21);
-  const Patch patch(grid, kEllipse, friction_law(Jacod<double>{}, kPatchGrease, kFilmContact));
-  const PatchMotion motion{0.05, 0.07, 40.0, 0.5};
-  const Eigen::ArrayXd v_1 = patch.sliding_major(motion), v_2 = patch.sliding_minor(motion);
-  const Eigen::ArrayXd speed = (v_1.square() + v_2.square()).sqrt();
-  const Eigen::ArrayXd mu = patch.friction_coefficient(motion);
-  const Eigen::ArrayXd load = grid.cell_load() * grid.dome();  // of each point, over N
-  const PatchFriction f = patch.friction(motion);
-  const auto expect = [](double value, double expected) { EXPECT_NEAR(value / expected, 1.0, 1e-13); };
-  expect(f.traction_major, (mu * load * v_1 / speed).sum());
-  expect(f.traction_minor, (mu * load * v_2 / speed).sum());
-  expect(f.spin_arm,
-         (mu * load *
-          (v_2 * kEllipse.semi_major * grid.along_major() - v_1 * kEllipse.semi_minor * grid.along_minor()) / speed)
-             .sum());
-  expect(f.power_per_load, (mu * load * speed).sum());
-  expect(f.mean_friction, mu.mean());
-  expect(f.max_sliding_speed, speed.maxCoeff());
+  for (const FrictionLaw& law : {friction_law(Jacod<double>{}, kPatchGrease, kFilmContact), friction_law(Coulomb{0.1}),
+                                 friction_law(Mixed{0.12, 1.5}, kPatchGrease, kFilmContact, 0.4e-6)}) {
+    SCOPED_TRACE(facts_of(law.kind).name);
+    const Patch patch(grid, kEllipse, law);
+    const PatchMotion motion{0.05, 0.07, 40.0, 0.5};
+    const Eigen::ArrayXd v_1 = patch.sliding_major(motion), v_2 = patch.sliding_minor(motion);
+    const Eigen::ArrayXd speed = (v_1.square() + v_2.square()).sqrt();
+    const Eigen::ArrayXd mu = patch.friction_coefficient(motion);
+    const Eigen::ArrayXd load = grid.cell_load() * grid.dome();  // of each point, over N
+    const PatchFriction f = patch.friction(motion);
+    const auto expect = [](double value, double expected) { EXPECT_NEAR(value / expected, 1.0, 1e-13); };
+    expect(f.traction_major, (mu * load * v_1 / speed).sum());
+    expect(f.traction_minor, (mu * load * v_2 / speed).sum());
+    expect(f.spin_arm,
+           (mu * load *
+            (v_2 * kEllipse.semi_major * grid.along_major() - v_1 * kEllipse.semi_minor * grid.along_minor()) / speed)
+               .sum());
+    expect(f.power_per_load, (mu * load * speed).sum());
+    expect(f.mean_friction, mu.mean());
+    expect(f.max_sliding_speed, speed.maxCoeff());
+  }
 }
 
 TEST(Patch, PowerIsThatOfItsWrench) {
