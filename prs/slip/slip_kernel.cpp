@@ -49,38 +49,25 @@ class Screws {
   }
 
   void search() {
-    const auto waits = [](bool with_slope) {
-      return
-          [with_slope](const SlipTask& task) { return !task.search.done() && task.search.wants_slope() == with_slope; };
-    };
-    for (;;) {
-      const bool slopes = any_task(waits(true)), values = any_task(waits(false));
-      if (!slopes && !values) return;
-      if (slopes) {
-        const auto now = mark(waits(true));
-        take(now, balance(simd::Dual<Real>(slip_ratios(), Real(1.0))));
-      }
-      if (values) {
-        const auto now = mark(waits(false));
-        take(now, balance(slip_ratios()));
-      }
+    for (bool busy = true; busy;) {
+      const Marked slopes = waiting(true);
+      if (slopes.any) take(slopes, balance(simd::Dual<Real>(slip_ratios(), Real(1.0))));
+      const Marked values = waiting(false);
+      if (values.any) take(values, balance(slip_ratios()));
+      busy = slopes.any || values.any;
     }
   }
 
  private:
   struct Marked {
     bool lanes[kLanes] = {};
+    bool any = false;
   };
-  template <class Which>
-  bool any_task(Which which) const {
-    for (const SlipTask& task : tasks_)
-      if (which(task)) return true;
-    return false;
-  }
-  template <class Which>
-  Marked mark(Which which) const {
+  /// Lanes that ask for an evaluation with the slope, or for one without.
+  Marked waiting(bool with_slope) const {
     Marked marked;
-    for (std::size_t l = 0; l < tasks_.size(); ++l) marked.lanes[l] = which(tasks_[l]);
+    for (std::size_t l = 0; l < tasks_.size(); ++l)
+      if (!tasks_[l].search.done() && tasks_[l].search.wants_slope() == with_slope) marked.lanes[l] = marked.any = true;
     return marked;
   }
 
