@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/heat/loss_table.h"
+#include "prs/heat/tabulated_losses.h"
 
 namespace prs {
 

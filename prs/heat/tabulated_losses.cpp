@@ -1,4 +1,4 @@
-#include "prs/heat/loss_table.h"
+#include "prs/heat/tabulated_losses.h"
 
 namespace prs {
 namespace {
