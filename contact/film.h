@@ -14,6 +14,7 @@ struct LubricantOf {
   Real pressure_viscosity{};       ///< alpha, at ambient pressure [1/Pa]
   Real eyring_stress{};            ///< tau_0, shear stress where thinning begins [Pa]
   Real temperature_coefficient{};  ///< beta = -(d eta_0/dT)/eta_0 [1/K]; 0 where not known.
+  Real temperature{};              ///< [K]; NaN where not known.
 };
 using Lubricant = LubricantOf<double>;
 

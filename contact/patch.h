@@ -40,25 +40,9 @@ class PatchGrid {
 using PatchMotion = PatchMotionOf<double>;
 using PatchFriction = PatchFrictionOf<double>;
 
-/// Flanks that touch through a thin film.
-struct TouchingFlanks {
-  double friction = 0.0;   ///< Coefficient without film.
-  double exponent = 2.0;   ///< Exponent of `boundary_share`.
-  double roughness = 0.0;  ///< Composite Rq [m], > 0
-};
-
 /// eta_bar of a lubricant at each of the different domes of a grid, under a peak pressure [Pa]:
 /// `ratio` has room for all `domes`.
 void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure, double* ratio);
-
-FrictionLaw coulomb_friction(double coefficient);
-/// Jacod's law, point by point: Eyring fluid, Roelands viscosity at the Hertz pressure of the
-/// *static* load, Sandu's film of the whole contact, thinned by `film_factor`.
-FrictionLaw film_friction(const Lubricant& lubricant, const FilmContact& film_contact);
-/// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
-/// mu_film Jacod's, s the `boundary_share` of the whole contact by the central film,
-/// thinned as well. Jacod's for thick films, Coulomb's without film or entrainment.
-FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact, const TouchingFlanks& touching);
 
 /// One contact ellipse with its law of friction: what is constant while the slip ratio is sought.
 class Patch {
@@ -83,7 +67,7 @@ class Patch {
   const PatchGrid* grid_;
   HertzContact ellipse_;
   FrictionLaw law_;
-  Eigen::ArrayXd viscosity_ratio_;  ///< eta_bar at the points; empty with Coulomb.
+  Eigen::ArrayXd viscosity_ratio_;  ///< eta_bar at the points; empty without film.
 };
 
 /// A body under a contact, and how the contact moves over it in the tangent plane.

@@ -515,8 +515,9 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
       curves.warnings.push_back(std::move(*note));
   const Running parts = running(c, contacts, pattern);
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
-  curves.friction = friction_table(torque, force, options.speed.value_or(largest_speed(c)),
-                                   c.friction->of_film() || c.carrier.is_oiled(), curves.lead, curves.torque_error);
+  curves.friction =
+      friction_table(torque, force, options.speed.value_or(largest_speed(c)),
+                     c.friction->facts().changes_with_speed || c.carrier.is_oiled(), curves.lead, curves.torque_error);
 }
 
 /// The load case whose conditions hold: position, misalignment, speed. With `preload` and no load

@@ -1,4 +1,4 @@
-#include "prs/heat/analyze_heat.h"
+#include "prs/heat/duty_cycle.h"
 
 #include <Eigen/LU>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -380,7 +380,8 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts, std
   std::optional<Periodic> again = known ? repeated(cycle, *known) : std::nullopt;
   if (!again) {
     const std::vector<LossShare> shares(duty.cases.begin(), duty.cases.end());
-    const SteadyHeat steady = find_steady_heat(network, mean_heat(shares, shares, heat_may_grow(c)));
+    const SteadyHeat steady =
+        find_steady_heat(network, mean_heat(shares, shares, c.friction->is(contact::Lubrication::mixed)));
     if (!steady.converged()) return ended(result, steady.status, steady.reason);
     again = find_periodic(cycle, duty, steady.temperature, kept ? kKeptMargin : kMargin);
     if (again->status != HeatStatus::converged) return ended(result, again->status, again->reason);

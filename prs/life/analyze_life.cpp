@@ -5,6 +5,7 @@
 
 #include "prs/life/contact_loads.h"
 #include "prs/slip/running.h"
+#include "prs/slip/slip_warnings.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {

@@ -3,6 +3,8 @@
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/case_table.h"
 #include "prs/losses/slip_criteria.h"
+#include "prs/losses/slip_figures.h"
+#include "prs/losses/slip_table.h"
 #include "prs/model/check_case.h"
 
 namespace prs {
@@ -20,7 +22,7 @@ void add_preload_notes(const Case& c, Result& result) {
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
   add_preload_notes(in.values, result);
-  if (in.values.friction->of_film())
+  if (in.values.friction->facts().has_film())
     if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
       result.warnings.push_back(std::move(*estimated));
   return result;

@@ -1,6 +1,7 @@
-#include "prs/losses/slip_analysis.h"
+#include "prs/losses/slip_table.h"
 
 #include "prs/loads/case_table.h"
+#include "prs/slip/slip_warnings.h"
 #include "prs/text.h"
 
 namespace prs {

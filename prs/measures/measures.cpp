@@ -5,7 +5,7 @@
 
 #include "prs/life/analyze_life.h"
 #include "prs/loads/full_result.h"
-#include "prs/slip/slip.h"
+#include "prs/slip/slip_at_speed.h"
 
 namespace prs {
 namespace {

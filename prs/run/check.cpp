@@ -16,6 +16,7 @@
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/run/commands.h"
 #include "prs/slip/slip.h"
+#include "prs/slip/slip_warnings.h"
 #include "prs/text.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/motion_orders.h"

@@ -73,15 +73,12 @@ class RunningSolver {
   std::optional<double> last_slip_ratio_;
 };
 
-/// Normal loads of a running screw over those at rest: of the largest, and of all threads, which grow by
-/// N = F/(cos psi - mu sin psi) whatever the guides do.
-struct OverStatic {
-  double largest = 1.0, all = 1.0;
-};
+inline bool is_held(const Conditions& c, const LoadCase& load) { return screw_speed(c, load) == 0.0; }
 
-/// A warning where friction moves the largest load of screw or nut by much: by what, and on which guidance
-/// that stands.
-std::optional<Warning> guides_press(const Conditions& c, const PerInterface<OverStatic>& over_static);
+/// Whether slip takes the loads of the running screw.
+inline bool runs(const Conditions& c, const LoadCase& load) {
+  return slip_takes_running_loads(c.model, load.share) && !is_held(c, load);
+}
 
 /// The conditions with the slip ratios of travels that are `ideal` or `solved` as numbers; nothing
 /// where there is none. Throws CaseError where slip finds none.

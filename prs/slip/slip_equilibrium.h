@@ -15,8 +15,7 @@ struct LoadedThreads {
     std::optional<double> normal_load = {};  ///< N_i where the running screw has it [N].
     bool other_flank = false;                ///< See `SlipModel::other_flank`.
     contact::HertzContact ellipse;
-    contact::FilmContact film;
-    contact::FrictionLaw friction;
+    contact::FrictionLaw friction;  ///< With the film of the contact, whatever the law.
   };
   std::vector<Contact> contacts;
   std::vector<contact::Patch> patches;  ///< Patches of these contacts.
@@ -155,6 +154,8 @@ struct PowerFlow {
   /// Output over input (Sandu 2018, (3.52)); absent where both flow in, as in a self-locking screw.
   std::optional<double> efficiency() const;
 };
-PowerFlow power_flow(const SlipModel& model, const SlipBalance& balance, const DriveTorques& torques);
+PowerFlow power_flow(const SlipModel& model, const SlipBalance& balance);
+
+DrivenBy driven_by(double axial_force, double speed, double lead);
 
 }  // namespace prs

@@ -1,6 +1,6 @@
 #include "prs/study/study_pictures.h"
 
-#include "prs/losses/slip_analysis.h"
+#include "prs/losses/slip_figures.h"
 #include "prs/record/table_units.h"
 #include "prs/study/recorded.h"
 

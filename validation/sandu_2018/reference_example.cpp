@@ -133,7 +133,9 @@ ValidationTable printed_ellipses(const Case& reference) {
       const contact::Film film =
           contact::sandu_film(*model.oils.threads[i], {load, larger_curvature, contact.contact_modulus}, rolling_speed);
       row.push_back(film.thickness * per_si::nanometre);
-      row.push_back(contact::Patch(grid, ellipse, contact::coulomb_friction(0.0)).friction(motion).max_sliding_speed *
+      row.push_back(contact::Patch(grid, ellipse, contact::friction_law(contact::Coulomb{0.0}))
+                        .friction(motion)
+                        .max_sliding_speed *
                     per_si::millimetre);
     };
     add(thesis, printed_ellipse(relative, load, contact.contact_modulus), relative.second, rolling);

@@ -136,7 +136,7 @@ TEST(Heat, TemperaturesOfRandomMechanismsAreThoseOfAPlainIteration) {
     Case c = test::random_slip(random);
     if (c.operation->slip_ratio) continue;
     if (i % 3 == 0) {
-      c.friction = Friction{.model = Friction::Model::mixed, .mixed = {.boundary = 0.12}};
+      c.friction = friction_by(contact::Mixed<PerInterface<double>>{at_both(0.12)});
       c.roughness = PerPart<double>{0.2e-6, 0.2e-6, 0.2e-6};
     }
     Lubricant& oil = *c.lubricant;

@@ -262,16 +262,16 @@ TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
   c.load_cases.pop_back();
   c.friction = Friction{};
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant operation");
-  c.friction->model = Friction::Model::mixed;
+  c.friction->kind = contact::kind_of<contact::Mixed>;
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant roughness operation");
-  c.friction->model = Friction::Model::coulomb;
+  c.friction->kind = contact::kind_of<contact::Coulomb>;
   c.load_cases[0].speed = 40.0;
   EXPECT_EQ(paths(missing(c, Command::slip)), "");
 }
 
 TEST(CheckRequirements, ScrewOrLoadMayDriveAndAFilmHoldsNothingAtRest) {
   Case c = abevi_case();
-  c.friction = Friction{Friction::Model::coulomb, at_both(0.1)};
+  c.friction = friction_by(contact::Coulomb{at_both(0.1)});
   for (const double lead : {0.005, -0.005})
     for (const double speed : {40.0, -40.0}) {
       c.mechanism.lead = lead;
@@ -295,7 +295,7 @@ TEST(CheckRequirements, ScrewOrLoadMayDriveAndAFilmHoldsNothingAtRest) {
 TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
   Case c = abevi_case();
   c.load_cases.pop_back();
-  c.friction = Friction{Friction::Model::coulomb, at_both(0.1)};
+  c.friction = friction_by(contact::Coulomb{at_both(0.1)});
   c.operation = Operation{40.0, {}};
   c.carrier.bearing = HeadBearing{{0.004, 0.005, 15e-6}};
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant");
