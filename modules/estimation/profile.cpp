@@ -6,6 +6,8 @@
 namespace modules::fit {
 namespace {
 
+constexpr double kAtEnd = 1e-5;  // Of the profile's height above its target, in standard deviations.
+
 /// The objective where an unknown is held, the others following.
 struct Profile {
   Search search;
@@ -37,23 +39,24 @@ End end_of(Profile& profile, double deviation, double sense) {
   const Search& search = profile.search;
   const double middle = search.z[*search.held], edge = sense < 0.0 ? middle : 1.0 - middle;
   const bool is_bounded = search.model.unknown(*search.held).is_bounded;
-  bool is_beyond = false;
+  double z = middle, y = 0.0;
   const auto height = [&](double distance) {
     const bool at_edge = is_bounded && distance >= edge;
-    const double y = profile(middle + sense * (at_edge ? edge : distance));
-    is_beyond = at_edge && y < 0.0;
-    if (is_beyond) throw std::domain_error("beyond a bound");
+    z = middle + sense * (at_edge ? edge : distance);
+    y = profile(z);
+    if (at_edge && y < 0.0) throw End{.is_beyond = true};
     return y;
   };
-  const auto is_narrow = [&](double a, double b) { return b - a <= 1e-6 * deviation; };
+  const auto is_end = [&](double, double) { return std::abs(y) <= kAtEnd; };
   std::uintmax_t places = 30;
   try {
-    const auto [a, b] =
-        boost::math::tools::bracket_and_solve_root(height, profile.target * deviation, 1.1, true, is_narrow, places);
-    return {.z = is_narrow(a, b) ? std::optional(middle + sense * 0.5 * (a + b)) : std::nullopt};
+    boost::math::tools::bracket_and_solve_root(height, profile.target * deviation, 1.1, true, is_end, places);
+  } catch (const End& end) {
+    return end;
   } catch (const std::exception&) {  // No answer, or no bracket.
-    return {.is_beyond = is_beyond};
+    return {};
   }
+  return {.z = is_end(0.0, 0.0) ? std::optional(z) : std::nullopt};
 }
 
 }  // namespace
