@@ -144,17 +144,6 @@ struct Result {
   std::vector<StartResult> starts;
 };
 
-struct Minimum {
-  bool has_converged = false;
-  std::size_t iterations = 0;
-};
-/// Residuals whose half sum of squares is least within 0 <= z <= 1 where `bounded`, from z on, with
-/// their derivatives by z, a row each, where these are asked for. False: none at this z. With
-/// `roughly` the search may end early: what follows does the rest.
-using Residuals = std::function<bool(const double* z, double* residuals, double* derivatives)>;
-Minimum minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, bool roughly,
-                 std::vector<double>& z);
-
 Result solve(const Problem& problem);
 
 struct FitModule : Module {

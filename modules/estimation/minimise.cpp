@@ -1,7 +1,7 @@
+#include "modules/estimation/minimise.h"
+
 #include <ceres/ceres.h>
 #include <glog/logging.h>
-
-#include "modules/estimation/fit.h"
 
 namespace modules::fit {
 namespace {
@@ -31,8 +31,8 @@ void keep_quiet() {
 
 }  // namespace
 
-Minimum minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, bool roughly,
-                 std::vector<double>& z) {
+std::size_t minimise(const Residuals& residuals, std::size_t count, const std::vector<bool>& bounded, bool roughly,
+                     std::vector<double>& z) {
   keep_quiet();
   ceres::Problem problem;
   problem.AddResidualBlock(new Cost(residuals, count, z.size()), nullptr, z.data());
@@ -51,9 +51,7 @@ Minimum minimise(const Residuals& residuals, std::size_t count, const std::vecto
   options.parameter_tolerance = 1e-12;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  return {summary.termination_type == ceres::CONVERGENCE, summary.iterations.size()};
+  return summary.iterations.size();
 }
 
 }  // namespace modules::fit
-
-extern "C" __attribute__((visibility("default"))) const modules::fit::FitModule prs_module{{}, modules::fit::solve};
